@@ -130,7 +130,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bake tile.city.jsonl -o year.csv --quantity irradiation --weather athens --split",
         # these: tests/texture
         "warpsample bake in.glb -o out.glb --texture 1024 --samples 256          # occlusion into every material",
-        "warpsample bake in.obj -o ao.png --texture 1024 --supersample 4         # means over texels, not at their centres",
+        "warpsample bake in.obj -o ao.png --texture 1024 --supersample 4         # means over whole texels",
         "warpsample bake in.glb -o light.exr --texture 512 --quantity irradiance --environment sky.hdr --uv 1",
         "warpsample bake low.glb -o out.glb --texture 1024 --quantity normals --high high.ply --cage 0.02",
         "python viz/gallery.py",  # test_gallery.py, without the benchmarks

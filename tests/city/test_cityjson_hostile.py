@@ -58,11 +58,14 @@ DAMAGED = {
         geometry(boundaries=[[[[0, 1, 99]]]]),
         r"CityObjects.house.geometry\[0\].boundaries: got the vertex 99",
     ),
-    "a corner below": (geometry(boundaries=[[[[0, 1, -1]]]]), ".*: got the vertex -1, want one of the 16 that there are$"),
+    "a corner below": (
+        geometry(boundaries=[[[[0, 1, -1]]]]),
+        ".*: got the vertex -1, want one of the 16 vertices, counted from 0$",
+    ),
     "a huge corner": (geometry(boundaries=[[[[0, 1, 10**30]]]]), ".*: got the vertex 10{30}, want"),
     "a corner of 1.5": (
         geometry(boundaries=[[[[0, 1, 1.5]]]]),
-        ".*: got the corner 1.5, want whole numbers, Solid's depth$",
+        ".*: got the corner 1.5, want whole numbers, nested as deep as in a Solid$",
     ),
     "a corner of null": (geometry(boundaries=[[[[0, 1, None]]]]), ".*: got the corner None, want"),
     "too deep": (geometry(boundaries=[cases.SOLID["boundaries"]]), r".*: got the corner \[.*, want whole numbers"),
@@ -82,11 +85,11 @@ DAMAGED = {
     ),
     "semantics too short": (
         geometry(semantics=cases.SEMANTICS | {"values": [[0, 1]]}),
-        r".*values: got \[0, 1\], want null or 10",
+        r".*values: got \[0, 1\], want null or a list of 10",
     ),
     "semantics too flat": (
         geometry(semantics=cases.SEMANTICS | {"values": [0]}),
-        r".*values: got 0, want null or 10 of them",
+        r".*values: got 0, want null or a list of 10",
     ),
     "semantics too deep": (
         geometry(semantics=cases.SEMANTICS | {"values": [[[0]] * 10]}),

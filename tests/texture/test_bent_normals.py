@@ -8,8 +8,8 @@ from glb_files import glb
 from PIL import Image
 from textured_scenes import SQUARE, TWO, changed, opened, picture, rich
 
-from warpsample.texture.pictures import png_of
-from warpsample.texture.tangents import Frames, tangents_of
+from warpsample.texture.pictures import encode_png
+from warpsample.texture.tangents import Frames, compute_tangents
 
 HIGH = 1000.0  # of the wall, which is as good as endless beside a floor of 2
 BENT = ("--quantity", "bent-normals", "--texture", 8, "--uv", "0")
@@ -74,7 +74,7 @@ def test_an_open_surface_is_the_normal_in_any_file(call, tmp_path):
     path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n")
     assert call("bake", path, "-o", tmp_path / "out.png", *BENT, "--samples", 4096)[0] == 0
     assert np.abs(np.array(Image.open(tmp_path / "out.png"), int) - (128, 128, 255)).max() <= 1  # by the noise of rays
-    nothing = np.array(Image.open(io.BytesIO(png_of(np.zeros((1, 1, 3)), 8))))
+    nothing = np.array(Image.open(io.BytesIO(encode_png(np.zeros((1, 1, 3)), 8))))
     assert nothing.tolist() == [[[128, 128, 255]]]
 
 
@@ -121,7 +121,7 @@ def test_tangents_are_those_of_the_reference():
     uv[2, :, 0] += 0.25
     normal = corners[faces]
     normal[7] = np.array([1, -1, -1]) / np.sqrt(3.0)
-    found = tangents_of(corners[faces], normal, uv)
+    found = compute_tangents(corners[faces], normal, uv)
     assert np.abs(found - np.array(REFERENCE).reshape(8, 3, 4)).max() < 5.1e-4  # three digits
 
 
@@ -130,6 +130,6 @@ def test_frames_stand_in_where_there_are_none():
     normals = np.array([[(0.0, 0.6, 0.8)] * 3])
     for tangent in (np.zeros(4), np.full(4, np.nan), np.array([0.0, 0.6, 0.8, 1.0])):
         frames = Frames(normals, np.broadcast_to(tangent, (1, 3, 4)))
-        found = frames.into(np.eye(3), np.zeros(3, int), np.full((3, 3), 1 / 3))
+        found = frames.to_components(np.eye(3), np.zeros(3, int), np.full((3, 3), 1 / 3))
         assert np.allclose(found @ found.T, np.eye(3), atol=1e-6)
         assert np.allclose(found[:, 2], (0.0, 0.6, 0.8), atol=1e-6)

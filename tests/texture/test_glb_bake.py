@@ -113,7 +113,7 @@ def test_the_same_command_gives_the_same_bytes(call, scene):
 def test_an_interrupt_leaves_the_old_file(call, scene, monkeypatch):
     """As the last thing is made, when the new file is begun already."""
     output = baked(call, scene)[0]
-    whole, png = output.read_bytes(), texture_bake.png_of
+    whole, png = output.read_bytes(), texture_bake.encode_png
     made = []
 
     def once(image, depth):
@@ -122,7 +122,7 @@ def test_an_interrupt_leaves_the_old_file(call, scene, monkeypatch):
             raise KeyboardInterrupt
         return png(image, depth)
 
-    monkeypatch.setattr(texture_bake, "png_of", once)
+    monkeypatch.setattr(texture_bake, "encode_png", once)
     status, _, _ = call("bake", scene, "-o", output, "--texture", 32, *RAYS)
     assert (status, len(made)) == (130, 2)
     assert output.read_bytes() == whole
@@ -285,7 +285,7 @@ def test_texels_too_small_for_float32_are_told_and_refused(call, tmp_path, dista
 
     path.write_bytes(changed(path.read_bytes(), change))
     _, out = baked(call, path, "--uv", "new")
-    assert ("\n  'floor': rays resolve lengths from 0.019 on, and 4,096 points have texels less than" in out) == is_told
+    assert ("\n  'floor': rays resolve lengths above 0.019, and 4,096 points have texels less than" in out) == is_told
     status, _, err = call("bake", path, "-o", output, "--texture", 64, *RAYS, "--uv", "new", "--strict")
     assert (status, err.startswith("error: --strict: got 'floor': rays resolve")) == ((2, True) if is_told else (0, False))
 
@@ -311,7 +311,7 @@ def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
         (["--texture", 64, "--supersample", 0], "--supersample: got 0, want"),
         (["--texture", 64, "--gutter", "some"], "--gutter: got 'some', want 'all' or a whole number"),
         (["--texture", 64, "--strength", 2], "--strength: got 2.0, want a number from 0 to 1"),
-        (["--texture", 64, "--uv", "1"], "--uv: got 1, and not all faces of 'brick' have the set 1 of coordinates"),
+        (["--texture", 64, "--uv", "1"], "--uv: got 1, want a set of texture coordinates that all faces of 'brick' have"),
         (["--texture", "64x32", "--uv", "new"], "--texture: got 64x32 for new texture coordinates, want a square"),
         (["--texture", 64, "--quantity", "mean-distance"], "--quantity: got mean-distance for 'out.glb', want .exr or .npz"),
         (["--texture", 64, "--processes", 2], "--processes: got 2 for"),
@@ -355,7 +355,7 @@ def sparse(number):
         (
             lambda tree: tree["accessors"][13].update(count=2),
             ["--uv", "new"],
-            ".*_AGE: got 2 of them, want one for each vertex",
+            ".*_AGE: got 2 values, want one for each vertex",
         ),
         (lambda tree: tree["accessors"][12].update(type="MAT3"), ["--uv", "new"], ".*NORMAL: got numbers that are 'MAT3'"),
         (
@@ -480,8 +480,8 @@ def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
     )
     output, out = baked(call, path, "--uv", "new")
     assert "\n  the 2 places of 'meshes[0]' share one picture\n" in out
-    assert "\n  of materials with two sides the numbers are those of the front: 'materials[0]'\n" in out
-    said = "\n  transparent materials that block all light, as --transmittance gives them no share: 'materials[0]'\n"
+    assert "\n  two-sided materials show the numbers of the front on both sides: 'materials[0]'\n" in out
+    said = "\n  transparent materials block all light, since --transmittance does not name them: 'materials[0]'\n"
     assert out.endswith(said)
     whole = baked(call, path, "--uv", "new", "--transmittance", "0.25")[1]
     assert (whole.endswith("\n  faces of 'materials[0]' pass 25 % of the light\n"), "block all" in whole) == (True, False)
@@ -512,9 +512,9 @@ def test_what_a_file_needs_beside_it_and_what_shows_no_occlusion_is_told(call, t
     for output, is_told in ((tmp_path / "out.glb", False), (folder / "out.glb", True)):
         status, out, _ = call("bake", path, "-o", output, "--texture", 8, "--samples", 2)
         assert status == 0
-        assert "viewers show no occlusion on materials that are unlit: 'brick'" in out
-        assert "morph targets are left out, though the file gives them weights: 'Wånd'" in out
-        assert ("out.glb wants these files beside it: 'a%20b.png'" in out) == is_told
+        assert "viewers show no occlusion on unlit materials: 'brick'" in out
+        assert "morph targets are left out, though the file sets their weights: 'Wånd'" in out
+        assert ("out.glb needs these files in its folder: 'a%20b.png'" in out) == is_told
         assert opened(output)[0]["images"][1] == {"uri": "a%20b.png"}
 
 

@@ -104,7 +104,7 @@ def test_back_faces_are_passed():
     mesh = ws.Mesh(vertices, faces)
     high = HighMesh(mesh, mesh.vertex_normals[mesh.faces].astype(float), 1.0, "face")
     low = ws.as_mesh(inner)
-    found, missed = high.under(ws.face_centers(low), low)
+    found, missed = high.project(ws.face_centers(low), low)
     assert not missed.any()
     assert np.array_equal(found.face, np.arange(len(inner.faces)))
 

@@ -21,7 +21,7 @@ def floor_and(*bodies):
 
 def inside(mesh, points):
     """Whether points on the first faces of a mesh are inside a closed body."""
-    return Closed(mesh).around(points, points.face)[0][:, 0] > 0
+    return Closed(mesh).count_bodies(points, points.face)[0][:, 0] > 0
 
 
 def around(mesh):
@@ -94,7 +94,7 @@ def buried_of(mesh, uv, side):
         part = t.take(slice(start, start + 300))
         enclosed.add(start, part, part, None)
     found = np.zeros(side * side, bool)
-    found[t.texel[enclosed.buried(np.ones(len(t), bool))]] = True
+    found[t.texel[enclosed.find_buried(np.ones(len(t), bool))]] = True
     return found.reshape(side, side)
 
 
@@ -154,9 +154,9 @@ def test_rays_are_cast_only_near_other_bodies():
     points = ws.sample_surface(ws.Mesh(*sheet(4)), 2000, seed=1)
     near = np.count_nonzero((np.abs(points.position[:, :2]) < 1 + 2 / 64).all(axis=1))
     for mesh, count in ((floor_and(), 0), (floor_and(box((2, 2, 2), (0, 0, 5))), 0), (floor_and(CRATE), near)):
-        nested, _, rays = Closed(mesh).around(points, points.face)
+        nested, _, rays = Closed(mesh).count_bodies(points, points.face)
         assert rays <= 2 * count
         assert nested.any() == (count > 0)
     ball = ws.Mesh(BALL.vertices, BALL.faces)
     points = ws.face_centers(ball)
-    assert Closed(ball).around(points, points.face)[2] == 0
+    assert Closed(ball).count_bodies(points, points.face)[2] == 0

@@ -6,7 +6,7 @@ from lookups import lookup, on_surface
 from textured_scenes import changed, opened, picture, rich
 
 import warpsample as ws
-from warpsample.texture.shown import shown_occlusion
+from warpsample.texture.shown import read_occlusion
 
 
 @pytest.fixture
@@ -19,7 +19,7 @@ def baked(call, tmp_path):
 
 def test_each_face_shows_its_own_picture(baked):
     """At random places on floor and wall it is what the material says, by its own set and strength."""
-    shown = shown_occlusion(baked)
+    shown = read_occlusion(baked)
     mesh, (tree, data, _) = ws.load_mesh(baked), opened(baked)
     points, at = on_surface(mesh, shown.uv, 2000)
     read = lookup(shown.picture[..., None] / 255, at)[:, 0]
@@ -39,7 +39,7 @@ def test_what_cannot_be_shown_is_white(baked, tmp_path):
 
     path = tmp_path / "changed.glb"
     path.write_bytes(changed(baked.read_bytes(), change))
-    shown = shown_occlusion(path)
+    shown = read_occlusion(path)
     points, at = on_surface(ws.load_mesh(path), shown.uv, 500)
     read = lookup(shown.picture[..., None] / 255, at)[:, 0]
     assert (read[points.face >= 2] == 1.0).all()
@@ -50,11 +50,11 @@ def test_what_cannot_be_shown_is_white(baked, tmp_path):
         tree["materials"][3]["occlusionTexture"]["extensions"] = {"KHR_texture_transform": {}}
 
     path.write_bytes(changed(baked.read_bytes(), transform))
-    assert shown_occlusion(path) is None
-    assert shown_occlusion(path.with_suffix(".ply")) is None
+    assert read_occlusion(path) is None
+    assert read_occlusion(path.with_suffix(".ply")) is None
     path.write_bytes(changed(baked.read_bytes(), lambda tree: tree["materials"][1]["occlusionTexture"].update(strength=[2])))
     with pytest.raises(ValueError, match=r"changed.glb.*materials\[1\].occlusionTexture.strength: got \[2\]"):
-        shown_occlusion(path)
+        read_occlusion(path)
 
 
 def test_the_viewer_is_given_it(can_render, baked):
@@ -63,7 +63,7 @@ def test_the_viewer_is_given_it(can_render, baked):
 
     from warpsample.plotting.scenes import draw_mesh
 
-    shown, mesh = shown_occlusion(baked), ws.load_mesh(baked)
+    shown, mesh = read_occlusion(baked), ws.load_mesh(baked)
     plotter = pv.Plotter(off_screen=True)
     actor = draw_mesh(plotter, mesh.vertices, mesh.faces, (shown.picture, shown.uv))
     drawn = actor.mapper.dataset

@@ -149,7 +149,7 @@ def test_a_texel_of_one_sample_has_the_error_of_its_point():
     image = t.image_error(errors, gutter=0)
     assert np.array_equal(image.ravel()[t.texel], errors.astype(np.float32))
     more = ws.texture_points(mesh, uv, 16, samples=4)
-    with pytest.raises(TypeError, match="errors: got .*, want the Estimate: of 4 samples"):
+    with pytest.raises(TypeError, match="errors: got .*, want the Estimate with its values: errors of 4 samples"):
         more.image_error(np.ones(len(more)))
 
 
@@ -206,7 +206,11 @@ def test_the_mean_over_the_image_is_the_mean_over_the_surface():
         ((None, 8), {}, "uv: got None"),
         ((0, 0), {}, "size: got 0, want a whole number from 1"),
         ((0, (8, 8, 8)), {}, "size: got (8, 8, 8), want"),
-        ((0, (60_000, 60_000)), {}, "size: got (60000, 60000) by 1 samples a texel, want at most 2,147,483,647 in all"),
+        (
+            (0, (60_000, 60_000)),
+            {},
+            "size: got (60000, 60000) with 1 samples per texel, want at most 2,147,483,647 samples in all",
+        ),
         ((0, 8), {"samples": 0}, "samples: got 0"),
         ((0, 8), {"normals": "flat"}, "normals: got 'flat', want one of face, smooth, lifted"),
         ((0, 8), {"corner_normals": np.ones((4, 3))}, "corner_normals: got shape (4, 3), want (4, 3, 3)"),

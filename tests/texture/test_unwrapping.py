@@ -8,7 +8,7 @@ import trimesh
 
 import warpsample as ws
 from warpsample.texture import unwrapping
-from warpsample.texture.charts import charts_of
+from warpsample.texture.charts import label_charts
 
 SPHERE = trimesh.creation.icosphere(3)
 
@@ -25,7 +25,7 @@ def test_charts_fit_and_keep_their_distance(mesh, size):
     t = ws.texture_points(split, uv, size)
     assert (t.report.overlapped, t.report.outside, t.report.zero_area) == (0, 0, 0)
     chart = np.full(size * size, -1)
-    chart[t.texel] = charts_of(uv)[t.face]
+    chart[t.texel] = label_charts(uv)[t.face]
     chart = chart.reshape(size, size)
     assert len(np.unique(chart)) > 4
     for step in range(1, padding - 1):  # texels that are covered reach up to 1 beyond each chart
@@ -57,7 +57,8 @@ def test_a_mesh_that_ends_xatlas_is_told(monkeypatch):
     """As a sphere of 81,920 triangles does: github.com/jpcy/xatlas/issues/146."""
     monkeypatch.setattr(unwrapping, "_PROGRAM", "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)")
     with pytest.raises(
-        ValueError, match=r"^mesh: got one on which xatlas ended with -11, want coordinates by another program$"
+        ValueError,
+        match=r"^mesh: got a mesh on which xatlas ended with -11, want texture coordinates made by another program$",
     ):
         ws.unwrap(SPHERE, 64)
 

@@ -22,7 +22,7 @@ from warpsample.cli.terminal import (
 )
 from warpsample.cli.verify import verify_command
 from warpsample.mesh.files import load_mesh
-from warpsample.texture.shown import shown_occlusion
+from warpsample.texture.shown import read_occlusion
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
 app.add_typer(bench.app, name="bench")
@@ -149,7 +149,7 @@ def view(
         rendering.check_rendering()
     path = mesh or start.bunny()
     with working(f"reading {path}"):
-        surface, occlusion = load_mesh(path), shown_occlusion(path)
+        surface, occlusion = load_mesh(path), read_occlusion(path)
     points = points or (100 if occlusion is None else 1)  # clouds would hide it
     if screenshot is None:
         with signals.at_once():

@@ -10,7 +10,7 @@ from warpsample.city import rasters
 from warpsample.city.cityjson.city import City, load_city
 from warpsample.city.cityjson.context import GROUND_PLANE
 from warpsample.city.cityjson.placing import spread_points
-from warpsample.city.cityjson.writing import with_totals
+from warpsample.city.cityjson.writing import add_totals
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.files import complete_or_absent
 from warpsample.host.tables import write_csv
@@ -98,7 +98,7 @@ def part_table(baked: Baked, city: City | None) -> dict[str, np.ndarray]:
     """A row for each part: its name, area, means and errors, and sums where the unit is per area."""
     rows = _rows(baked.mesh) if city is None else city.surfaces.columns
     area = rows.pop("area")
-    return rows | {"area_m2": area} | dict(with_totals(dict(_means(baked)), area))
+    return rows | {"area_m2": area} | dict(add_totals(dict(_means(baked)), area))
 
 
 def _rows(mesh: Mesh) -> dict[str, np.ndarray]:

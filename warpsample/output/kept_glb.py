@@ -6,9 +6,9 @@ from typing import BinaryIO
 
 import numpy as np
 
-from warpsample.texture.glb_file import GlbFile, editing
-from warpsample.texture.notes import named, notes_on
-from warpsample.texture.primitives import Primitive, primitives_of
+from warpsample.texture.glb_file import GlbFile, convert_read_errors
+from warpsample.texture.notes import describe_materials, join_names
+from warpsample.texture.primitives import Primitive, list_primitives
 
 
 def keeps(source: Path, output: Path, at: str | None) -> bool:
@@ -23,11 +23,11 @@ def told_of_kept(source: Path) -> list[str]:
         ValueError: a file that cannot be edited.
     """
     file, primitives = _opened(source)
-    coloured = named(one.name for one in primitives if "COLOR_0" in one.part.part("attributes"))
-    several = named(one.name for one in primitives if one.others)
+    coloured = join_names(one.name for one in primitives if "COLOR_0" in one.part.part("attributes"))
+    several = join_names(one.name for one in primitives if one.others)
     told = [f"the colours of {coloured} are replaced"] if coloured else []
     told += [f"of {several}, in several places, the first one counts"] if several else []
-    return [*told, *notes_on(file.part, primitives)]
+    return [*told, *describe_materials(file.part, primitives)]
 
 
 def write_kept(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]) -> None:
@@ -42,6 +42,6 @@ def write_kept(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]
 
 
 def _opened(source: Path) -> tuple[GlbFile, list[Primitive]]:
-    with editing(source):
+    with convert_read_errors(source):
         file = GlbFile(source)
-        return file, primitives_of(file.part, file.data)
+        return file, list_primitives(file.part, file.data)

@@ -22,14 +22,20 @@ from warpsample.output.faces_option import with_optics
 from warpsample.output.quantities import check_options, quantity_of
 from warpsample.output.texture_images import Filled, filled
 from warpsample.output.texture_instances import Picture, describe_places, pictures_of, place_pictures
-from warpsample.texture.glb_file import GlbFile, editing
+from warpsample.texture.glb_file import GlbFile, convert_read_errors
 from warpsample.texture.high import HighMesh
 from warpsample.texture.inside import Closed
-from warpsample.texture.jobs import SCENES, TextureJob, flaws_told, is_flat, jobs_of
-from warpsample.texture.materials import OCCLUSION, THICKNESS, Slot, add_texture, slot_of
-from warpsample.texture.notes import describe_coarse_texels, left_behind, named, notes_on, notes_on_light
-from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
-from warpsample.texture.primitives import Primitive, primitives_of, sharing
+from warpsample.texture.jobs import SCENES, TextureJob, describe_flaws, is_flat, plan_jobs
+from warpsample.texture.materials import OCCLUSION, THICKNESS, Slot, add_texture, slot_for_quantity
+from warpsample.texture.notes import (
+    describe_coarse_texels,
+    describe_light,
+    describe_materials,
+    describe_missing_files,
+    join_names,
+)
+from warpsample.texture.pictures import DEPTHS, check_library, encode_exr, encode_png
+from warpsample.texture.primitives import Primitive, group_by_material, list_primitives
 from warpsample.texture.sets import TextureOptions
 
 SUFFIXES = (*SCENES, ".png", ".exr", ".npz")
@@ -50,8 +56,8 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     quantity = quantity_of(run.quantity)
     _check(run, quantity, how)
     mesh = with_optics(load_mesh(run.mesh), **run.optics)
-    slot = slot_of(quantity.name)
-    jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)
+    slot = slot_for_quantity(quantity.name)
+    jobs, file = plan_jobs(run.mesh, mesh, how, run.output.suffix, slot)
     high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
     told = [] if file is None else _before(file, run, how, jobs)
     traced = mesh if high is None else high.mesh
@@ -88,21 +94,23 @@ def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[s
 
 def _before(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[TextureJob]) -> list[str]:
     """Checks a .glb or .gltf before anything is computed; what is to be said of it."""
-    with editing(run.mesh):
+    with convert_read_errors(run.mesh):
         if run.output.suffix == ".gltf":
-            file.check_apart()
-        told = list(notes_on(file.part, [one for job in jobs for one in job.group], slot_of(run.quantity).name))
-        placed = primitives_of(file.part, file.data)
+            file.check_no_trailing_bytes()
+        told = list(
+            describe_materials(file.part, [one for job in jobs for one in job.group], slot_for_quantity(run.quantity).name)
+        )
+        placed = list_primitives(file.part, file.data)
         if how.high is None and run.quantity not in _WITHOUT_LIGHT:  # a finer mesh has none of these materials
-            told += notes_on_light(file.part, placed, jobs[0].points.mesh.transmittance)
-        groups = sharing(placed)
-        several = named(one.name for job in jobs for one in job.group if one.others)
-        flat = named(one.name for group in groups if is_flat(jobs[0].points.mesh, group) for one in group)
+            told += describe_light(file.part, placed, jobs[0].points.mesh.transmittance)
+        groups = group_by_material(placed)
+        several = join_names(one.name for job in jobs for one in job.group if one.others)
+        flat = join_names(one.name for group in groups if is_flat(jobs[0].points.mesh, group) for one in group)
     if several and how.strict and how.instances == "mean":
         raise ValueError(f"--strict: got --instances mean for {several} in several places, want split")
     if flat:
         told.append(f"without an area, and so left without a picture: {flat}")
-    return [*told, *left_behind(run.mesh, file.tree, run.output)]
+    return [*told, *describe_missing_files(run.mesh, file.tree, run.output)]
 
 
 def _write_scene(file: GlbFile, run: BakeRun, how: TextureOptions, found: list[list[Picture]], slot: Slot) -> list[str]:
@@ -152,7 +160,7 @@ def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
 def _check_picture(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
     """Refuses numbers, and options of pictures, that do not go together with the file to write."""
     suffix = run.output.suffix
-    slot = slot_of(quantity.name)
+    slot = slot_for_quantity(quantity.name)
     if slot is THICKNESS and how.normals == "lifted":
         raise ValueError("--normals: got lifted for thickness, want face or smooth: its rays start beneath the face")
     fits = slot.directed or (slot is THICKNESS and suffix in SCENES)
@@ -177,16 +185,16 @@ def _put(file: GlbFile, one: Filled, group: list[Primitive], slot: Slot, how: Te
     info |= {"strength": how.strength} if how.strength != 1.0 else {}
     longest = float(one.value.max()) if slot is THICKNESS else 1.0
     more = {"thicknessFactor": longest} if slot is THICKNESS else {}
-    png = png_of(one.value / (longest or 1.0), how.depth)
+    png = encode_png(one.value / (longest or 1.0), how.depth)
     return add_texture(file, group, png, slot, info=info, more=more)
 
 
 def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Filled) -> None:
     """Writes the images of a file of its own: an .npz also tells the texture coordinates that they are for, and the run."""
     if run.output.suffix == ".png":
-        stream.write(png_of(found.value, how.depth))
+        stream.write(encode_png(found.value, how.depth))
     elif run.output.suffix == ".exr":
-        stream.write(exr_of({"": found.value, "standard_error": found.error}))
+        stream.write(encode_exr({"": found.value, "standard_error": found.error}))
     else:
         texture = {f"texture_{item.name}": str(getattr(how, item.name)) for item in fields(how)}
         options = {name: str(value) for name, value in quantity_of(run.quantity).told(run.options).items()}
@@ -204,8 +212,8 @@ def _told(found: Filled) -> Iterator[str]:
     job, report = found.job, found.job.points.report
     known = np.sqrt(np.mean(np.square(found.error[job.points.covered], dtype=np.float64)))
     numbers = "none with a number" if np.isnan(found.mean) else f"mean {found.mean:.4f}; standard error {known:.2g}"
-    yield f"{job.name!r}, {job.told}: {report.covered:,} texels, {numbers}"
-    yield from flaws_told(job)
+    yield f"{job.name!r}, {job.coordinates}: {report.covered:,} texels, {numbers}"
+    yield from describe_flaws(job)
     if found.inside:
         yield f"{found.inside:,} points inside closed bodies, filled from their charts"
     if found.enclosed:

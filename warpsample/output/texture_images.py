@@ -18,7 +18,7 @@ from warpsample.output.quantities import quantity_of
 from warpsample.texture.high import HighMesh
 from warpsample.texture.inside import Closed, Enclosed
 from warpsample.texture.jobs import SCENES, TextureJob
-from warpsample.texture.materials import slot_of
+from warpsample.texture.materials import slot_for_quantity
 from warpsample.texture.sets import TextureOptions
 from warpsample.texture.tangents import Frames
 
@@ -65,7 +65,7 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
     def of_part(part: SurfacePoints, first: int) -> Any:
         rows, places = slice(first, first + len(part)), part
         if high is not None:
-            places, missed[rows] = high.under(part, points.mesh, workers)
+            places, missed[rows] = high.project(part, points.mesh, workers)
         if looks:
             bodies.add(first, part, places, workers)
         found = numbers(places, 0)  # the points have ids
@@ -77,7 +77,7 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
         rays, bad = rays + int(part.rays.sum(dtype=np.int64)), bad + int(np.count_nonzero(part.status))
     value, error = (np.concatenate(arrays) for arrays in zip(*kept, strict=True))
     del kept
-    buried = bodies.buried(np.isfinite(value.reshape(len(value), -1)).all(axis=1)) & ~missed
+    buried = bodies.find_buried(np.isfinite(value.reshape(len(value), -1)).all(axis=1)) & ~missed
     within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, bodies.inside & ~buried & ~missed, missed))
     value[buried] = np.nan
     image, errors, mean = _images(job, how, value, error)
@@ -97,8 +97,8 @@ def _images(job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.n
 
 def _teller(job: TextureJob, run: BakeRun, quantity: Quantity) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
     """What turns values (P,) or (P, 3), on faces by weights of their corners, into what a picture of them tells."""
-    if slot_of(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
-        return Frames.of(run.mesh, job.points.mesh, job.points.corners, job.rows).into
+    if slot_for_quantity(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
+        return Frames.of(run.mesh, job.points.mesh, job.points.corners, job.rows).to_components
     if quantity.result is Thickness and job.group:
         return lambda value, face, _: value / job.scales[face]
     return lambda value, *_: value

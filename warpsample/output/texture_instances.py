@@ -9,7 +9,7 @@ import numpy as np
 from warpsample.output.texture_images import Filled
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.jobs import TextureJob
-from warpsample.texture.notes import named
+from warpsample.texture.notes import join_names
 from warpsample.texture.primitives import Primitive
 from warpsample.texture.sets import TextureOptions
 
@@ -140,7 +140,7 @@ def describe_places(pictures: list[Picture]) -> Iterator[str]:
     """Yield a sentence on a picture of meshes in several places."""
     places = sum(len(picture.groups) for picture in pictures)
     if places > 1:
-        several = named(one.name for one in pictures[0].groups[0] if one.others)
+        several = join_names(one.name for one in pictures[0].groups[0] if one.others)
         shown = (
             "share one picture"
             if len(pictures) == 1

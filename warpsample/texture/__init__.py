@@ -1,1 +1,1 @@
-"""Textures: texels as points on a mesh, images of numbers at them, and the .glb that carries them."""
+"""Texture baking: texels as points on a mesh, images of computed values, and glTF files that show the images."""

@@ -1,17 +1,20 @@
-"""Charts: the faces that hang together by corners that have the same texture coordinates."""
+"""Charts: groups of faces connected by corners with equal texture coordinates."""
 
 import numpy as np
 
 from warpsample.host.locks import imported
 
 
-def charts_of(corners: np.ndarray) -> np.ndarray:
-    """(F,) int32, the chart of each face, from 0 on; those of faces without coordinates say nothing.
+def label_charts(corners: np.ndarray) -> np.ndarray:
+    """Return the (F,) int32 chart number of each face, counted from 0.
 
-    `corners` are (F, 3, k) float64: coordinates, and what else corners must have alike to hang together.
+    Faces without coordinates get arbitrary numbers.
+
+    Args:
+        corners: (F, 3, k) float64, the values compared at each corner: texture coordinates, or coordinates and positions.
     """
     width = corners.shape[-1]
-    flat = np.ascontiguousarray(np.nan_to_num(corners.reshape(-1, width)) + 0.0)  # + 0.0: -0 is 0
+    flat = np.ascontiguousarray(np.nan_to_num(corners.reshape(-1, width)) + 0.0)  # + 0.0 turns -0 into 0
     _, corner = np.unique(flat.view(f"V{8 * width}").ravel(), return_inverse=True)
     a, b, c = corner.reshape(-1, 3).T
     sparse = imported("scipy.sparse")

@@ -1,4 +1,4 @@
-"""Runs the kernels of `coverage`: which texels and samples of them have a point, on which face, and what overlaps."""
+"""Assignment of texels and samples to faces, and detection of overlapping faces, by the kernels of `coverage`."""
 
 from dataclasses import dataclass
 
@@ -9,25 +9,25 @@ from warpsample.host.engine import check_memory, run
 from warpsample.sequences.hashing import seed_for
 from warpsample.texture.coverage import claim_texels, mark_overlaps, weigh_corners
 
-_BYTES = 42  # of a texel, while its point or its picture is made
+_BYTES = 42  # memory per texel while points or images are computed
 MOST_TEXELS = (1 << 31) - 1
-"""Of an image, times their samples: kernels count them by int32."""
+"""Largest number of texels times samples per texel: kernels index samples by int32."""
 
-_TASK = 1 << 16  # texels of the box of a face that a task looks at: a large one is shared by many
+_TASK = 1 << 16  # texels per kernel task; the bounding box of a large face is divided among several tasks
 _SEED = seed_for("texels", 0)
 _LAST_FACE = 0xFFFFFFFF
 
 
 @dataclass(frozen=True, eq=False)
 class Claims:
-    """The points that the texels of an image get.
+    """Points of an image's texels, with the texel, sample and face of each point.
 
     Attributes:
-        id: (P,) uint64, the texel, row * width + column, times the number of samples, plus the sample's number; ascending.
-        face: (P,) int32, which they are on.
-        covered: how many texels have one.
-        overlapped: how many texels have their centres strictly inside of two or more faces.
-        overlapping: (F,) bool, the faces that have such centres.
+        id: (P,) uint64, point numbers in ascending order: (row * width + column) * samples + sample.
+        face: (P,) int32, the face of each point.
+        covered: number of texels with at least one point.
+        overlapped: number of texels whose centres are strictly inside two or more faces.
+        overlapping: (F,) bool, faces that contain the centre of an overlapped texel.
     """
 
     id: np.ndarray
@@ -37,42 +37,47 @@ class Claims:
     overlapping: np.ndarray
 
 
-def claims_of(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int], samples: int, memory: Memory) -> Claims:
-    """Who claims which texels of an image of so many columns and rows.
+def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int], samples: int, memory: Memory) -> Claims:
+    """Find the texels that a bilinear lookup on the faces reads, and return their points with a face each.
+
+    With one sample, a point is at the texel's centre, or at the nearest point of a face. With several samples, a texel has a
+    point for each sample inside a face, or for its first sample if none is inside.
 
     Args:
-        corners: (F, 3, 2) float64, of the faces, in texels.
-        usable: (F,) bool, which of them have texels.
-        size: columns and rows.
-        samples: of each texel. One is at its centre, or at the point of a face that is nearest to it; of several those
-            count that are within a face, or the first one if none is.
-        memory: where the kernels run.
+        corners: (F, 3, 2) float64, corners of the faces in texels.
+        usable: (F,) bool, faces that may have texels.
+        size: columns and rows of the image.
+        samples: samples per texel.
+        memory: memory of the device that runs the kernels.
+
+    Raises:
+        MemoryError: the image needs more memory than is free.
     """
     texels = size[0] * size[1]
     check_memory(texels * (_BYTES + 4 * samples), f"an image of {size[0]} x {size[1]} texels", "take fewer texels")
-    nearest, within = np.zeros(texels, np.uint64), np.zeros(texels, np.int32)
+    nearest, centre_counts = np.zeros(texels, np.uint64), np.zeros(texels, np.int32)
     owners = np.zeros(texels * samples if samples > 1 else 0, np.uint32)
     marks = np.zeros(len(corners), np.int32)
-    boxes, tasks, rows = _tasks(corners, usable, size)
+    boxes, tasks, rows = _split_into_tasks(corners, usable, size)
     with memory.loan() as loan:
-        own = loan.put(corners), loan.put(boxes), loan.put(tasks), rows
+        shared_inputs = loan.put(corners), loan.put(boxes), loan.put(tasks), rows
         with memory.loan() as inner:
-            found = [inner.output(array, zero=True) if array.size else 0 for array in (nearest, owners, within)]
-            inputs = [*own, *size, samples, len(corners), _SEED, *found]
-            if len(tasks):  # one thread: Warp's atomics are none on the CPU
+            outputs = [inner.output(array, zero=True) if array.size else 0 for array in (nearest, owners, centre_counts)]
+            inputs = [*shared_inputs, *size, samples, len(corners), _SEED, *outputs]
+            if len(tasks):  # one thread: Warp's atomic functions are not atomic on the CPU
                 run(claim_texels(), len(tasks), inputs, memory.device, workers=1, work=texels * samples)
-        overlapped = int(np.count_nonzero(within > 1))
+        overlapped = int(np.count_nonzero(centre_counts > 1))
         if overlapped:
-            inputs = [*own, size[0], loan.put(within), loan.output(marks, zero=True)]
+            inputs = [*shared_inputs, size[0], loan.put(centre_counts), loan.output(marks, zero=True)]
             run(mark_overlaps(), len(tasks), inputs, memory.device, workers=1, work=texels)
-    id, face = _points(nearest, owners, samples, len(corners))
+    id, face = _list_points(nearest, owners, samples, len(corners))
     return Claims(id, face, int(np.count_nonzero(nearest)), overlapped, marks > 0)
 
 
-def weights_of(
+def compute_weights(
     corners: np.ndarray, id: np.ndarray, face: np.ndarray, width: int, *, samples: int, memory: Memory, workers: int
 ) -> np.ndarray:
-    """(P, 3) float64, the weights of the corners of the faces at points of `Claims`."""
+    """Return the (P, 3) float64 barycentric weights of the points of `Claims` on their faces."""
     weights = np.empty((len(id), 3))
     with memory.loan() as loan:
         inputs = [loan.put(corners), loan.put(id), loan.put(face), width, samples, _SEED, loan.output(weights)]
@@ -81,8 +86,12 @@ def weights_of(
     return weights
 
 
-def _tasks(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, int]:
-    """The boxes of faces as `claim_texels` has them, of texels with a centre nearer than 1; its tasks; rows of a task."""
+def _split_into_tasks(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, int]:
+    """Return the texel boxes of faces, the kernel tasks (T, 2), and the number of image rows per task.
+
+    Boxes and tasks have the layout that `claim_texels` describes. A box holds all texels with a centre nearer than 1 to the
+    face, along both axes.
+    """
     most = np.array(size, np.float64)
     with np.errstate(invalid="ignore"):
         low = np.clip(np.floor(corners.min(axis=1) - 1.5) + 1.0, 0.0, most)
@@ -98,8 +107,8 @@ def _tasks(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int]) -> tu
     return boxes, np.stack([face, boxes[face, 2] + rows * part], axis=1).astype(np.int32), rows
 
 
-def _points(nearest: np.ndarray, owners: np.ndarray, samples: int, faces: int) -> tuple[np.ndarray, np.ndarray]:
-    """Ids and faces of all points, from what the faces have claimed."""
+def _list_points(nearest: np.ndarray, owners: np.ndarray, samples: int, faces: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the ids and the faces of all points, from the outputs of `claim_texels`."""
     texel = np.flatnonzero(nearest)
     face = (np.uint64(_LAST_FACE) - (nearest[texel] & np.uint64(_LAST_FACE))).astype(np.int32)
     if samples == 1:

@@ -1,7 +1,7 @@
-"""Which texels the faces of a chart reach, and at which point of which face: kernels, on the CPU and on CUDA.
+"""Kernels that find the texels read for each face and the point of each texel, on the CPU and on CUDA.
 
-In units of texels, so that the centre of the first one is (0.5, 0.5). Faces claim texels by the largest of their keys, which
-does not depend on the order in which they do.
+Lengths are in texels: the centre of the first texel is (0.5, 0.5). A texel belongs to the face with the largest key, so the
+result does not depend on the order in which threads write.
 """
 
 import warp as wp
@@ -13,18 +13,21 @@ from warpsample.sequences.sobol import sobol
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
 _HALF = wp.constant(wp.float64(0.5))
-_STRICTLY = wp.constant(wp.float64(1e-6))  # of a texel: within it two faces share an edge, and do not overlap
-_FARTHEST = wp.constant(wp.uint64(0x7F800000))  # above the bits of every finite float32
+_STRICTLY = wp.constant(wp.float64(1e-6))  # texels; smaller overlaps are rounding at a shared edge
+_FARTHEST = wp.constant(wp.uint64(0x7F800000))  # the bits of infinity, larger than the bits of every finite positive float32
 _LAST_FACE = wp.constant(wp.uint64(0xFFFFFFFF))
 _WORD = wp.constant(wp.uint64(32))
 
 NO_FACE = 0
-"""The key of a texel that no face reaches."""
+"""Key of a texel without a face."""
 
 
 @wp.struct
 class Triangle:
-    """The corners of a face and what is inside of each of its edges, where `normal . (p - corner)` is at least 0."""
+    """Corners of a face and inward normals of its edges.
+
+    A point p is on the inner side of an edge where dot(normal, p - corner) >= 0. Normals have the length of their edges.
+    """
 
     a: wp.vec2d
     b: wp.vec2d
@@ -35,14 +38,15 @@ class Triangle:
 
 
 @wp.func
-def _inward(start: wp.vec2d, end: wp.vec2d, turn: wp.float64) -> wp.vec2d:
+def _inward_normal(start: wp.vec2d, end: wp.vec2d, turn: wp.float64) -> wp.vec2d:
+    """Return the normal of an edge that points to the triangle's inside, with the length of the edge."""
     d = end - start
     return wp.vec2d(-turn * d[1], turn * d[0])
 
 
 @wp.func
-def triangle_at(corners: wp.uint64, face: wp.int32) -> Triangle:
-    """A face of corners (F, 3, 2) float64, of either winding."""
+def read_triangle(corners: wp.uint64, face: wp.int32) -> Triangle:
+    """Return one face, with either winding, of the array `corners` (F, 3, 2) float64."""
     view = wp.array(ptr=corners + wp.uint64(face) * wp.uint64(48), shape=(3,), dtype=wp.vec2d)
     t = Triangle()
     t.a = view[0]
@@ -51,26 +55,30 @@ def triangle_at(corners: wp.uint64, face: wp.int32) -> Triangle:
     u = t.b - t.a
     v = t.c - t.a
     turn = wp.where(u[0] * v[1] - u[1] * v[0] < _ZERO, -_ONE, _ONE)
-    t.ab = _inward(t.a, t.b, turn)
-    t.bc = _inward(t.b, t.c, turn)
-    t.ca = _inward(t.c, t.a, turn)
+    t.ab = _inward_normal(t.a, t.b, turn)
+    t.bc = _inward_normal(t.b, t.c, turn)
+    t.ca = _inward_normal(t.c, t.a, turn)
     return t
 
 
 @wp.func
-def edges_at(t: Triangle, p: wp.vec2d) -> wp.vec3d:
-    """How far a point is inside of each edge, times the edge's length; of the edges opposite to a, b and c."""
+def edge_values(t: Triangle, p: wp.vec2d) -> wp.vec3d:
+    """Return the signed distances of p from the edges opposite a, b and c, times the edge lengths; positive inside."""
     return wp.vec3d(wp.dot(t.bc, p - t.b), wp.dot(t.ca, p - t.c), wp.dot(t.ab, p - t.a))
 
 
 @wp.func
-def _least(e: wp.vec3d) -> wp.float64:
+def _smallest(e: wp.vec3d) -> wp.float64:
+    """Return the smallest of three components."""
     return wp.min(e[0], wp.min(e[1], e[2]))
 
 
 @wp.func
-def _spans(e: wp.vec3d, t: Triangle, half: wp.float64) -> wp.bool:
-    """Whether no edge has the square of that half width about a point outside; the caller has compared the boxes."""
+def _is_near(e: wp.vec3d, t: Triangle, half: wp.float64) -> wp.bool:
+    """Return False if one edge has the whole square of half width `half` about a point on its outer side, else True.
+
+    `e` is `edge_values` at the point. The caller has already compared bounding boxes.
+    """
     return (
         e[0] + half * (wp.abs(t.bc[0]) + wp.abs(t.bc[1])) > _ZERO
         and e[1] + half * (wp.abs(t.ca[0]) + wp.abs(t.ca[1])) > _ZERO
@@ -79,13 +87,14 @@ def _spans(e: wp.vec3d, t: Triangle, half: wp.float64) -> wp.bool:
 
 
 @wp.func
-def _strictly_within(e: wp.vec3d, t: Triangle) -> wp.bool:
+def _is_strictly_inside(e: wp.vec3d, t: Triangle) -> wp.bool:
+    """Return whether a point with edge values `e` is inside a triangle by more than a rounding error."""
     return e[0] > _STRICTLY * wp.length(t.bc) and e[1] > _STRICTLY * wp.length(t.ca) and e[2] > _STRICTLY * wp.length(t.ab)
 
 
 @wp.func
-def _along(start: wp.vec2d, end: wp.vec2d, p: wp.vec2d) -> wp.float64:
-    """Where between two corners a point is nearest, from 0 to 1."""
+def _project_on_edge(start: wp.vec2d, end: wp.vec2d, p: wp.vec2d) -> wp.float64:
+    """Return the position, from 0 at `start` to 1 at `end`, of the edge's point nearest to p."""
     d = end - start
     length = wp.dot(d, d)
     if length == _ZERO:
@@ -94,40 +103,41 @@ def _along(start: wp.vec2d, end: wp.vec2d, p: wp.vec2d) -> wp.float64:
 
 
 @wp.func
-def _squared(start: wp.vec2d, end: wp.vec2d, s: wp.float64, p: wp.vec2d) -> wp.float64:
+def _squared_distance(start: wp.vec2d, end: wp.vec2d, s: wp.float64, p: wp.vec2d) -> wp.float64:
+    """Return the squared distance between p and the point start + s * (end - start)."""
     d = start + s * (end - start) - p
     return wp.dot(d, d)
 
 
 @wp.func
-def nearest_on(t: Triangle, e: wp.vec3d, p: wp.vec2d) -> wp.vec4d:
-    """The weights of a, b and c at the point of a face nearest to p, and the square of its distance."""
-    if _least(e) >= _ZERO:
+def find_nearest(t: Triangle, e: wp.vec3d, p: wp.vec2d) -> wp.vec4d:
+    """Return the weights of a, b and c at the triangle's point nearest to p, and the squared distance."""
+    if _smallest(e) >= _ZERO:
         sum = e[0] + e[1] + e[2]
         return wp.vec4d(e[0] / sum, e[1] / sum, e[2] / sum, _ZERO)
-    s = _along(t.a, t.b, p)
-    found = wp.vec4d(_ONE - s, s, _ZERO, _squared(t.a, t.b, s, p))
-    s = _along(t.b, t.c, p)
-    squared = _squared(t.b, t.c, s, p)
+    s = _project_on_edge(t.a, t.b, p)
+    found = wp.vec4d(_ONE - s, s, _ZERO, _squared_distance(t.a, t.b, s, p))
+    s = _project_on_edge(t.b, t.c, p)
+    squared = _squared_distance(t.b, t.c, s, p)
     if squared < found[3]:
         found = wp.vec4d(_ZERO, _ONE - s, s, squared)
-    s = _along(t.c, t.a, p)
-    squared = _squared(t.c, t.a, s, p)
+    s = _project_on_edge(t.c, t.a, p)
+    squared = _squared_distance(t.c, t.a, s, p)
     if squared < found[3]:
         found = wp.vec4d(s, _ZERO, _ONE - s, squared)
     return found
 
 
 @wp.func
-def _key(squared: wp.float64, face: wp.int32) -> wp.uint64:
-    """Larger for what is nearer, and of what is equally near for the lower face; never 0."""
+def _claim_key(squared: wp.float64, face: wp.int32) -> wp.uint64:
+    """Return a key that is larger for a smaller distance and, at equal distance, for a lower face; never 0."""
     near = _FARTHEST - wp.uint64(wp.cast(wp.float32(squared), wp.uint32))
     return (near << _WORD) | (_LAST_FACE - wp.uint64(face))
 
 
 @wp.func
 def sample_at(seed: wp.uint64, texel: wp.int32, width: wp.int32, sample: wp.int32, samples: wp.int32) -> wp.vec2d:
-    """Where a sample of a texel is: at its centre, or one of several that are stratified over it."""
+    """Return the position of a sample: the texel's centre, or one of `samples` stratified positions in the texel."""
     corner = wp.vec2d(wp.float64(texel % width), wp.float64(texel / width))
     if samples == 1:
         return corner + wp.vec2d(_HALF, _HALF)
@@ -137,12 +147,17 @@ def sample_at(seed: wp.uint64, texel: wp.int32, width: wp.int32, sample: wp.int3
 
 @once
 def claim_texels() -> wp.Kernel:
-    """A kernel with a task for some rows of the box of a face, in which it claims what it reaches.
+    """Return the kernel that finds the nearest face of each texel, the face of each sample, and overlaps.
 
-    The addresses are of `corners` (F, 3, 2) float64, `boxes` (F, 4) int32, first and last column, then rows, each last one
-    not within, `tasks` (T, 2) int32, face and first row, and of what is 0 before: `nearest` (texels,) uint64, keys of the
-    faces that a bilinear lookup reads each texel for; `owners` (texels, samples) uint32, one more than the number of faces
-    less the lowest that has a sample, or no address; `within` (texels,) int32, how many faces have the centre inside.
+    Each task covers some image rows of one face's bounding box. The kernel's arguments are addresses of arrays:
+
+    - `corners` (F, 3, 2) float64: corners of the faces in texels;
+    - `boxes` (F, 4) int32: first column, end column, first row and end row, with ends excluded;
+    - `tasks` (T, 2) int32: face and first row;
+    - `nearest` (texels,) uint64, 0 on input: the largest key of the faces that a bilinear lookup reads the texel for;
+    - `owners` (texels, samples) uint32, 0 on input: F minus the lowest face that contains the sample; unused with one
+    sample;
+    - `centre_counts` (texels,) int32, 0 on input: number of faces that contain the texel's centre.
     """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -158,7 +173,7 @@ def claim_texels() -> wp.Kernel:
         seed: wp.uint64,
         nearest: wp.uint64,
         owners: wp.uint64,
-        within: wp.uint64,
+        centre_counts: wp.uint64,
         first_task: wp.int64,
     ):
         task = first_task + wp.int64(wp.tid())
@@ -166,9 +181,9 @@ def claim_texels() -> wp.Kernel:
         first = int_at(tasks, task * wp.int64(2) + wp.int64(1))
         texels = width * height
         keys = wp.array(ptr=nearest, shape=(texels,), dtype=wp.uint64)
-        counts = wp.array(ptr=within, shape=(texels,), dtype=wp.int32)
-        held = wp.array(ptr=owners, shape=(texels * samples,), dtype=wp.uint32)
-        t = triangle_at(corners, face)
+        counts = wp.array(ptr=centre_counts, shape=(texels,), dtype=wp.int32)
+        owner_keys = wp.array(ptr=owners, shape=(texels * samples,), dtype=wp.uint32)
+        t = read_triangle(corners, face)
         left = int_at(boxes, wp.int64(4) * wp.int64(face))
         right = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(1))
         last = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(3))
@@ -176,23 +191,26 @@ def claim_texels() -> wp.Kernel:
             for x in range(left, right):
                 texel = y * width + x
                 p = wp.vec2d(wp.float64(x) + _HALF, wp.float64(y) + _HALF)
-                e = edges_at(t, p)
-                if _spans(e, t, _ONE):
-                    found = nearest_on(t, e, p)
-                    wp.atomic_max(keys, texel, _key(found[3], face))
-                    if _strictly_within(e, t):
+                e = edge_values(t, p)
+                if _is_near(e, t, _ONE):
+                    found = find_nearest(t, e, p)
+                    wp.atomic_max(keys, texel, _claim_key(found[3], face))
+                    if _is_strictly_inside(e, t):
                         wp.atomic_add(counts, texel, 1)
-                    if samples > 1 and _spans(e, t, _HALF):
+                    if samples > 1 and _is_near(e, t, _HALF):
                         for k in range(samples):
-                            if _least(edges_at(t, sample_at(seed, texel, width, k, samples))) >= _ZERO:
-                                wp.atomic_max(held, texel * samples + k, wp.uint32(faces - face))
+                            if _smallest(edge_values(t, sample_at(seed, texel, width, k, samples))) >= _ZERO:
+                                wp.atomic_max(owner_keys, texel * samples + k, wp.uint32(faces - face))
 
     return claim_texels
 
 
 @once
 def mark_overlaps() -> wp.Kernel:
-    """A kernel with the tasks of `claim_texels`, which marks the faces that share a texel's centre with another one."""
+    """Return the kernel that marks faces which share a texel's centre with another face.
+
+    Tasks are those of `claim_texels`; `marks` (F,) int32 becomes 1 for each marked face.
+    """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def mark_overlaps(
@@ -201,23 +219,23 @@ def mark_overlaps() -> wp.Kernel:
         tasks: wp.uint64,
         rows: wp.int32,
         width: wp.int32,
-        within: wp.uint64,
+        centre_counts: wp.uint64,
         marks: wp.uint64,
         first_task: wp.int64,
     ):
         task = first_task + wp.int64(wp.tid())
         face = int_at(tasks, task * wp.int64(2))
         first = int_at(tasks, task * wp.int64(2) + wp.int64(1))
-        t = triangle_at(corners, face)
+        t = read_triangle(corners, face)
         left = int_at(boxes, wp.int64(4) * wp.int64(face))
         right = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(1))
         last = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(3))
         found = wp.int32(0)
         for y in range(first, wp.min(first + rows, last)):
             for x in range(left, right):
-                if int_at(within, y * width + x) > 1:
-                    e = edges_at(t, wp.vec2d(wp.float64(x) + _HALF, wp.float64(y) + _HALF))
-                    if _strictly_within(e, t):
+                if int_at(centre_counts, y * width + x) > 1:
+                    e = edge_values(t, wp.vec2d(wp.float64(x) + _HALF, wp.float64(y) + _HALF))
+                    if _is_strictly_inside(e, t):
                         found = wp.int32(1)
         if found == 1:
             view = wp.array(ptr=marks + wp.uint64(face) * wp.uint64(4), shape=(1,), dtype=wp.int32)
@@ -228,9 +246,9 @@ def mark_overlaps() -> wp.Kernel:
 
 @once
 def weigh_corners() -> wp.Kernel:
-    """A kernel with a task for each point: the weights of its face's corners, (P, 3) float64.
+    """Return the kernel that computes the corner weights (P, 3) float64 of points from their ids and faces.
 
-    A point's id is its texel times the number of samples, plus its sample's number.
+    A point's id is texel * samples + sample.
     """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -248,8 +266,8 @@ def weigh_corners() -> wp.Kernel:
         id = wp.array(ptr=ids + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.uint64)[0]
         texel = wp.int32(id / wp.uint64(samples))
         p = sample_at(seed, texel, width, wp.int32(id % wp.uint64(samples)), samples)
-        t = triangle_at(corners, int_at(faces, i))
-        found = nearest_on(t, edges_at(t, p), p)
+        t = read_triangle(corners, int_at(faces, i))
+        found = find_nearest(t, edge_values(t, p), p)
         view = wp.array(ptr=weights + wp.uint64(i) * wp.uint64(24), shape=(1,), dtype=wp.vec3d)
         view[0] = wp.vec3d(found[0], found[1], found[2])
 

@@ -1,4 +1,4 @@
-"""From texels of a coarse mesh to places on a fine one: rays from a cage around the first inward to the second."""
+"""Projection of texels of a coarse mesh onto a fine mesh, by rays that start at a cage around the coarse mesh."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,23 +9,23 @@ from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.gltf import read_corners
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.texture.shading import corner_normals_of, shaded
+from warpsample.texture.shading import compute_corner_normals, shade_points
 from warpsample.tracing.trace import trace
 
-_ROUNDS = 32  # back faces that a ray goes through
-_NUDGE = 4e-6  # of the mesh's extent: float32 rays are that exact
-_STEP = 2e-6  # of the mesh's extent: how far behind a back face a ray goes on, as rays start off their own faces
+_ROUNDS = 32  # most faces that a ray passes before the search ends
+_NUDGE = 4e-6  # of the fine mesh's diagonal: the precision of float32 rays
+_STEP = 2e-6  # of the fine mesh's diagonal: distance behind a back face at which a ray starts again
 
 
 @dataclass(frozen=True, eq=False)
 class HighMesh:
-    """A fine mesh, whose numbers the texels of a coarse one get.
+    """Fine mesh at whose surface the values of a coarse mesh's texels are computed.
 
     Attributes:
-        mesh: the fine one.
-        corner_normals: (F, 3, 3) float64, of its file, or of its vertices.
-        cage: how far outside of the coarse mesh rays start; they end as far inside.
-        normals: of the points on it: "face", "smooth" or "lifted".
+        mesh: the fine mesh.
+        corner_normals: (F, 3, 3) float64, normals of the fine mesh's file, or of its vertices.
+        cage: distance from the coarse mesh, outward to the start of rays and inward to their end, in units of the mesh.
+        normals: normals of the projected points: "face", "smooth" or "lifted".
     """
 
     mesh: Mesh
@@ -35,72 +35,81 @@ class HighMesh:
 
     @classmethod
     def load(cls, path: Path, cage: float, normals: str) -> "HighMesh":
-        """Reads the mesh and its normals."""
+        """Read the fine mesh and its normals from a file."""
         mesh = load_mesh(path)
         given = read_corners(path, "NORMAL") if path.suffix.lower() in (".glb", ".gltf") else None
-        return cls(mesh, corner_normals_of(mesh, given), cage, normals)
+        return cls(mesh, compute_corner_normals(mesh, given), cage, normals)
 
-    def under(self, points: SurfacePoints, low: Mesh, workers: int | None = None) -> tuple[SurfacePoints, np.ndarray]:
-        """The places that rays from the cage over some points, against their normals, meet first from the front.
+    def project(self, points: SurfacePoints, low: Mesh, workers: int | None = None) -> tuple[SurfacePoints, np.ndarray]:
+        """Return the first front-facing hit on the fine mesh of a ray from the cage through each point.
 
-        Rays of points on an edge are moved into their face by some roundings: where both meshes have the same hard edge,
-        they meet the side of it that the texel is of.
+        Rays run against the normals of the points. The rays of points on an edge are shifted into their face by a few
+        rounding
+        errors, so that they hit the texel's own side where both meshes have the same hard edge.
 
         Args:
-            points: on faces of the coarse mesh, with its averaged normals.
-            low: that mesh.
-            workers: threads.
+            points: P points on faces of the coarse mesh, with its averaged normals.
+            low: the coarse mesh.
+            workers: number of threads.
 
         Returns:
-            them, with the ids of the points, and (P,) bool: where there is none, and a normal of 0 says so.
+            points on the fine mesh, with the ids of `points`; and (P,) bool, True where a ray has no hit. Such points keep
+            their
+            position and have a normal of 0.
         """
         inward = -np.asarray(points.normal, np.float64)
         middle = low.vertices[low.faces[points.face]].mean(axis=1) - points.position
         share = _NUDGE * self.mesh.diagonal / np.maximum(np.linalg.norm(middle, axis=1, keepdims=True), 1e-300)
         start = points.position + np.minimum(share, 0.5) * middle - self.cage * inward
-        face = self._front(start, inward, workers)
+        face = self._find_front_faces(start, inward, workers)
         missed = face < 0
-        weights = _weights(self.mesh.vertices[self.mesh.faces[np.maximum(face, 0)]], start, inward)
-        position, normal, on = shaded(self.mesh, self.corner_normals, np.maximum(face, 0), weights, self.normals)
+        weights = _compute_plane_weights(self.mesh.vertices[self.mesh.faces[np.maximum(face, 0)]], start, inward)
+        position, normal, on = shade_points(self.mesh, self.corner_normals, np.maximum(face, 0), weights, self.normals)
         if self.normals == "face":
             normal = self.mesh.face_normals[np.maximum(face, 0)]
         normal = np.where(missed[:, None], np.float32(0.0), normal)
         position = np.where(missed[:, None], points.position, position)
         return SurfacePoints(position, normal, np.where(missed, -1, on).astype(np.int32), weights, points.id), missed
 
-    def _front(self, start: np.ndarray, inward: np.ndarray, workers: int | None) -> np.ndarray:
-        """(P,) the faces that rays meet first from their front, within twice the cage; -1 of none."""
+    def _find_front_faces(self, start: np.ndarray, inward: np.ndarray, workers: int | None) -> np.ndarray:
+        """Return the (P,) first face that each ray hits from the front, within twice the cage; -1 without a hit."""
         found = np.full(len(start), -1, np.int64)
-        gone, left = np.zeros(len(start)), np.arange(len(start))
+        travelled, pending = np.zeros(len(start)), np.arange(len(start))
         step = _STEP * self.mesh.diagonal
         for _ in range(_ROUNDS):
-            origin = start[left] + gone[left, None] * inward[left]
-            hits = trace(self.mesh, origin, inward[left].astype(np.float32), workers=workers)
-            reached = gone[left] + hits.distance
-            meets = (hits.face >= 0) & (reached <= 2.0 * self.cage)
-            front = meets & ((self.mesh.face_normals[hits.face] * inward[left]).sum(axis=1) < 0.0)
-            found[left[front]] = hits.face[front]
-            gone[left] = reached + step
-            left = left[meets & ~front]
-            if not len(left):
+            origin = start[pending] + travelled[pending, None] * inward[pending]
+            hits = trace(self.mesh, origin, inward[pending].astype(np.float32), workers=workers)
+            reached = travelled[pending] + hits.distance
+            is_hit = (hits.face >= 0) & (reached <= 2.0 * self.cage)
+            front = is_hit & ((self.mesh.face_normals[hits.face] * inward[pending]).sum(axis=1) < 0.0)
+            found[pending[front]] = hits.face[front]
+            travelled[pending] = reached + step
+            pending = pending[is_hit & ~front]
+            if not len(pending):
                 break
         return found
 
 
-def averaged_normals(mesh: Mesh) -> np.ndarray:
-    """(F, 3, 3) float64 normals of corners, one for each place: no gap opens between rays at hard edges and seams."""
-    places, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0: -0 is 0
+def average_normals(mesh: Mesh) -> np.ndarray:
+    """Return the (F, 3, 3) float64 corner normals, equal at all corners with the same position.
+
+    Equal normals leave no gaps between the rays at hard edges and seams.
+    """
+    places, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
     faces = vertex.reshape(-1)[mesh.faces]
     return Mesh(places, faces).vertex_normals[faces].astype(np.float64)
 
 
-def _weights(corners: np.ndarray, start: np.ndarray, way: np.ndarray) -> np.ndarray:
-    """(P, 3) float64 weights of the corners (P, 3, 3) of faces where rays meet their planes, from 0 to 1."""
+def _compute_plane_weights(corners: np.ndarray, start: np.ndarray, directions: np.ndarray) -> np.ndarray:
+    """Return the (P, 3) float64 weights of face corners (P, 3, 3) where rays cross the planes of the faces.
+
+    Weights are clipped to [0, 1] and have the sum 1.
+    """
     first, second, offset = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0], start - corners[:, 0]
-    across = np.cross(way, second)
+    across = np.cross(directions, second)
     volume = (first * across).sum(axis=1)
     volume = np.where(volume == 0.0, 1.0, volume)
     b = (offset * across).sum(axis=1) / volume
-    c = (way * np.cross(offset, first)).sum(axis=1) / volume
+    c = (directions * np.cross(offset, first)).sum(axis=1) / volume
     weights = np.clip(np.stack([1.0 - b - c, b, c], axis=1), 0.0, 1.0)
     return weights / np.maximum(weights.sum(axis=1, keepdims=True), 1e-300)

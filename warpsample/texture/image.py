@@ -1,4 +1,4 @@
-"""Numbers at points of texels as images: means, their errors, and what fills texels that have none."""
+"""Images of values at texel points: means, standard errors, and filling of texels without a value."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -9,45 +9,53 @@ from warpsample.host.arguments import check_integer
 from warpsample.host.locks import imported
 
 _MOST_GUTTER = 1 << 20
-_BLOCK = 1 << 22  # points that are summed at a time
+_BLOCK = 1 << 22  # points summed at a time
 
 
 def check_gutter(gutter: Any, argument: str = "gutter") -> float:
-    """How far an image is filled, in texels; infinite for "all"."""
+    """Return the checked fill distance in texels; infinite for "all"."""
     if isinstance(gutter, str) and gutter == "all":
         return np.inf
     return float(check_integer(gutter, argument, 0, _MOST_GUTTER, "'all' or a whole number of at least 0"))
 
 
 class TexelRows:
-    """The texels of rows of points, in whose order they come: sums over texels are made block by block."""
+    """Sums over texels of values at points in ascending order of texels, computed block by block.
+
+    Attributes:
+        id: (P,) uint64, ids of the points, as in `Claims`.
+        samples: samples per texel.
+        texels: number of texels of the image.
+    """
 
     id: np.ndarray
     samples: np.uint64
     texels: int
 
     def __init__(self, id: np.ndarray, samples: int, texels: int) -> None:
-        """`id` are those of `Claims`, ascending, of an image of so many texels."""
+        """Store the ascending ids of the points, the samples per texel and the number of texels."""
         self.id, self.samples, self.texels = id, np.uint64(samples), texels
 
     def blocks(self) -> Iterator[tuple[slice, np.ndarray]]:
-        """Rows of points and their texels, (n,) int64."""
+        """Yield slices of points and the (n,) int64 texels of the points."""
         for start in range(0, len(self.id), _BLOCK):
             rows = slice(start, start + _BLOCK)
             yield rows, (self.id[rows] // self.samples).view(np.int64)
 
     @property
     def covered(self) -> np.ndarray:
-        """(texels,) bool, those that have a point."""
+        """(texels,) bool: texels with at least one point."""
         found = np.zeros(self.texels, np.bool_)
         for _, texel in self.blocks():
             found[texel] = True
         return found
 
     def means(self, width: int, values: Callable[[slice, np.ndarray], np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-        """The mean (texels, width) float64 of what is finite of the values of points, NaN of none; (texels,) how many.
+        """Return the mean (texels, width) float64 of the finite values in each texel, NaN without one, and their number.
 
-        `values` gives (n, width) numbers of points, by their rows and their texels.
+        Args:
+            width: number of values per point. A point counts only if all its values are finite.
+            values: function that returns the (n, width) values of points, from their slice and their texels.
         """
         total, count = np.zeros((self.texels, width)), np.zeros(self.texels, np.int32)
         for rows, texels in self.blocks():
@@ -64,14 +72,15 @@ class TexelRows:
         return total, count
 
     def errors(self, values: np.ndarray, own: np.ndarray, columns: int) -> np.ndarray:
-        """Return the standard errors (texels, C) float64 of the means of values, from the differences between these.
+        """Return the standard errors (texels, C) float64 of the texels' means, from the spread of values within texels.
 
-        A texel with one value has no differences: its variance is that of the values in the texels around it, and at least
-        the square of its own error.
+        A texel with one value has no spread: its variance is pooled from the surrounding texels, and is at least the square
+        of the
+        value's own standard error.
 
         Args:
-            values: (P, C), of the points.
-            own: (P, C), their own standard errors.
+            values: (P, C), values at the points.
+            own: (P, C), standard errors of the values.
             columns: texels in a row of the image.
         """
         width = values.shape[1]
@@ -81,18 +90,20 @@ class TexelRows:
         single = np.flatnonzero(count == 1)
         if len(single):
             alone, _ = self.means(width, lambda rows, _: own[rows])
-            around = np.sqrt(_pooled(squares, count, single, columns))
+            around = np.sqrt(_pool_variance(squares, count, single, columns))
             errors[single] = np.fmax(alone[single], around)
         return errors
 
 
-def _pooled(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, columns: int) -> np.ndarray:
-    """Return the variance (n, C) within texels, pooled over the 3 x 3 around some; over all texels where these have none.
+def _pool_variance(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, columns: int) -> np.ndarray:
+    """Return the variance (n, C) within texels, pooled over the 3 x 3 block around each given texel.
+
+    Where the block has no texel with several values, the variance is pooled over the whole image.
 
     Args:
-        squares: (texels, C), means of the squared deviations in each texel.
-        count: (texels,), values in each.
-        texels: (n,), the numbers of those to pool around.
+        squares: (texels, C), mean squared deviation in each texel.
+        count: (texels,), number of values in each texel.
+        texels: (n,), numbers of the texels to pool around.
         columns: texels in a row of the image.
     """
     row, column = np.divmod(texels, columns)
@@ -110,17 +121,17 @@ def _pooled(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, columns:
     return np.where(freedom > 0, total / np.maximum(freedom, 1), whole)
 
 
-def filled(
+def fill_texels(
     found: np.ndarray, covered: np.ndarray, charts: Callable[[], np.ndarray], size: tuple[int, int], gutter: float
 ) -> np.ndarray:
-    """(H, W, C) float32: an image whose texels without a number get that of the nearest one that has.
+    """Return the (H, W, C) float32 image with texels without a value filled from the nearest texel with one.
 
     Args:
-        found: (texels, C), NaN where there is none.
-        covered: (texels,) bool, those that faces reach: they take numbers of their own chart if it has any.
-        charts: gives (texels,) int32, the chart of each; asked for only if some covered one has no number.
+        found: (texels, C), values, NaN where there is none.
+        covered: (texels,) bool, texels that faces reach. A covered texel is filled from its own chart if possible.
+        charts: function that returns (texels,) int32, the chart of each texel. Called only if a covered texel has no value.
         size: width and height.
-        gutter: how far from the covered ones others get numbers; what is left over is 0.
+        gutter: largest distance in texels from a covered texel at which other texels are filled; texels farther away are 0.
     """
     width, height = size
     has = ~np.isnan(found).any(axis=1)
@@ -129,9 +140,9 @@ def filled(
     if lost.any():
         _fill_charts(source, lost, has, charts().reshape(height, width))
         rest = lost & ~has[source]
-        source[rest] = _nearest(has.reshape(height, width)).ravel()[rest]
+        source[rest] = _find_nearest(has.reshape(height, width)).ravel()[rest]
     if gutter and covered.any() and not covered.all():
-        near = _nearest(covered.reshape(height, width), gutter).ravel()
+        near = _find_nearest(covered.reshape(height, width), gutter).ravel()
         source = np.where(covered, source, source[near])
     image = found[source].astype(np.float32)
     image[~has[source]] = 0.0
@@ -139,7 +150,7 @@ def filled(
 
 
 def _fill_charts(source: np.ndarray, lost: np.ndarray, has: np.ndarray, charts: np.ndarray) -> None:
-    """Sets where the covered texels that have no number take one from: from the nearest of their chart that has."""
+    """Set the source of each covered texel without a value to the nearest texel of its chart with a value."""
     height, width = charts.shape
     lost, has = lost.reshape(height, width), has.reshape(height, width)
     boxes = imported("scipy.ndimage").find_objects(charts + 1)
@@ -148,14 +159,17 @@ def _fill_charts(source: np.ndarray, lost: np.ndarray, has: np.ndarray, charts: 
         own = charts[box] == chart
         if (own & has[box]).any():
             rows, columns = np.nonzero(own & lost[box])
-            near = _nearest(own & has[box])[rows, columns]
+            near = _find_nearest(own & has[box])[rows, columns]
             across = box[1].stop - box[1].start
             at = (rows + box[0].start) * width + columns + box[1].start
             source[at] = (near // across + box[0].start) * width + near % across + box[1].start
 
 
-def _nearest(known: np.ndarray, most: float = np.inf) -> np.ndarray:
-    """(H, W): the number of the nearest texel that is known, by the distance of centres; beyond `most` of each itself."""
+def _find_nearest(known: np.ndarray, most: float = np.inf) -> np.ndarray:
+    """Return the (H, W) number of the nearest texel in the mask `known`, by the distance between centres.
+
+    Texels farther than `most` texels from the mask get their own number, and so do all texels if the mask is empty.
+    """
     transform = imported("scipy.ndimage").distance_transform_edt
     if not known.any():
         return np.arange(known.size).reshape(known.shape)

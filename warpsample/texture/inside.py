@@ -1,4 +1,4 @@
-"""Points inside closed bodies, such as a floor under a wall: their values would bleed into those beside them."""
+"""Texel points inside closed bodies, such as a floor under a wall, whose values would bleed into visible texels."""
 
 from itertools import product
 
@@ -9,30 +9,31 @@ from warpsample.host.locks import imported, once_property
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
-from warpsample.texture.charts import charts_of
+from warpsample.texture.charts import label_charts
 from warpsample.texture.texture_points import TexturePoints
 from warpsample.tracing.trace_all import trace_all
 
-_RAYS = 3  # two, and one more where these disagree
+_RAYS = 3  # two rays per point, and a third one where the first two disagree
 _SEED = seed_for("inside", 0)
-_CELLS = 64  # of the grid of bodies, along each axis: 2^18 counts
-_BLOCK = 1 << 16  # points whose hits are in memory together
-_WITHIN = 1e-6  # weight of each corner from which on a point is in its face, and not the nearest point on its edge
+_CELLS = 64  # cells of the grid along each axis: 2^18 counts
+_BLOCK = 1 << 16  # points whose hits are held in memory at a time
+_WITHIN = 1e-6  # least corner weight of a point in the interior of its face; points on an edge have a weight near 0
 
 
 class Closed:
-    """The closed bodies of a mesh: at every edge of a body its faces meet by two, one in either direction."""
+    """Closed bodies of a mesh: parts in which every edge belongs to two faces, one in either direction."""
 
     def __init__(self, mesh: Mesh) -> None:
+        """Store the mesh; bodies are searched at first use."""
         self.mesh = mesh
 
     @once_property
     def bodies(self) -> tuple[np.ndarray, np.ndarray]:
-        """(F,) int64, the body of each face, -1 for faces of open ones; (B,) bool, which bodies are turned outward.
+        """Compute the (F,) int64 body of each face, -1 in open parts, and (B,) bool, True for outward-facing bodies.
 
-        Vertices at the same place are one.
+        Vertices with the same position count as one vertex.
         """
-        _, vertex = np.unique(self.mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0: -0 is 0
+        _, vertex = np.unique(self.mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
         faces = vertex.reshape(-1)[self.mesh.faces].astype(np.int64)
         flat = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
         start, end = faces[~flat].ravel(), np.roll(faces[~flat], -1, axis=1).ravel()
@@ -54,69 +55,75 @@ class Closed:
         return found, volume[kept] > 0.0
 
     def _volumes(self, body: np.ndarray, count: int) -> np.ndarray:
-        """Six times the volume of each body, below 0 for those that are inside out."""
+        """Return six times the signed volume of each body, negative for bodies with inward-facing faces."""
         corner = self.mesh.vertices[self.mesh.faces[:, 0]] - self.mesh.bounds.mean(axis=0)
         return np.bincount(body, (corner * self.mesh.cross_products).sum(axis=1), count)
 
     @once_property
     def _grid(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Lower corner and cells per length of a grid around all bodies; how many bodies' boxes reach into each cell."""
+        """Compute a grid around all bodies: lower corner, cells per length, and the number of body boxes in each cell."""
         body, outward = self.bodies
         corners = self.mesh.vertices[self.mesh.faces[body >= 0]]
         lower, upper = np.full((len(outward), 3), np.inf), np.full((len(outward), 3), -np.inf)
         np.minimum.at(lower, body[body >= 0], corners.min(axis=1))
         np.maximum.at(upper, body[body >= 0], corners.max(axis=1))
         origin, cells = lower.min(axis=0), _CELLS / (upper.max(axis=0) - lower.min(axis=0))
-        ends = [_cells_of(lower, origin, cells), _cells_of(upper, origin, cells) + 1]
+        ends = [_locate_cells(lower, origin, cells), _locate_cells(upper, origin, cells) + 1]
         counts = np.zeros((_CELLS + 1,) * 3, np.int32)
-        for sides in product((0, 1), repeat=3):  # the corners of each box, whose sums from the first cell on are the counts
+        for sides in product((0, 1), repeat=3):  # differences at box corners, whose cumulative sums are the counts
             at = tuple(ends[side][:, axis] for axis, side in enumerate(sides))
             np.add.at(counts, at, (-1) ** sum(sides))
         for axis in range(3):
             np.cumsum(counts, axis=axis, out=counts)
         return origin, cells, counts[:-1, :-1, :-1]
 
-    def _near(self, position: np.ndarray, own: np.ndarray) -> np.ndarray:
-        """The rows of the points in a cell with another body than their own."""
+    def _find_candidates(self, position: np.ndarray, own: np.ndarray) -> np.ndarray:
+        """Return the rows of points in grid cells that contain the box of a body other than their own."""
         if not len(self.bodies[1]):
             return np.zeros(0, np.int64)
         origin, cells, counts = self._grid
         place = (position - origin) * cells
-        count = counts[tuple(_cells_of(position, origin, cells).T)] - (own >= 0)
+        count = counts[tuple(_locate_cells(position, origin, cells).T)] - (own >= 0)
         return np.flatnonzero(((place >= -1e-6) & (place <= _CELLS + 1e-6)).all(axis=1) & (count > 0))
 
-    def around(
+    def count_bodies(
         self, points: SurfacePoints, face: np.ndarray, workers: int | None = None
     ) -> tuple[np.ndarray, np.ndarray, int]:
-        """Count the closed bodies around points, their own left out, by the parity of crossings.
+        """Count the closed bodies around points by the parity of ray crossings; a point's own body does not count.
 
         Args:
-            points: P of them.
-            face: (P,) that they are on, or -1.
-            workers: threads.
+            points: P points.
+            face: (P,) face of each point, or -1.
+            workers: number of threads.
 
         Returns:
-            (P, 2) int32, how many bodies that are turned outward contain each point, and how many that are inside out;
-            (P,) bool, where two rays disagreed and a third one decided; the number of rays that were cast.
+            (P, 2) int32, numbers of outward-facing and of inward-facing bodies around each point; (P,) bool, True where the
+            first
+            two rays disagreed and a third one decided; and the number of rays cast.
         """
         nested, unsure = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
         own = np.where(face >= 0, self.bodies[0][face], -1)
-        rows = self._near(np.asarray(points.position), own)
+        rows = self._find_candidates(np.asarray(points.position), own)
         if not len(rows):
             return nested, unsure, 0
         some, own = points.take(rows), own[rows]
         directions = sample_directions(some, _RAYS, seed=_SEED, sequence="sobol", workers=workers).vectors
-        first, second = (self._nested(some, directions[:, ray], own, workers) for ray in (0, 1))
+        first, second = (self._count_by_parity(some, directions[:, ray], own, workers) for ray in (0, 1))
         nested[rows], unsure[rows] = first, (first != second).any(axis=1)
         doubt = np.flatnonzero(unsure[rows])
         if len(doubt):
-            third = self._nested(some.take(doubt), directions[doubt, 2], own[doubt], workers)
+            third = self._count_by_parity(some.take(doubt), directions[doubt, 2], own[doubt], workers)
             nested[rows[doubt]] = np.median([first[doubt], second[doubt], third], axis=0)
         return nested, unsure, 2 * len(rows) + len(doubt)
 
-    def _nested(self, points: SurfacePoints, way: np.ndarray, own: np.ndarray, workers: int | None) -> np.ndarray:
-        """(P, 2) how many bodies of either kind each ray leaves: it crosses their faces an odd number of times."""
-        hits = trace_all(self.mesh, points, np.ascontiguousarray(way), workers=workers)
+    def _count_by_parity(
+        self, points: SurfacePoints, directions: np.ndarray, own: np.ndarray, workers: int | None
+    ) -> np.ndarray:
+        """Return the (P, 2) number of outward-facing and inward-facing bodies around each point.
+
+        A body counts if the ray crosses its faces an odd number of times; a point's own body does not count.
+        """
+        hits = trace_all(self.mesh, points, np.ascontiguousarray(directions), workers=workers)
         body, outward = self.bodies
         ray, met = np.repeat(np.arange(len(points)), np.diff(hits.first)), body[hits.face]
         counted = (met >= 0) & (met != own[ray])
@@ -126,58 +133,68 @@ class Closed:
         return np.stack([np.bincount(kind, minlength=len(points)) for kind in kinds], axis=1).astype(np.int32)
 
 
-def _cells_of(position: np.ndarray, origin: np.ndarray, cells: np.ndarray) -> np.ndarray:
-    """(P, 3) the cells of a grid in which points are, or to which they are nearest."""
+def _locate_cells(position: np.ndarray, origin: np.ndarray, cells: np.ndarray) -> np.ndarray:
+    """Return the (P, 3) grid cells of positions, clipped to the grid."""
     return np.clip((position - origin) * cells, 0, _CELLS - 1).astype(np.int64)
 
 
 class Enclosed:
-    """How deep the points of a texture are inside closed bodies, found part by part.
+    """Counts of closed bodies around the points of a texture, computed part by part.
 
     Attributes:
-        rays: how many were cast to find it.
+        rays: number of rays cast so far.
     """
 
     rays: int
 
     def __init__(self, closed: Closed, points: TexturePoints) -> None:
-        """Nothing is known yet of the points."""
+        """Start with all points outside of all bodies."""
         self.rays = 0
         self._closed, self._points = closed, points
-        self._nested, self._source = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
+        self._depths, self._source = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
 
     def add(self, first: int, texels: SurfacePoints, places: SurfacePoints, workers: int | None) -> None:
-        """Look around `places`, whose numbers the points from `first` on get: `texels` themselves without a finer mesh."""
+        """Count the bodies around some points of the texture.
+
+        Args:
+            first: row of the first point.
+            texels: the points as `TexturePoints.take` returns them.
+            places: points at which the values are computed: `texels`, or projections on a finer mesh.
+            workers: number of threads.
+        """
         rows = slice(first, first + len(texels))
         face = self._points.face[rows] if places is texels else np.asarray(places.face)
         self._source[rows] = (np.asarray(texels.barycentric) > _WITHIN).all(axis=1)
         for start in range(0, len(texels), _BLOCK):
             block = slice(start, start + _BLOCK)
-            nested, unsure, rays = self._closed.around(places.take(block), face[block], workers)
+            nested, unsure, rays = self._closed.count_bodies(places.take(block), face[block], workers)
             rows = slice(first + start, first + start + len(nested))
-            self._nested[rows], self.rays = nested, self.rays + rays
+            self._depths[rows], self.rays = nested, self.rays + rays
             self._source[rows] &= ~unsure
 
     @property
     def inside(self) -> np.ndarray:
-        """(P,) bool: the points inside a closed body."""
-        return self._nested[:, 0] > 0
+        """(P,) bool: points inside an outward-facing closed body."""
+        return self._depths[:, 0] > 0
 
-    def buried(self, usable: np.ndarray) -> np.ndarray:
-        """(P,) bool: the points that are inside more bodies than another point of their chart, from which they are filled.
+    def find_buried(self, usable: np.ndarray) -> np.ndarray:
+        """Return the (P,) mask of points inside more bodies than another point of the same chart.
 
-        Charts wholly inside the same bodies are in a room. A chart that a hollow body cuts is looked at in parts, one in
-        each hollow.
+        The image is filled at such points. A chart wholly inside a body counts as being in a room, and none of its points
+        are
+        marked. A chart cut by a hollow body is examined separately inside and outside of the hollow.
 
         Args:
-            usable: (P,) bool, which points have a number. Points at the rim of a chart, where a body may just touch it, and
-                points whose rays disagree, are no sources, either.
+            usable: (P,) bool, points with a value. Only usable points are compared with; points on the rim of a chart and
+                points
+                whose rays disagreed are left out, too.
         """
         if not self.inside.any():
             return np.zeros(len(usable), np.bool_)
-        depth, hollow = self._nested.T
+        depth, hollow = self._depths.T
         mesh, corners = self._points.mesh, self._points.corners
-        chart = charts_of(np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2))  # those that overlap are apart
+        # positions are included, so that overlapping charts get different numbers
+        chart = label_charts(np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2))
         group = chart[self._points.face] * (int(hollow.max()) + 1) + hollow
         least = np.full(int(group.max()) + 1, np.iinfo(np.int32).max, np.int32)
         source = self._source & usable

@@ -1,4 +1,4 @@
-"""What a run bakes: an image for each group of primitives that share materials, by which texture coordinates."""
+"""Images to bake: one for each group of primitives that share materials, with texture coordinates for each."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -11,50 +11,50 @@ from warpsample.host.json_tree import Part
 from warpsample.mesh.files.gltf import check_extensions, read_corners
 from warpsample.mesh.files.uv import LAST_SET
 from warpsample.mesh.mesh import Mesh
-from warpsample.texture.glb_file import GlbFile, editing
-from warpsample.texture.high import averaged_normals
-from warpsample.texture.materials import OCCLUSION, Slot, name_of
+from warpsample.texture.glb_file import GlbFile, convert_read_errors
+from warpsample.texture.high import average_normals
+from warpsample.texture.materials import OCCLUSION, Slot, name_group
 from warpsample.texture.new_uv import add_uv, charts_for
-from warpsample.texture.primitives import Primitive, primitives_of, sharing
+from warpsample.texture.primitives import Primitive, group_by_material, list_primitives
 from warpsample.texture.sets import Texels, TextureOptions
 from warpsample.texture.texture_points import TexturePoints
 from warpsample.texture.unwrapping import PADDING, unwrap
 
 _FLAWS = {
     "overlapped": "overlapping texels, which show one of several faces",
-    "outside": "faces beyond the image, of which it shows a part",
+    "outside": "faces partly or wholly outside the image",
     "zero_area": "faces without an area in the image",
     "mirrored": "mirrored faces",
 }
 _REFUSED = ("overlapped", "outside", "zero_area")
 SCENES = (".glb", ".gltf")
-"""Suffixes of the files whose materials get pictures."""
+"""Suffixes of files whose materials receive the pictures."""
 
-_NAMES = 5  # of meshes that are told for a flaw
+_MOST_NAMES = 5  # most meshes named per flaw
 
 
 @dataclass(frozen=True, eq=False)
 class TextureJob:
-    """An image that a run bakes.
+    """Image to bake, with its texels.
 
     Attributes:
-        name: of the material that it is for, or of the file.
-        points: its texels.
-        set: the number of the texture coordinates that it is by; of new ones the number that they get.
-        told: which coordinates these are, and which sets of the file are not taken.
-        group: the primitives that it is for; none where it is for a whole file.
-        remake: makes the texels of the group's primitives at other places.
+        name: name of the material, or of the file.
+        points: texels as points on the mesh.
+        set: number of the set of texture coordinates; for new coordinates, the number that the set gets.
+        coordinates: description of the coordinates, and of sets of the file that are not used.
+        group: primitives that show the image; empty for an image of a whole file.
+        remake: function that returns the texels of the same primitives at other places.
     """
 
     name: str
     points: TexturePoints
     set: int
-    told: str
+    coordinates: str
     group: list[Primitive]
     remake: Callable[[list[Primitive]], TexturePoints] | None = None
 
     def at_other_places(self) -> Iterator["TextureJob"]:
-        """Yield the same picture for each other place of the primitives; texels are made one place at a time."""
+        """Yield this job for each further place of its primitives; texels are computed one place at a time."""
         for place in range(max((len(one.others) for one in self.group), default=0)):
             group = [one.others[place] for one in self.group if place < len(one.others)]
             assert self.remake is not None
@@ -62,87 +62,98 @@ class TextureJob:
 
     @property
     def rows(self) -> list[slice]:
-        """The faces that it is of, by primitives."""
+        """Slices of the mesh's faces, one for each primitive."""
         return [one.faces for one in self.group] or [slice(len(self.points.mesh.faces))]
 
     @property
     def scales(self) -> np.ndarray:
-        """(F,) float64, how long the units of the primitives are that faces are of; 1 for others."""
+        """(F,) float64, length of a unit of each face's primitive in the scene; 1 for faces of other primitives."""
         found = np.ones(len(self.points.mesh.faces))
         for one in self.group:
             found[one.faces] = one.scale
         return found
 
 
-def jobs_of(path: Path, mesh: Mesh, how: TextureOptions, output: str, slot: Slot) -> tuple[list[TextureJob], GlbFile | None]:
-    """All images of a run into a file with such a suffix; and the .glb that they go into, which has new coordinates by now.
+def plan_jobs(
+    path: Path, mesh: Mesh, how: TextureOptions, output: str, slot: Slot
+) -> tuple[list[TextureJob], GlbFile | None]:
+    """Return all images to bake for an output file, and the edited .glb if the output is a scene.
 
-    `slot` is what they are to its materials.
+    New texture coordinates are already added to the .glb.
+
+    Args:
+        path: file with the mesh.
+        mesh: mesh as `load_mesh` reads it.
+        how: options of the texture.
+        output: suffix of the output file.
+        slot: place of the image in a material.
 
     Raises:
-        ValueError: coordinates that cannot be used, or with `strict` such that are flawed.
+        ValueError: the coordinates cannot be used, or have flaws and `how.strict` is set.
     """
-    jobs, file = _glb_jobs(path, mesh, how, slot) if output in SCENES else ([_whole_job(path, mesh, how, output)], None)
-    flaws = [line for job in jobs for line in flaws_told(job, _REFUSED)]
+    jobs, file = (
+        _plan_scene_jobs(path, mesh, how, slot) if output in SCENES else ([_plan_file_job(path, mesh, how, output)], None)
+    )
+    flaws = [line for job in jobs for line in describe_flaws(job, _REFUSED)]
     if how.strict and flaws:
         raise ValueError(f"--strict: got {path.name!r} with {'; '.join(flaws)}")
     return jobs, file
 
 
-def flaws_told(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Iterator[str]:
-    """What is wrong with the coordinates of a job, in phrases with the names of the meshes."""
+def describe_flaws(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Iterator[str]:
+    """Yield phrases on flaws of a job's coordinates, with the names of the meshes concerned."""
     report = job.points.report
     for name in names:
         count, parts = getattr(report, name), report.named[name]
         if count:
-            more = f" and {len(parts) - _NAMES:,} more" if len(parts) > _NAMES else ""
-            yield f"{_FLAWS[name]}: {count:,}" + (f" ({', '.join(parts[:_NAMES])}{more})" if any(parts) else "")
+            more = f" and {len(parts) - _MOST_NAMES:,} more" if len(parts) > _MOST_NAMES else ""
+            yield f"{_FLAWS[name]}: {count:,}" + (f" ({', '.join(parts[:_MOST_NAMES])}{more})" if any(parts) else "")
 
 
-def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[list[TextureJob], GlbFile]:
-    """An image for each group of primitives that share materials."""
-    with editing(path):
+def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[list[TextureJob], GlbFile]:
+    """Return a job for each group of primitives that share materials, and the .glb with new coordinates added."""
+    with convert_read_errors(path):
         file = GlbFile(path)
         check_extensions(file.part)
-        slotted = list(_with_slot(file, slot))
-        texels = Texels(path, mesh, how, _corner_normals(path, mesh, how))
+        slotted = list(_groups_with_slot(file, slot))
+        texels = Texels(path, mesh, how, _read_corner_normals(path, mesh, how))
     if not slotted:
         raise ValueError(
-            f"--quantity: got {slot.name} for {path.name!r}, none of whose materials has {slot.within[-1]}, which holds a "
-            f"{slot.key}, want a file with it, or an .exr or .npz as --output"
+            f"--quantity: got {slot.name} for {path.name!r}, whose materials lack {slot.within[-1]}, the parent of "
+            f"{slot.key}, want a file with that glTF extension, or an .exr or .npz as --output"
         )
     groups = [group for group in slotted if not is_flat(mesh, group)]
     if not groups:
-        raise ValueError("mesh: got faces without an area, want some that have one")
+        raise ValueError("mesh: got only faces without an area, want at least one face with an area")
     jobs = []
     for group in groups:
-        rows, name = [one.faces for one in group if not is_flat(mesh, [one])], name_of(file, group)
-        with editing(path):
-            first = _set_of(file, group, slot)
-        found = texels.chosen(rows, name, first=first)
+        rows, name = [one.faces for one in group if not is_flat(mesh, [one])], name_group(file, group)
+        with convert_read_errors(path):
+            first = _find_set(file, group, slot)
+        found = texels.choose_set(rows, name, first=first)
         if found.points is None:
             faced = [one for one in group if len(one.triangles)]
-            charts = charts_for(faced, mesh, square(how.size))
-            with editing(path):
+            charts = charts_for(faced, mesh, square_side(how.size))
+            with convert_read_errors(path):
                 number, uv = add_uv(file, faced, charts, len(mesh.faces))
-            remake = partial(_points_at, texels, uv, faced)
-            told = found.told(f"new coordinates, set {number}")
-            jobs.append(TextureJob(name, texels.points(uv, rows), number, told, faced, remake))
+            remake = partial(_make_points_by_new_uv, texels, uv, faced)
+            label = found.describe(f"new coordinates, set {number}")
+            jobs.append(TextureJob(name, texels.points(uv, rows), number, label, faced, remake))
         else:
             own = f"TEXCOORD_{found.number}"
-            able = [one for one in group if own in one.part.part("attributes")]  # flat ones may have none
-            remake = partial(_points_by, texels, found.number)
-            jobs.append(TextureJob(name, found.points, found.number, found.told(f"set {found.number}"), able, remake))
+            able = [one for one in group if own in one.part.part("attributes")]  # flat primitives may lack the set
+            remake = partial(_make_points_by_set, texels, found.number)
+            jobs.append(TextureJob(name, found.points, found.number, found.describe(f"set {found.number}"), able, remake))
     return jobs, file
 
 
-def _points_by(texels: Texels, number: int, group: list[Primitive]) -> TexturePoints:
-    """Return the texels of primitives at some places, by a set of the file."""
-    return texels.by(number, [one.faces for one in group])
+def _make_points_by_set(texels: Texels, number: int, group: list[Primitive]) -> TexturePoints:
+    """Return the texels of primitives, by a set of coordinates of the file."""
+    return texels.points_by_set(number, [one.faces for one in group])
 
 
-def _points_at(texels: Texels, uv: np.ndarray, first: list[Primitive], group: list[Primitive]) -> TexturePoints:
-    """Return the texels of primitives at other places, by new coordinates of the `first` places."""
+def _make_points_by_new_uv(texels: Texels, uv: np.ndarray, first: list[Primitive], group: list[Primitive]) -> TexturePoints:
+    """Return the texels of `group` by new coordinates `uv`, which were computed for the same primitives in `first`."""
     known = {(one.mesh, one.number): one for one in first}
     own = np.full(uv.shape, np.nan)
     for one in group:
@@ -152,59 +163,65 @@ def _points_at(texels: Texels, uv: np.ndarray, first: list[Primitive], group: li
 
 
 def is_flat(mesh: Mesh, group: list[Primitive]) -> bool:
-    """Whether no face of a group has an area in space: there is nothing to show it a picture on."""
+    """Return whether all faces of a group of primitives have zero area in space."""
     return not any(mesh.face_areas[one.faces].any() for one in group)
 
 
-def _with_slot(file: GlbFile, slot: Slot) -> Iterator[list[Primitive]]:
-    """The groups of primitives whose materials have a place for such a picture, or get one."""
+def _groups_with_slot(file: GlbFile, slot: Slot) -> Iterator[list[Primitive]]:
+    """Yield the groups of primitives whose materials have the slot, or can get the slot."""
     materials = file.part.parts("materials")
-    for group in sharing(primitives_of(file.part, file.data)):
-        if slot.optional or any(slot.holder(materials[number]) is not None for one in group for number in one.materials):
+    for group in group_by_material(list_primitives(file.part, file.data)):
+        if slot.optional or any(
+            slot.find_holder(materials[number]) is not None for one in group for number in one.materials
+        ):
             yield group
 
 
-def _whole_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
-    """One image for all faces of a file."""
-    texels, rows = Texels(path, mesh, how, _corner_normals(path, mesh, how)), [slice(None)]
-    found = texels.chosen(rows, path.name, lenient=output != ".npz")
+def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
+    """Return the job of one image for all faces of a file."""
+    texels, rows = Texels(path, mesh, how, _read_corner_normals(path, mesh, how)), [slice(None)]
+    found = texels.choose_set(rows, path.name, lenient=output != ".npz")
     if found.points is not None:
-        return TextureJob(path.name, found.points, found.number, found.told(f"set {found.number}"), [])
+        return TextureJob(path.name, found.points, found.number, found.describe(f"set {found.number}"), [])
     if output != ".npz":
         raise ValueError(
             f"--output: got a {output} for {path.name!r} without texture coordinates that can be used, want .npz, which "
             "holds new ones, or .glb for a glTF file"
         )
-    uv = unwrap(mesh, square(how.size), padding=PADDING)[1]
-    return TextureJob(path.name, texels.points(uv, rows), 0, found.told("new coordinates"), [])
+    uv = unwrap(mesh, square_side(how.size), padding=PADDING)[1]
+    return TextureJob(path.name, texels.points(uv, rows), 0, found.describe("new coordinates"), [])
 
 
-def _corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndarray | None:
-    """The normals of corners that points are turned by; None where faces or vertices tell."""
+def _read_corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndarray | None:
+    """Return the corner normals (F, 3, 3) used for points, or None to use normals of faces or vertices."""
     if how.high is not None:
-        return averaged_normals(mesh)
+        return average_normals(mesh)
     return read_corners(path, "NORMAL") if how.normals != "face" and path.suffix.lower() in SCENES else None
 
 
-def _set_of(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
-    """The set by which the materials of a group have such a picture already, or else an occlusion."""
+def _find_set(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
+    """Return the texture-coordinate set that a group's materials use for the slot, or else for occlusion, or None."""
     materials = file.part.parts("materials")
     numbers = [number for one in group for number in one.materials]
-    known = [kind.known(materials[number]) for kind in (slot, OCCLUSION) for number in numbers]
-    sets = [_set_by(info) for info in known if info is not None]
+    known = [kind.find_info(materials[number]) for kind in (slot, OCCLUSION) for number in numbers]
+    sets = [_read_set_number(info) for info in known if info is not None]
     return sets[0] if sets else None
 
 
-def _set_by(info: Part) -> int:
-    """The set of coordinates that a material shows a picture by: that of a transform comes first."""
+def _read_set_number(info: Part) -> int:
+    """Return the number of the texture-coordinate set used by a glTF texture info; a KHR_texture_transform overrides it."""
     number = info.whole("texCoord", 0, LAST_SET)
     if "extensions" in info and "KHR_texture_transform" in info.part("extensions"):
         number = info.part("extensions").part("KHR_texture_transform").whole("texCoord", number, LAST_SET)
     return number
 
 
-def square(size: tuple[int, int]) -> int:
-    """The side of a square image, which new coordinates are made for."""
+def square_side(size: tuple[int, int]) -> int:
+    """Return the side of a square image, in texels; new texture coordinates need a square.
+
+    Raises:
+        ValueError: width and height differ.
+    """
     if size[0] != size[1]:
         raise ValueError(f"--texture: got {size[0]}x{size[1]} for new texture coordinates, want a square")
     return size[0]

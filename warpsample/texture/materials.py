@@ -1,4 +1,4 @@
-"""Pictures as textures of the materials of a .glb."""
+"""Pictures as textures in the materials of a .glb."""
 
 import json
 from collections.abc import Iterator
@@ -7,19 +7,20 @@ from typing import Any
 
 from warpsample.host.json_tree import Part
 from warpsample.texture.glb_file import GlbFile
-from warpsample.texture.primitives import Primitive, naming
+from warpsample.texture.primitives import Primitive, list_material_references
 
 
 @dataclass(frozen=True)
 class Slot:
-    """What a picture is to a material.
+    """Place of a picture in a glTF material.
 
     Attributes:
-        name: in words.
-        key: of the member that names it.
-        within: the members that this is in, from the outer one; none for the material itself.
-        optional: whether a material gets these where it has none; others are left alone.
-        directed: whether it shows directions, in the frame of tangent, bitangent and normal.
+        name: name of the picture in messages.
+        key: key of the texture info.
+        within: keys of the objects that contain the texture info, outermost first; empty for the material itself.
+        optional: whether the containing objects are added to a material that lacks them. If False, such a material gets no
+            picture.
+        directed: whether the picture shows directions in the frame of tangent, bitangent and normal.
     """
 
     name: str
@@ -28,21 +29,21 @@ class Slot:
     optional: bool = True
     directed: bool = False
 
-    def holder(self, material: Part) -> Part | None:
-        """What of a material holds such a picture; None if it is not there."""
+    def find_holder(self, material: Part) -> Part | None:
+        """Return the object of a material that contains the texture info, or None if the material lacks the object."""
         for key in self.within:
             if key not in material:
                 return None
             material = material.part(key)
         return material
 
-    def known(self, material: Part) -> Part | None:
-        """What a material says of such a picture; None if it has none."""
-        holder = self.holder(material)
+    def find_info(self, material: Part) -> Part | None:
+        """Return the texture info of a material, or None without one."""
+        holder = self.find_holder(material)
         return holder.part(self.key) if holder is not None and self.key in holder else None
 
-    def put(self, material: dict[str, Any], info: dict[str, Any], more: dict[str, Any]) -> None:
-        """Says of a material that it has such a picture, and more beside it."""
+    def set_info(self, material: dict[str, Any], info: dict[str, Any], more: dict[str, Any]) -> None:
+        """Set the texture info of a material, and the further members `more` of the containing object."""
         for key in self.within:
             material = material.setdefault(key, {})
         material |= {self.key: info, **more}
@@ -50,76 +51,93 @@ class Slot:
 
 OCCLUSION = Slot("occlusion", "occlusionTexture")
 _BENT_NORMALS = Slot("map of bent normals", "bentNormalTexture", ("extras",), directed=True)
-"""The standard has no place for it, but for what is of a file's own."""
+"""Bent normals are in `extras`, since glTF has no texture for them."""
 THICKNESS = Slot("thickness", "thicknessTexture", ("extensions", "KHR_materials_volume"), optional=False)
 _NORMALS = Slot("normal map", "normalTexture", directed=True)
-_OF_QUANTITIES = {"bent-normals": _BENT_NORMALS, "thickness": THICKNESS, "normals": _NORMALS}
+_SLOTS_BY_QUANTITY = {"bent-normals": _BENT_NORMALS, "thickness": THICKNESS, "normals": _NORMALS}
 
 
-def slot_of(quantity: str) -> Slot:
-    """What a picture of a quantity is to a material: of all others it is its occlusion."""
-    return _OF_QUANTITIES.get(quantity, OCCLUSION)
+def slot_for_quantity(quantity: str) -> Slot:
+    """Return the slot for pictures of a quantity; quantities without a slot of their own go into the occlusion texture."""
+    return _SLOTS_BY_QUANTITY.get(quantity, OCCLUSION)
 
 
 def add_texture(
     file: GlbFile, group: list[Primitive], png: bytes, slot: Slot, *, info: dict[str, Any], more: dict[str, Any]
 ) -> Iterator[str]:
-    """Gives all materials of a group of primitives a picture, and tells what it replaces.
+    """Add a picture to all materials of a group of primitives, and yield a sentence for each replaced picture.
 
-    `info` is said of the picture, and `more` of the material beside it.
+    A material that primitives outside the scene use as well is copied first. A group without a material gets a new one. The
+    picture is read without KHR_texture_transform.
 
-    A material that others use as well, which the scene does not place, is copied first; a group without one gets a new one.
-    The picture is read as it is, without a transform of another texture.
+    Args:
+        file: file to edit.
+        group: primitives that share materials.
+        png: content of the picture.
+        slot: place of the picture in the materials.
+        info: further members of the texture info.
+        more: further members of the object that contains the texture info.
     """
     numbers = sorted({number for one in group for number in one.materials})
-    name = name_of(file, group)
+    name = name_group(file, group)
     texture = {"index": file.add_picture(png, f"{name} {slot.name}"), **info}
     if not numbers:
-        made = file.add_material({"name": name})
+        number = file.add_material({"name": name})
         for one in group:
-            _primitive(file, one)["material"] = made
-        numbers = [made]
+            _primitive_json(file, one)["material"] = number
+        numbers = [number]
     else:
         for number in numbers:
-            if _is_shared(file, group, number):
-                _copy(file, group, number)
-        numbers = sorted({part.content["material"] for one in group for part in naming(Part(_primitive(file, one)))})
+            if _is_used_elsewhere(file, group, number):
+                _copy_material(file, group, number)
+        numbers = sorted(
+            {
+                part.content["material"]
+                for one in group
+                for part in list_material_references(Part(_primitive_json(file, one)))
+            }
+        )
     for number in numbers:
         material = file.tree["materials"][number]
-        if not slot.optional and slot.holder(Part(material)) is None:
+        if not slot.optional and slot.find_holder(Part(material)) is None:
             continue
-        if slot.known(Part(material)) is not None:
+        if slot.find_info(Part(material)) is not None:
             yield f"the {slot.name} of material {material.get('name', number)!r} is replaced"
-        slot.put(material, dict(texture), more)
+        slot.set_info(material, dict(texture), more)
 
 
-def name_of(file: GlbFile, group: list[Primitive]) -> str:
-    """What a group is called: by its first material, or by its first mesh if it has none."""
+def name_group(file: GlbFile, group: list[Primitive]) -> str:
+    """Return the name of a group's first material, or of the group's first mesh if it has no material."""
     for one in group:
         for number in one.materials:
             return str(file.tree["materials"][number].get("name", f"material {number}"))
     return group[0].name
 
 
-def _primitive(file: GlbFile, one: Primitive) -> dict[str, Any]:
+def _primitive_json(file: GlbFile, one: Primitive) -> dict[str, Any]:
     found: dict[str, Any] = file.tree["meshes"][one.mesh]["primitives"][one.number]
     return found
 
 
-def _is_shared(file: GlbFile, group: list[Primitive], number: int) -> bool:
-    """Whether a material is also of primitives that are not of the group that all placed ones with it are."""
+def _is_used_elsewhere(file: GlbFile, group: list[Primitive], number: int) -> bool:
+    """Return whether primitives outside a group use a material.
+
+    The group has all primitives in the scene with the material, so that other primitives are not in the scene.
+    """
     own = {(one.mesh, one.number) for one in group}
     for mesh, part in enumerate(file.part.parts("meshes")):
         for i, primitive in enumerate(part.parts("primitives")):
-            if (mesh, i) not in own and any(named.content["material"] == number for named in naming(primitive)):
+            if (mesh, i) not in own and any(
+                named.content["material"] == number for named in list_material_references(primitive)
+            ):
                 return True
     return False
 
 
-def _copy(file: GlbFile, group: list[Primitive], number: int) -> None:
-    """Gives a group a copy of a material of its own."""
+def _copy_material(file: GlbFile, group: list[Primitive], number: int) -> None:
+    """Copy a material and assign the copy to the primitives of a group."""
     made = file.add_material(json.loads(json.dumps(file.tree["materials"][number])))
     for one in group:
-        for named in naming(Part(_primitive(file, one))):
+        for named in list_material_references(Part(_primitive_json(file, one))):
             if named.content["material"] == number:
                 named.content["material"] = made

@@ -1,4 +1,4 @@
-"""What is to be said of baking into a scene, where a number at a texel stands for less than one might think."""
+"""Sentences on limits of a bake into a scene, for the report of a run."""
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -14,34 +14,40 @@ from warpsample.texture.texture_points import TexturePoints
 from warpsample.tracing.placement import OFFSET
 from warpsample.tracing.scene import scene_of
 
-_COARSE = 0.25  # of a texel: geometry that near counts as touching; 0.6 of one moved single texels beside a crate by 0.8
+_COARSE = 0.25  # of a texel; at a ray resolution of 0.6 texels, single texels beside a crate were wrong by 0.8
 
-_FEW = 0.01  # of the points: a face that is all but flat in space has small texels anywhere
+_FEW = 0.01  # of the points: faces of nearly zero area in space always have small texels
 _TRANSMITS, _UNLIT = "KHR_materials_transmission", "KHR_materials_unlit"
 
 
-def notes_on(tree: Part, primitives: list[Primitive], picture: str | None = None) -> Iterator[str]:
-    """Sentences on meshes with morph targets, and on materials: unlit, with two sides."""
-    materials = tree.parts("materials")
-    used = [materials[number] for number in sorted({number for one in primitives for number in one.materials})]
-    morphed = named(one.name for one in primitives if _is_morphed(tree, one))
-    if morphed:
-        yield f"morph targets are left out, though the file gives them weights: {morphed}"
-    unlit = named(_name(one) for one in used if _has(one, _UNLIT))
-    if unlit and picture is not None:
-        yield f"viewers show no {picture} on materials that are unlit: {unlit}"
-    doubled = named(_name(one) for one in used if one.flag("doubleSided"))
-    if doubled:
-        yield f"of materials with two sides the numbers are those of the front: {doubled}"
-
-
-def notes_on_light(tree: Part, primitives: list[Primitive], transmittance: np.ndarray | None) -> Iterator[str]:
-    """Return sentences on how much light passes through the faces of materials: transparent ones, and those with a share.
+def describe_materials(tree: Part, primitives: list[Primitive], picture: str | None = None) -> Iterator[str]:
+    """Yield sentences on morph targets, unlit materials and two-sided materials.
 
     Args:
-        tree: the JSON of the file.
-        primitives: those that the scene places.
-        transmittance: (F,) the shares of all faces that the rays of the run meet; None if all of them block light.
+        tree: JSON of the file.
+        primitives: primitives of the scene.
+        picture: name of the picture added to the materials; None if no picture is added.
+    """
+    materials = tree.parts("materials")
+    used = [materials[number] for number in sorted({number for one in primitives for number in one.materials})]
+    morphed = join_names(one.name for one in primitives if _is_morphed(tree, one))
+    if morphed:
+        yield f"morph targets are left out, though the file sets their weights: {morphed}"
+    unlit = join_names(_name(one) for one in used if _has(one, _UNLIT))
+    if unlit and picture is not None:
+        yield f"viewers show no {picture} on unlit materials: {unlit}"
+    doubled = join_names(_name(one) for one in used if one.flag("doubleSided"))
+    if doubled:
+        yield f"two-sided materials show the numbers of the front on both sides: {doubled}"
+
+
+def describe_light(tree: Part, primitives: list[Primitive], transmittance: np.ndarray | None) -> Iterator[str]:
+    """Yield sentences on the light that passes through materials, and on transparent materials that block all light.
+
+    Args:
+        tree: JSON of the file.
+        primitives: primitives of the scene.
+        transmittance: (F,) share of light that passes each face, from 0 to 1; None if all faces block light.
     """
     materials = tree.parts("materials")
     shares: dict[str, list[np.ndarray]] = {}
@@ -58,19 +64,19 @@ def notes_on_light(tree: Part, primitives: list[Primitive], transmittance: np.nd
         low, high = min(part.min(initial=1.0) for part in found), max(part.max(initial=0.0) for part in found)
         if high > 0.0:
             yield f"faces of {name!r} pass {_percent(low, high)} of the light"
-    blocking = named(name for name in transparent if not any(part.max(initial=0.0) for part in shares[name]))
+    blocking = join_names(name for name in transparent if not any(part.max(initial=0.0) for part in shares[name]))
     if blocking:
-        yield f"transparent materials that block all light, as --transmittance gives them no share: {blocking}"
+        yield f"transparent materials block all light, since --transmittance does not name them: {blocking}"
 
 
 def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
     """Return a sentence on texels smaller than 4 times the resolution of their rays, or None without such texels.
 
-    Rays are float32 relative to the centre of most of the mesh, so that a few faces at a great distance make all coarse.
+    Rays are float32 relative to the centre of most of the mesh. A few distant faces lower the resolution of all rays.
 
     Args:
-        points: the texels.
-        traced: the mesh whose faces the rays meet.
+        points: texels as points.
+        traced: mesh that the rays are traced against.
     """
     scene = scene_of(traced, through=True)
     corners, mesh = points.corners, points.mesh
@@ -86,20 +92,20 @@ def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
         return None
     face = int(np.argmax(count))
     return (
-        f"rays resolve lengths from {resolution[face]:.2g} on, and {count.sum():,} points have texels less than 4 times as "
-        f"wide, such as {size[face]:.2g}: leave out faces at a great distance"
+        f"rays resolve lengths above {resolution[face]:.2g}, and {count.sum():,} points have texels less than 4 times that "
+        f"wide, such as {size[face]:.2g}: leave out distant faces"
     )
 
 
-def left_behind(path: Path, tree: dict[str, Any], output: Path) -> Iterator[str]:
-    """A sentence on the files that a tree names, as they lie beside `path` and not beside what is written."""
-    files = named(uris_of(Part(tree)))
+def describe_missing_files(path: Path, tree: dict[str, Any], output: Path) -> Iterator[str]:
+    """Yield a sentence on external files of the input that are not in the folder of the output."""
+    files = join_names(uris_of(Part(tree)))
     if files and path.parent.resolve() != output.parent.resolve():
-        yield f"{output.name} wants these files beside it: {files}"
+        yield f"{output.name} needs these files in its folder: {files}"
 
 
-def named(names: Iterable[str]) -> str:
-    """Names in a sentence, each once; "" for none."""
+def join_names(names: Iterable[str]) -> str:
+    """Return distinct names, quoted and joined by commas; "" without names."""
     return ", ".join(dict.fromkeys(map(repr, names)))
 
 
@@ -112,7 +118,7 @@ def _name(material: Part) -> str:
 
 
 def _is_morphed(tree: Part, one: Primitive) -> bool:
-    """Whether a primitive has morph targets to which its mesh, or a node that places that, gives weights."""
+    """Return whether a primitive has morph targets and its mesh, or a node with the mesh, sets weights other than 0."""
     nodes = (node for node in tree.parts("nodes") if node.content.get("mesh") == one.mesh)
     holders = [tree.parts("meshes")[one.mesh], *nodes]
     return bool(one.part.parts("targets")) and any(any(holder.values("weights")) for holder in holders)

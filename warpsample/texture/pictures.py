@@ -1,4 +1,4 @@
-"""Images of numbers as files: .png by Pillow, .exr by OpenEXR."""
+"""Encoding of images as .png, by Pillow, and as .exr, by OpenEXR."""
 
 from collections.abc import Mapping
 from io import BytesIO
@@ -14,13 +14,15 @@ from warpsample.host.locks import imported
 
 _WHITE = {8: (255.0, np.uint8), 16: (65535.0, np.uint16)}
 DEPTHS = tuple(_WHITE)
-"""Bits of a number in a .png."""
+"""Bits per channel of a .png."""
 
 
-def png_of(image: np.ndarray, depth: int) -> bytes:
-    """The bytes of a .png of (H, W) numbers from 0 to 1, linear and rounded; beyond these, cut.
+def encode_png(image: np.ndarray, depth: int) -> bytes:
+    """Return the bytes of a .png of an (H, W) image, linear, clipped to [0, 1] and rounded to `depth` bits.
 
-    Vectors, (H, W, 3), are colours of 8 bits: each stands for its direction, from -1 to 1; one of length 0 for +z.
+    An image (H, W, 3) holds vectors: each direction is stored as a colour of 8 bits, 0.5 + 0.5 * component. Vectors of
+    length 0
+    are stored as +z.
     """
     if image.ndim == 3:
         length = np.linalg.norm(image.astype(np.float64), axis=2, keepdims=True)
@@ -28,13 +30,17 @@ def png_of(image: np.ndarray, depth: int) -> bytes:
     white, kind = _WHITE[depth]
     levels = np.floor(np.clip(image.astype(np.float64), 0.0, 1.0) * white + 0.5).astype(kind)
     stream = BytesIO()
-    library("PIL.Image", "a .png needs Pillow").fromarray(levels).save(stream, "PNG", compress_level=9)
+    import_library("PIL.Image", "a .png needs Pillow").fromarray(levels).save(stream, "PNG", compress_level=9)
     return stream.getvalue()
 
 
-def exr_of(layers: Mapping[str, np.ndarray]) -> bytes:
-    """The bytes of an .exr of float32 images by the names of their layers: (H, W) is Y, (H, W, 3) R, G and B."""
-    openexr = library("OpenEXR", "an .exr needs OpenEXR")
+def encode_exr(layers: Mapping[str, np.ndarray]) -> bytes:
+    """Return the bytes of a float32 .exr with one or more layers.
+
+    Args:
+        layers: images by layer name. An (H, W) image is channel Y; an (H, W, 3) image is channels R, G and B.
+    """
+    openexr = import_library("OpenEXR", "an .exr needs OpenEXR")
     channels = {}
     for layer, image in layers.items():
         prefix = f"{layer}." if layer else ""
@@ -42,25 +48,29 @@ def exr_of(layers: Mapping[str, np.ndarray]) -> bytes:
         names = "RGB" if image.ndim == 3 else "Y"
         channels |= {prefix + name: np.ascontiguousarray(one, np.float32) for name, one in zip(names, split, strict=True)}
     header = {"compression": openexr.ZIP_COMPRESSION, "type": openexr.scanlineimage}
-    with TemporaryDirectory() as folder:  # the library writes into files only
+    with TemporaryDirectory() as folder:  # OpenEXR writes to files only
         path = Path(folder, "image.exr")
         try:
             openexr.File(header, channels).write(str(path))
         except RuntimeError as error:
-            raise WriteError(f"a copy of the picture cannot be written into {folder}: {error}") from None
+            raise WriteError(f"the picture cannot be written to the temporary folder {folder}: {error}") from None
         return path.read_bytes()
 
 
 def check_library(suffix: str) -> None:
-    """Refuses a suffix of a file for which a library is missing, before anything is computed."""
+    """Raise an error if the library for a file suffix is missing, before any work."""
     if suffix in (".png", ".glb", ".gltf"):
-        library("PIL.Image", f"a texture in a {suffix} needs Pillow")
+        import_library("PIL.Image", f"a texture in a {suffix} needs Pillow")
     elif suffix == ".exr":
-        library("OpenEXR", "an .exr needs OpenEXR")
+        import_library("OpenEXR", "an .exr needs OpenEXR")
 
 
-def library(name: str, what: str) -> ModuleType:
-    """A library of pictures; where it is missing, `what` needs it and how to install it."""
+def import_library(name: str, what: str) -> ModuleType:
+    """Return an imported image library.
+
+    Raises:
+        ModuleNotFoundError: the library is missing; the message starts with `what` and names the install command.
+    """
     try:
         return imported(name)
     except ModuleNotFoundError:

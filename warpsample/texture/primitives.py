@@ -1,4 +1,4 @@
-"""What a .glb places, as its textures need it: primitives, where their faces are in the mesh, and who shares a material."""
+"""Primitives of a glTF scene: faces in the loaded mesh, places, and groups that share materials."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -15,21 +15,21 @@ _VARIANTS = "KHR_materials_variants"
 
 @dataclass(frozen=True, eq=False)
 class Primitive:
-    """A primitive of triangles, and where the first of its places is in what `load_mesh` gives.
+    """Triangle primitive of a scene, with its faces in the mesh that `load_mesh` returns.
 
     Attributes:
-        mesh: the number of its mesh.
-        number: of the primitive in that.
-        part: what the file says of it.
-        name: of its mesh, or its number.
-        faces: rows of the mesh's faces, at the first place.
-        vertices: rows of its vertices.
-        triangles: (F, 3) its own vertices of these faces, in the order of their corners.
-        mirrored: whether that order is the reverse of the file's.
-        scale: of lengths at the first place, the cube root of that of volumes.
-        materials: the numbers of its materials, those of its variants among them.
-        node: the number of the node that places it.
-        others: the same primitive at each of its other places.
+        mesh: number of the glTF mesh.
+        number: number of the primitive in the glTF mesh.
+        part: JSON of the primitive.
+        name: name of the glTF mesh, or its path in the file.
+        faces: rows of the loaded mesh's faces, at the first place.
+        vertices: rows of the loaded mesh's vertices, at the first place.
+        triangles: (F, 3) vertices of the faces, counted within the primitive.
+        mirrored: whether the place mirrors the primitive. If so, the corner order is the reverse of the file's.
+        scale: scale of lengths at the place: the cube root of the scale of volumes.
+        materials: numbers of the primitive's material and of its material variants.
+        node: number of the node that places the primitive.
+        others: the same primitive at its other places.
     """
 
     mesh: int
@@ -46,8 +46,8 @@ class Primitive:
     others: list["Primitive"] = field(default_factory=list)
 
 
-def primitives_of(tree: Part, data: Data) -> list[Primitive]:
-    """The primitives that the scene places, each once, in the order of their first places."""
+def list_primitives(tree: Part, data: Data) -> list[Primitive]:
+    """Return each primitive of the scene once, in the order of first places."""
     known = tree.parts("materials")
     faces, vertices = 0, 0
     found: dict[tuple[int, int], Primitive] = {}
@@ -59,7 +59,7 @@ def primitives_of(tree: Part, data: Data) -> list[Primitive]:
         mesh = tree.parts("meshes")[one.mesh]
         name = mesh.text("name") if "name" in mesh else mesh.path
         own = triangles[:, ::-1] if volume < 0.0 else triangles
-        materials = [part.index("material", known) for part in naming(one.primitive)]
+        materials = [part.index("material", known) for part in list_material_references(one.primitive)]
         size = {"mirrored": volume < 0.0, "scale": np.cbrt(abs(volume)), "node": int(one.node.path[len("nodes[") : -1])}
         made = Primitive(one.mesh, one.number, one.primitive, name, *rows, own, materials=materials, **size)
         first = found.setdefault((one.mesh, one.number), made)
@@ -68,8 +68,11 @@ def primitives_of(tree: Part, data: Data) -> list[Primitive]:
     return list(found.values())
 
 
-def sharing(primitives: list[Primitive]) -> Iterator[list[Primitive]]:
-    """The primitives by groups, of which no two share a material; those without one are a group."""
+def group_by_material(primitives: list[Primitive]) -> Iterator[list[Primitive]]:
+    """Yield groups of primitives such that no two groups share a material.
+
+    All primitives without a material are one group.
+    """
     group_of: dict[Any, list[Primitive]] = {}
     for one in primitives:
         known = [group_of[key] for key in one.materials or [None] if key in group_of]
@@ -79,8 +82,8 @@ def sharing(primitives: list[Primitive]) -> Iterator[list[Primitive]]:
     yield from {id(group): group for group in group_of.values()}.values()
 
 
-def naming(primitive: Part) -> list[Part]:
-    """What names a material of a primitive as its member "material": itself, and each of its variants."""
+def list_material_references(primitive: Part) -> list[Part]:
+    """Return the objects with a "material" member: the primitive itself and each of its material variants."""
     found = [primitive] if "material" in primitive else []
     if "extensions" in primitive and _VARIANTS in primitive.part("extensions"):
         found += primitive.part("extensions").part(_VARIANTS).parts("mappings")

@@ -1,4 +1,4 @@
-"""What texture coordinates are like: what of them an image can hold, and what not."""
+"""Report on texture coordinates: overlapping texels, faces outside the image, and other flaws."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -8,23 +8,25 @@ import numpy as np
 
 from warpsample.mesh.mesh import Mesh
 
-_OUTSIDE = 1e-6  # of the image: float32 roundings of 0 and 1
-_FLAT = 2.0**-48  # of the product of two edges: below 16 roundings of it a face has no area
+_OUTSIDE = 1e-6  # of the image: tolerance for coordinates 0 and 1 rounded to float32
+_FLAT = 2.0**-48  # of the product of two edge lengths: a smaller area is rounding error (16 float64 epsilons)
 
 
 @dataclass(frozen=True)
 class TextureReport:
-    """Counts of what texture coordinates do to an image.
+    """Counts of texels with points, and of flaws of the texture coordinates.
 
     Attributes:
-        covered: texels that have a point.
-        overlapped: texels whose centres are strictly inside of two or more faces; they show the one of the lowest number.
-        outside: faces that reach beyond the image; what is out there has no texels.
-        zero_area: faces without an area in the image; they have no texels of their own.
-        mirrored: faces that the image shows mirrored, which is no flaw.
-        without_uv: faces whose coordinates are not finite; they have no texels.
-        named: which parts of the mesh the overlapped, outside, zero_area, mirrored and without_uv ones are of, by the names
-            of the counts; empty for a mesh without parts.
+        covered: number of texels with at least one point.
+        overlapped: number of texels whose centres are strictly inside two or more faces. Such a texel shows the face of the
+            lowest number.
+        outside: number of faces partly or wholly outside the image. The part outside has no texels.
+        zero_area: number of faces without an area in the image, which have no texels.
+        mirrored: number of faces mirrored in the image, which is no flaw.
+        without_uv: number of faces with coordinates that are not finite, which have no texels.
+        named: names of the mesh parts with overlapped, outside, zero_area, mirrored and without_uv faces, keyed by these
+            words;
+            empty for a mesh without parts.
     """
 
     covered: int
@@ -36,8 +38,8 @@ class TextureReport:
     named: Mapping[str, tuple[str, ...]]
 
 
-def face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
-    """(F,) bool for each of outside, zero_area, mirrored and without_uv: which faces (F, 3, 2) float64 are that."""
+def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
+    """Return the (F,) masks of faces that are outside, zero_area, mirrored and without_uv, for coordinates (F, 3, 2)."""
     finite = np.isfinite(uv).all(axis=(1, 2))
     uv = np.where(finite[:, None, None], uv, 0.0)
     first, second = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
@@ -53,15 +55,15 @@ def face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
     }
 
 
-def report_on(mesh: Mesh, covered: int, overlapped: int, flaws: Mapping[str, np.ndarray]) -> TextureReport:
-    """The report on texels of a mesh; `flaws` are (F,) bool by name, those of "overlapped" among them."""
+def build_report(mesh: Mesh, covered: int, overlapped: int, flaws: Mapping[str, np.ndarray]) -> TextureReport:
+    """Return the report on the texels of a mesh, from counts of texels and (F,) masks of flawed faces by flaw."""
     counts = {name: int(np.count_nonzero(faces)) for name, faces in flaws.items() if name != "overlapped"}
-    named = {name: _parts_of(mesh, faces) for name, faces in flaws.items()}
+    named = {name: _list_parts(mesh, faces) for name, faces in flaws.items()}
     return TextureReport(covered=covered, overlapped=overlapped, **counts, named=MappingProxyType(named))
 
 
-def _parts_of(mesh: Mesh, faces: np.ndarray) -> tuple[str, ...]:
-    """The names of the parts that some faces are of, each once, in the order of the parts."""
+def _list_parts(mesh: Mesh, faces: np.ndarray) -> tuple[str, ...]:
+    """Return the names of the parts of masked faces, each once, in the order of the parts."""
     if mesh.part is None:
         return ()
     numbers = np.unique(mesh.part[faces])

@@ -1,4 +1,4 @@
-"""Which set of texture coordinates a run bakes to, and the points of its texels."""
+"""Choice of a file's texture coordinates to bake to, and points of the texels."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ import numpy as np
 
 from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, load_uv
 from warpsample.mesh.mesh import Mesh
-from warpsample.texture.report import face_flaws
+from warpsample.texture.report import find_face_flaws
 from warpsample.texture.texture_points import TexturePoints, texture_points
 
 UV_CHOICES = ("auto", "0", "1", "new")
@@ -16,12 +16,21 @@ UV_CHOICES = ("auto", "0", "1", "new")
 
 @dataclass(frozen=True)
 class TextureOptions:
-    """What `warpsample bake --texture` is told besides what points are.
+    """Options of `warpsample bake --texture`.
 
-    `size` is width and height in texels; `uv` of UV_CHOICES; `samples` the points of each texel; `gutter` "all" or texels;
-    `depth` the bits of a number in a .png; `strict` whether flaws of the coordinates are refused; `high` a finer mesh whose
-    numbers are wanted, and `cage` how far around the coarse one it is looked for; `inside` is "fill" or "keep", for texels
-    inside closed bodies; `instances` is "split" or "mean", for meshes in several places.
+    Attributes:
+        size: width and height in texels.
+        uv: texture coordinates to use, one of UV_CHOICES.
+        samples: points per texel.
+        normals: normals of the points: "face", "smooth" or "lifted".
+        gutter: fill distance in texels, or "all".
+        strength: strength of the occlusion in the material, from 0 to 1.
+        depth: bits per channel of a .png.
+        strict: whether flawed coordinates are an error.
+        high: path of a finer mesh on which values are computed, or None.
+        cage: distance around the coarse mesh within which the finer mesh is searched, in units of the mesh.
+        inside: "fill" or "keep" for texels inside closed bodies.
+        instances: "split" or "mean" for meshes in several places.
     """
 
     size: tuple[int, int]
@@ -40,23 +49,32 @@ class TextureOptions:
 
 @dataclass(frozen=True)
 class ChosenSet:
-    """A set of coordinates for some faces.
+    """Set of texture coordinates chosen for some faces.
 
-    `points` are the texels by the set, None where the faces get new coordinates; `passed` are phrases on the sets that are
-    not taken, and why.
+    Attributes:
+        number: number of the set.
+        points: texels as points; None if the faces get new coordinates.
+        passed: phrases on the sets that were not used, with the reasons.
     """
 
     number: int = 0
     points: TexturePoints | None = None
     passed: tuple[str, ...] = ()
 
-    def told(self, which: str) -> str:
-        """The name of the coordinates, with the reasons for not taking the sets before them."""
+    def describe(self, which: str) -> str:
+        """Return the name of the coordinates, followed by the reasons against other sets."""
         return which + (f" ({'; '.join(self.passed)})" if self.passed else "")
 
 
 class Texels:
-    """The texels of a mesh file by its own sets of coordinates, each of which is read once."""
+    """Texels of a mesh file by the file's sets of texture coordinates; each set is read once.
+
+    Attributes:
+        path: path of the mesh file.
+        mesh: mesh as `load_mesh` reads it.
+        how: options of the texture.
+        normals: (F, 3, 3) corner normals of the points, or None for those of faces or vertices.
+    """
 
     path: Path
     mesh: Mesh
@@ -64,47 +82,58 @@ class Texels:
     normals: np.ndarray | None
 
     def __init__(self, path: Path, mesh: Mesh, how: TextureOptions, normals: np.ndarray | None) -> None:
-        """Reads nothing yet; `normals` are those of the corners that the file has, if it has any."""
+        """Store the arguments; sets are read at first use."""
         self.path, self.mesh, self.how, self.normals = path, mesh, how, normals
         self._sets: list[np.ndarray | None] = []
 
     def points(self, uv: np.ndarray, rows: list[slice]) -> TexturePoints:
-        """The texels of some faces by the coordinates of all."""
+        """Return the texels of some faces as points, given coordinates (F, 3, 2) of all faces."""
         own = np.full(uv.shape, np.nan)
         for some in rows:
             own[some] = uv[some]
         how = self.how
-        normals = how.normals if how.high is None else "smooth"  # of the rays to it
+        normals = how.normals if how.high is None else "smooth"  # normals of the rays to the finer mesh
         return texture_points(self.mesh, own, how.size, samples=how.samples, normals=normals, corner_normals=self.normals)
 
-    def chosen(self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False) -> "ChosenSet":
-        """Choose the set for some faces, as the run asks for; one without points where they are to get new coordinates.
+    def choose_set(self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False) -> "ChosenSet":
+        """Choose the set of coordinates for some faces, following `how.uv`.
 
-        Of "auto" it is `first`, the one that these faces have a picture of that kind by, if that lies within the image and
-        all faces have an area there that have one in space; else the lowest of these in which nothing overlaps; and if there
-        is none and it may be `lenient`, the lowest within.
+        A number takes the set of that number. "new" returns a ChosenSet without points. "auto" takes the first of these:
+
+        1. the set `first`, which the faces already use for such a picture, if no face is outside the image and no face with
+        an area
+           in space is flat in the image;
+        2. the lowest set for which the same is true and no faces overlap;
+        3. with `lenient`, the lowest set with texels and with no face outside the image;
+        4. a ChosenSet without points, for new coordinates.
+
+        Args:
+            rows: faces.
+            name: name of the faces in error messages.
+            first: number of a set that "auto" prefers, or None.
+            lenient: whether "auto" may take a set with overlaps.
 
         Raises:
-            ValueError: a set that is asked for and that some of the faces have not.
+            ValueError: not all faces have the requested set, or the set has no texels.
         """
         if self.how.uv == "new":
             return ChosenSet()
         if self.how.uv != "auto":
             number = int(self.how.uv)
             if not self._has(number, rows):
-                raise ValueError(f"--uv: got {number}, and not all faces of {name!r} have the set {number} of coordinates")
-            found = self.by(number, rows)
+                raise ValueError(f"--uv: got {number}, want a set of texture coordinates that all faces of {name!r} have")
+            found = self.points_by_set(number, rows)
             if not len(found):
                 raise ValueError(
-                    f"--uv: got {number}, by which {name!r} has no texels: its faces are flat or beyond the image"
+                    f"--uv: got {number}, in which all faces of {name!r} are flat or outside the image, want another set"
                 )
             return ChosenSet(number, found)
         within = None
         passed: list[str] = []
         for number in dict.fromkeys([*([] if first is None else [first]), *range(LAST_SET + 1)]):
             if self._has(number, rows):
-                found = self.by(number, rows)
-                why = self._flaw(number, rows, found, may_overlap=number == first)
+                found = self.points_by_set(number, rows)
+                why = self._describe_flaw(number, rows, found, may_overlap=number == first)
                 if why is None:
                     return ChosenSet(number, found, tuple(passed))
                 passed.append(f"set {number} is passed over: {why}")
@@ -112,8 +141,8 @@ class Texels:
                     within = within or ChosenSet(number, found)
         return within if lenient and within else ChosenSet(passed=tuple(passed))
 
-    def _flaw(self, number: int, rows: list[slice], found: TexturePoints, *, may_overlap: bool) -> str | None:
-        """Describe why "auto" does not take a set; None if it does."""
+    def _describe_flaw(self, number: int, rows: list[slice], found: TexturePoints, *, may_overlap: bool) -> str | None:
+        """Return the reason why "auto" rejects a set, or None if it accepts the set."""
         report = found.report
         if report.outside:
             return f"{report.outside:,} faces reach beyond the image"
@@ -125,31 +154,31 @@ class Texels:
         return "faces have no area in it" if self._is_flat(number, rows) else None
 
     def _has(self, number: int, rows: Iterable[slice]) -> bool:
-        uv = self._set(number)
+        uv = self._read_set(number)
         return uv is not None and all(np.isfinite(uv[some]).all() for some in rows)
 
     def _is_flat(self, number: int, rows: Iterable[slice]) -> bool:
-        """Whether faces that have an area in space have none in the image."""
-        uv, areas = self._set(number), self.mesh.face_areas
+        """Return whether a face with an area in space has none in the image."""
+        uv, areas = self._read_set(number), self.mesh.face_areas
         assert uv is not None
-        return any((face_flaws(uv[some])["zero_area"] & (areas[some] > 0.0)).any() for some in rows)
+        return any((find_face_flaws(uv[some])["zero_area"] & (areas[some] > 0.0)).any() for some in rows)
 
-    def by(self, number: int, rows: list[slice]) -> TexturePoints:
-        """The texels of some faces by a set that they have."""
-        uv = self._set(number)
+    def points_by_set(self, number: int, rows: list[slice]) -> TexturePoints:
+        """Return the texels of some faces as points, by a set that all the faces have."""
+        uv = self._read_set(number)
         assert uv is not None
         return self.points(uv, rows)
 
-    def _set(self, number: int) -> np.ndarray | None:
-        """All coordinates of a set; None from the first on that no face has."""
+    def _read_set(self, number: int) -> np.ndarray | None:
+        """Return the coordinates (F, 3, 2) of a set, or None if it or a lower set is missing."""
         while len(self._sets) <= number and (not self._sets or self._sets[-1] is not None):
-            self._sets.append(self._read(len(self._sets)))
+            self._sets.append(self._load_set(len(self._sets)))
         return self._sets[number] if number < len(self._sets) else None
 
-    def _read(self, number: int) -> np.ndarray | None:
+    def _load_set(self, number: int) -> np.ndarray | None:
         if self.path.suffix.lower() not in SUFFIXES:
             return None
         try:
             return load_uv(self.path, set=number)
-        except ValueError:  # the mesh itself has been read: there is no such set
+        except ValueError:  # the mesh itself was read without error: the set is missing
             return None

@@ -1,4 +1,4 @@
-"""The normals by which texels are shaded, and where their points are lifted to."""
+"""Normals of texel points, and points lifted off the faces."""
 
 import numpy as np
 
@@ -6,13 +6,23 @@ from warpsample.host.arrays import as_real
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 
 NORMALS = ("face", "smooth", "lifted")
-"""Of the face; of its corners, interpolated; the same, from points lifted to where the surface would be that has them."""
+"""Normals of the face, interpolated corner normals, or interpolated normals at points lifted to the smooth surface."""
 
-_LIFTED = 1e-9  # of the mesh's diagonal: below, it is rounding
+_LIFTED = 1e-9  # of the mesh's diagonal: shorter lifts are rounding errors
 
 
-def corner_normals_of(mesh: Mesh, given: object) -> np.ndarray:
-    """(F, 3, 3) float64 unit normals of the corners: those given, or of the vertices; of the face where there is none."""
+def compute_corner_normals(mesh: Mesh, given: object) -> np.ndarray:
+    """Return the (F, 3, 3) float64 unit normals of face corners.
+
+    Args:
+        mesh: a mesh with F faces.
+        given: (F, 3, 3) normals of any length; None for the mesh's vertex normals. Where a normal is 0 or not finite, the
+            normal
+            of the face is used.
+
+    Raises:
+        TypeError, ValueError: `given` is no array of F x 3 x 3 real numbers.
+    """
     if given is None:
         normals = mesh.vertex_normals[mesh.faces].astype(np.float64)
     else:
@@ -27,13 +37,14 @@ def corner_normals_of(mesh: Mesh, given: object) -> np.ndarray:
     return flat.reshape(-1, 3, 3).astype(np.float64)
 
 
-def shaded(
+def shade_points(
     mesh: Mesh, corner_normals: np.ndarray | None, face: np.ndarray, weights: np.ndarray, normals: str
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Positions (P, 3) float64, normals (P, 3) float32 and faces (P,) of points with these weights of the corners of faces.
+    """Return positions (P, 3) float64, normals (P, 3) float32 and faces (P,) of points with given corner weights.
 
-    The lift is of Hanika2021: above the tangent planes of the corners, weighted as these are. A point that it moves is on no
-    face any more.
+    With "lifted", points are moved onto the tangent planes of the corners, averaged with the same weights (Hanika2021). A
+    moved
+    point has the face -1.
     """
     corners = [mesh.vertices[mesh.faces[face, k]] for k in range(3)]
     position = corners[0] + weights[:, 1:2] * (corners[1] - corners[0]) + weights[:, 2:] * (corners[2] - corners[0])

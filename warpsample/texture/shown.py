@@ -1,4 +1,4 @@
-"""The occlusion that the materials of a glTF file have, as one picture for all faces: what the viewer shows."""
+"""Occlusion textures of a glTF file, joined into one picture for the viewer."""
 
 from dataclasses import dataclass
 from io import BytesIO
@@ -12,30 +12,35 @@ from warpsample.host.json_tree import Part
 from warpsample.mesh.files.gltf import opened, placed_primitives, read_corners, surface
 from warpsample.mesh.files.gltf_data import Data
 from warpsample.mesh.files.uv import LAST_SET
-from warpsample.texture.pictures import library
+from warpsample.texture.pictures import import_library
 
-_SIDE = 8192  # of the whole picture, which graphics cards take
+_SIDE = 8192  # largest side of the joined picture, in texels: graphics cards accept this size
 _TRANSFORM = "KHR_texture_transform"
 
 
 @dataclass(frozen=True, eq=False)
 class ShownOcclusion:
-    """A picture of grey levels, (H, W) uint8, and by which coordinates (F, 3, 2), v down, the faces of a mesh show it."""
+    """Joined occlusion picture of a mesh.
+
+    Attributes:
+        picture: (H, W) uint8, grey levels.
+        uv: (F, 3, 2) float64, texture coordinates of the faces in the picture, v downward.
+    """
 
     picture: np.ndarray
     uv: np.ndarray
 
 
-def shown_occlusion(path: Path) -> ShownOcclusion | None:
-    """The occlusion of the faces that `load_mesh` reads, white for those that have none within their picture.
+def read_occlusion(path: Path) -> ShownOcclusion | None:
+    """Read the occlusion textures of a glTF file, for the faces that `load_mesh` reads.
 
-    Tiles that repeat and those that the file transforms are white, too.
+    Faces without occlusion are white, and so are faces with coordinates outside the image or with a texture transform.
 
     Returns:
-        the picture; None of a file that has no such thing.
+        the joined picture; None for a file of another type or without an occlusion texture.
 
     Raises:
-        ValueError: a file that cannot be read, or a picture in it.
+        ValueError: the file or a picture in it cannot be read.
     """
     if path.suffix.lower() not in (".glb", ".gltf"):
         return None
@@ -43,17 +48,17 @@ def shown_occlusion(path: Path) -> ShownOcclusion | None:
         faces, infos = [], []
         for placed in placed_primitives(tree):
             faces.append(len(surface(placed.primitive, data)[1]))
-            infos.append(_info(tree, placed.primitive))
+            infos.append(_read_occlusion_info(tree, placed.primitive))
         kinds = list(dict.fromkeys(info for info in infos if info is not None))
         if not kinds:
             return None
-        pictures = [_picture(tree, data, path, image, strength) for image, _, strength in kinds]
+        pictures = [_read_grey_levels(tree, data, path, image, strength) for image, _, strength in kinds]
     kind = np.repeat([-1 if info is None else kinds.index(info) for info in infos], faces)
-    return _joined(pictures, kind, [read_corners(path, f"TEXCOORD_{number}") for _, number, _ in kinds])
+    return _join_pictures(pictures, kind, [read_corners(path, f"TEXCOORD_{number}") for _, number, _ in kinds])
 
 
-def _info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
-    """The image, the set of coordinates and the strength of a primitive's occlusion."""
+def _read_occlusion_info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
+    """Return the image, the set of coordinates and the strength of a primitive's occlusion; None without occlusion."""
     if "material" not in primitive:
         return None
     materials, textures = tree.parts("materials"), tree.parts("textures")
@@ -68,17 +73,20 @@ def _info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
     return texture.index("source", tree.parts("images")), info.whole("texCoord", 0, LAST_SET), strength
 
 
-def _picture(tree: Part, data: Data, path: Path, image: int, strength: float) -> np.ndarray:
-    """(H, W) float64, what of a picture is seen: 1 + strength * (red - 1)."""
+def _read_grey_levels(tree: Part, data: Data, path: Path, image: int, strength: float) -> np.ndarray:
+    """Return the (H, W) float64 occlusion that viewers show for a picture: 1 + strength * (red - 1)."""
     content = data.picture(tree.parts("images")[image], path)
-    with library("PIL.Image", "pictures need Pillow").open(BytesIO(content)) as opened_picture:
+    with import_library("PIL.Image", "pictures need Pillow").open(BytesIO(content)) as opened_picture:
         pixels = np.array(opened_picture if opened_picture.mode.startswith("I;16") else opened_picture.convert("RGB"))
     red = (pixels if pixels.ndim == 2 else pixels[..., 0]) / np.iinfo(pixels.dtype).max
     return 1.0 + strength * (red - 1.0)
 
 
-def _joined(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.ndarray]) -> ShownOcclusion:
-    """All pictures on one, row by row, framed by their edges; after the last a white one, for faces of the kind -1."""
+def _join_pictures(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.ndarray]) -> ShownOcclusion:
+    """Join all pictures into one, in rows of a grid; faces of kind -1 get a white picture at the end.
+
+    Each picture is framed by copies of its edge texels.
+    """
     columns = ceil(sqrt(len(pictures) + 1))
     side = min(max(max(picture.shape) for picture in pictures), _SIDE // columns - 2)
     pitch = side + 2

@@ -1,4 +1,4 @@
-"""Tangent frames as viewers have them, by MikkTSpace, and directions in these frames."""
+"""Tangent frames of viewers, by MikkTSpace, and components of vectors in the frames."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,46 +8,57 @@ import numpy as np
 from warpsample.host.locks import imported
 from warpsample.mesh.files.gltf import read_corners
 from warpsample.mesh.mesh import Mesh, unit_or_zero
-from warpsample.texture.shading import corner_normals_of
+from warpsample.texture.shading import compute_corner_normals
 
-_NEXT, _PREVIOUS = [1, 2, 0], [2, 0, 1]  # corners of a face
-_LEAST = 1e-3  # sine of the angle between a normal and a tangent that is of use
+_NEXT, _PREVIOUS = [1, 2, 0], [2, 0, 1]  # next and previous corner of each corner of a face
+_LEAST = 1e-3  # least sine of the angle between a normal and a usable tangent
 
 
 @dataclass(frozen=True, eq=False)
 class Frames:
-    """The frames of the corners of faces: (F, 3, 3) unit normals, and (F, 3, 4) tangents as glTF has them."""
+    """Tangent frames at the corners of faces.
+
+    Attributes:
+        normals: (F, 3, 3) float64, unit normals.
+        tangents: (F, 3, 4) float64, tangents as in glTF: a unit vector and the sign of the bitangent.
+    """
 
     normals: np.ndarray
     tangents: np.ndarray
 
     @classmethod
     def of(cls, path: Path, mesh: Mesh, uv: np.ndarray, rows: list[slice]) -> "Frames":
-        """The frames that viewers have of a mesh file: its normals and tangents, or those that MikkTSpace finds.
+        """Return the frames that viewers use for a mesh file: tangents of the file, else by MikkTSpace.
 
         Args:
-            path: of the file, of which a .glb and a .gltf have normals and tangents.
-            mesh: as `load_mesh` reads it.
-            uv: (F, 3, 2) to any scale, v downward, of the coordinates that a picture is by; NaN of faces without a place.
-            rows: the faces of each part that is shaded on its own.
+            path: path of the file. Only .glb and .gltf files have normals and tangents.
+            mesh: mesh as `load_mesh` reads it.
+            uv: (F, 3, 2) texture coordinates of the picture in any scale, v downward; NaN for faces outside the picture.
+            rows: faces of each part; MikkTSpace treats parts separately.
         """
         has_some = path.suffix.lower() in (".glb", ".gltf")
-        normals = corner_normals_of(mesh, read_corners(path, "NORMAL") if has_some else None)
+        normals = compute_corner_normals(mesh, read_corners(path, "NORMAL") if has_some else None)
         tangents = np.full((len(uv), 3, 4), np.nan)
         for some in rows:
             face = np.arange(len(uv))[some]
             face = face[np.isfinite(uv[face]).all(axis=(1, 2))]
-            tangents[face] = tangents_of(mesh.vertices[mesh.faces[face]], normals[face], uv[face])
+            tangents[face] = compute_tangents(mesh.vertices[mesh.faces[face]], normals[face], uv[face])
         if has_some:
             given = read_corners(path, "TANGENT")
             tangents = np.where(np.isfinite(given), given, tangents)
         return cls(normals, tangents)
 
-    def into(self, vectors: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:
-        """(P, 3) components of vectors (P, 3) along tangent, bitangent and normal, at places on faces.
+    def to_components(self, vectors: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:
+        """Return the (P, 3) components of vectors along tangent, bitangent and normal, at points on faces.
 
-        The three are interpolated by the weights of the corners, (P, 3), and of unit length, as viewers have them. Where
-        there is no tangent, one across the normal stands in.
+        The three axes are interpolated between the corners and normalized, as in viewers. Where there is no tangent, an
+        arbitrary
+        direction perpendicular to the normal is used.
+
+        Args:
+            vectors: (P, 3) vectors in world coordinates.
+            face: (P,) face of each point.
+            weights: (P, 3) barycentric weights of each point.
         """
         normal = unit_or_zero(np.einsum("pk,pkc->pc", weights, self.normals[face])).astype(np.float64)
         turned = np.nan_to_num(self.tangents[face])
@@ -60,42 +71,45 @@ class Frames:
         return np.linalg.solve(frame, vectors[..., None].astype(np.float64))[..., 0]
 
 
-def tangents_of(position: np.ndarray, normal: np.ndarray, uv: np.ndarray) -> np.ndarray:
-    """Tangents (F, 3, 4) of the corners of faces, as glTF has them: the last number is the sign of the bitangent.
+def compute_tangents(position: np.ndarray, normal: np.ndarray, uv: np.ndarray) -> np.ndarray:
+    """Return tangents (F, 3, 4) of face corners, as in glTF: a unit vector and the sign of the bitangent.
 
-    At each corner it is the mean of the tangents of the faces that share its position, normal and coordinates, and hang
-    together there by edges at which they do and the image is turned the same way, weighted by their angles: those of
-    triangles by the default settings of MikkTSpace (Mikkelsen2008). They are 0 where the coordinates tell nothing. A face
-    without an area in the image is as one that it meets, where the reference asks the lowest of all that hang together.
+    The result is that of MikkTSpace for triangles, with default settings (Mikkelsen2008). A corner's tangent is the mean
+    over
+    faces that share its position, normal and coordinates, weighted by angle. The faces must be connected by edges and have
+    the
+    same orientation in the image. Tangents are 0 where the coordinates define no direction. A face without an area in the
+    image
+    takes the orientation of a neighbouring face; the reference takes that of the lowest connected face.
 
     Args:
-        position: (F, 3, 3) of the corners.
-        normal: (F, 3, 3) unit vectors.
-        uv: (F, 3, 2), v downward; bitangents point upward.
+        position: (F, 3, 3) corner positions.
+        normal: (F, 3, 3) unit corner normals.
+        uv: (F, 3, 2) texture coordinates, v downward; bitangents point upward.
     """
-    rows = np.concatenate([position, normal, uv], axis=2).reshape(-1, 8) + 0.0  # + 0.0: -0 is 0
+    rows = np.concatenate([position, normal, uv], axis=2).reshape(-1, 8) + 0.0  # + 0.0 turns -0 into 0
     vertex = np.unique(rows, axis=0, return_inverse=True)[1].reshape(-1, 3)
-    own, upright, flat = _of_faces(position, uv)
-    upright = _settled(upright, flat, vertex)
-    groups = _groups(vertex, upright)
-    towards, away = (_level(position[:, i] - position, normal) for i in (_NEXT, _PREVIOUS))
+    own, upright, flat = _compute_u_directions(position, uv)
+    upright = _spread_orientation(upright, flat, vertex)
+    groups = _group_corners(vertex, upright)
+    towards, away = (_remove_normal_part(position[:, i] - position, normal) for i in (_NEXT, _PREVIOUS))
     angle = np.arccos(np.clip((towards * away).sum(axis=2), -1.0, 1.0))
     weight = np.where(flat[:, None], 0.0, angle)[..., None]
-    added = (weight * _level(own[:, None], normal)).reshape(-1, 3)
+    added = (weight * _remove_normal_part(own[:, None], normal)).reshape(-1, 3)
     sums = np.stack([np.bincount(groups, column) for column in added.T], axis=1)
     tangent = unit_or_zero(sums)[groups].reshape(-1, 3, 3).astype(np.float64)
     sign = np.where(upright, 1.0, -1.0)
     return np.concatenate([tangent, np.broadcast_to(sign[:, None, None], (len(uv), 3, 1))], axis=2)
 
 
-def _level(vectors: np.ndarray, normal: np.ndarray) -> np.ndarray:
-    """(F, 3, 3) unit vectors without their part along the normal; 0 of those along it."""
+def _remove_normal_part(vectors: np.ndarray, normal: np.ndarray) -> np.ndarray:
+    """Return the (F, 3, 3) unit vectors perpendicular to the normals; 0 for vectors along the normal."""
     rest = vectors - (vectors * normal).sum(axis=2, keepdims=True) * normal
     return unit_or_zero(rest.reshape(-1, 3)).reshape(rest.shape).astype(np.float64)
 
 
-def _of_faces(position: np.ndarray, uv: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(F, 3) the direction of u in each face; (F,) bool: the image is not mirrored there, and it tells nothing."""
+def _compute_u_directions(position: np.ndarray, uv: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the (F, 3) direction of increasing u on each face, and the (F,) masks of unmirrored and of degenerate faces."""
     (ax, ay), (bx, by) = (uv[:, 1] - uv[:, 0]).T, (uv[:, 2] - uv[:, 0]).T
     first, second = position[:, 1] - position[:, 0], position[:, 2] - position[:, 0]
     area = ax * by - ay * bx
@@ -104,22 +118,25 @@ def _of_faces(position: np.ndarray, uv: np.ndarray) -> tuple[np.ndarray, np.ndar
     return np.sign(area)[:, None] * along, area < 0.0, flat
 
 
-def _meetings(vertex: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Pairs of edges, (E,) 3 * face + the first corner of each, that two faces share and go along in either direction."""
+def _pair_edges(vertex: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return pairs of equal edges that two faces traverse in opposite directions.
+
+    Edges are (E,) numbers, 3 * face + first corner. `vertex` is the (F, 3) vertex number of each corner.
+    """
     start, end = vertex.ravel(), vertex[:, _NEXT].ravel()
     count = int(vertex.max(initial=0)) + 1
     along, back = start * count + end, end * count + start
     order, other = np.argsort(along, kind="stable"), np.argsort(back, kind="stable")
-    rank = np.arange(len(along)) - np.searchsorted(along[order], along[order])  # among those at the same place
+    rank = np.arange(len(along)) - np.searchsorted(along[order], along[order])  # among edges with the same end vertices
     place = np.searchsorted(back[other], along[order]) + rank
     held = np.minimum(place, len(back) - 1)
     met = (place < len(back)) & (back[other[held]] == along[order])
     return order[met], other[held[met]]
 
 
-def _settled(upright: np.ndarray, flat: np.ndarray, vertex: np.ndarray) -> np.ndarray:
-    """(F,) bool: which faces are not mirrored; those that tell nothing are as one that they meet, from face to face."""
-    one, other = (edges // 3 for edges in _meetings(vertex))
+def _spread_orientation(upright: np.ndarray, flat: np.ndarray, vertex: np.ndarray) -> np.ndarray:
+    """Return the (F,) mask of unmirrored faces; degenerate faces take the orientation of a neighbour, repeatedly."""
+    one, other = (edges // 3 for edges in _pair_edges(vertex))
     upright, open_ = upright.copy(), flat.copy()
     while len(found := np.flatnonzero(open_[one] & ~open_[other])[::-1]):
         upright[one[found]] = upright[other[found]]
@@ -127,9 +144,9 @@ def _settled(upright: np.ndarray, flat: np.ndarray, vertex: np.ndarray) -> np.nd
     return upright
 
 
-def _groups(vertex: np.ndarray, upright: np.ndarray) -> np.ndarray:
-    """(3F,) the number of the group of each corner."""
-    one, other = _meetings(vertex)
+def _group_corners(vertex: np.ndarray, upright: np.ndarray) -> np.ndarray:
+    """Return the (3F,) group of each corner; corners in a group share a tangent."""
+    one, other = _pair_edges(vertex)
     alike = upright[one // 3] == upright[other // 3]
     one, other = one[alike], other[alike]
     after = [edges - edges % 3 + (edges + 1 - edges // 3 * 3) % 3 for edges in (one, other)]

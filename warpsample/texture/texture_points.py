@@ -1,4 +1,4 @@
-"""Texels as points on a mesh: `texture_points`, by which every number at points becomes an image."""
+"""Texels as points on a mesh, and images of values at the points: `texture_points`."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,11 +14,11 @@ from warpsample.host.options import CallOptions
 from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.texture.charts import charts_of
-from warpsample.texture.claims import MOST_TEXELS, claims_of, weights_of
-from warpsample.texture.image import TexelRows, check_gutter, filled
-from warpsample.texture.report import TextureReport, face_flaws, report_on
-from warpsample.texture.shading import NORMALS, corner_normals_of, shaded
+from warpsample.texture.charts import label_charts
+from warpsample.texture.claims import MOST_TEXELS, claim_points, compute_weights
+from warpsample.texture.image import TexelRows, check_gutter, fill_texels
+from warpsample.texture.report import TextureReport, build_report, find_face_flaws
+from warpsample.texture.shading import NORMALS, compute_corner_normals, shade_points
 
 _MOST_SAMPLES = 1024
 _MOST_SIDE = 1 << 16
@@ -26,19 +26,19 @@ _MOST_SIDE = 1 << 16
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TexturePoints(Summary):
-    """The texels of a texture as points on a mesh, and images of what is known at them.
+    """Texels of a texture as points on a mesh, with methods that turn values at the points into images.
 
     Attributes:
-        mesh: that they are on.
-        corners: (F, 3, 2) float64, the texture coordinates of its faces in texels, v downward.
-        size: width and height of the image, in texels.
-        samples: points of each texel, at most.
-        normals: "face", "smooth" or "lifted".
-        corner_normals: (F, 3, 3) float64, of which the last two are made; None for the first.
-        id: (P,) uint64, ascending: the texel times the number of samples, plus the sample's number.
-        face: (P,) int32, the face that each point is on.
-        report: counts of texels, and of faces that have none or share some.
-        options: where points are computed.
+        mesh: mesh of the points.
+        corners: (F, 3, 2) float64, texture coordinates of the face corners in texels, v downward.
+        size: width and height of the image in texels.
+        samples: largest number of points per texel.
+        normals: normals of the points: "face", "smooth" or "lifted".
+        corner_normals: (F, 3, 3) float64, corner normals for "smooth" and "lifted"; None for "face".
+        id: (P,) uint64, point numbers in ascending order: texel * samples + sample.
+        face: (P,) int32, the face of each point.
+        report: counts of texels, and of faces with flawed coordinates.
+        options: device and number of threads for the computation of points.
     """
 
     mesh: Mesh
@@ -53,35 +53,35 @@ class TexturePoints(Summary):
     options: CallOptions
 
     def __len__(self) -> int:
-        """How many points."""
+        """Return the number of points."""
         return len(self.id)
 
     @property
     def texel(self) -> np.ndarray:
-        """(P,) int64, the texel of each point: row * width + column."""
+        """(P,) int64, texel of each point: row * width + column."""
         return (self.id // np.uint64(self.samples)).astype(np.int64)
 
     @property
     def covered(self) -> np.ndarray:
-        """(H, W) bool: the texels that have a point, without those that images fill around them."""
+        """(H, W) bool, texels with at least one point, without texels that images fill."""
         return self._texel_rows.covered.reshape(self.size[1], self.size[0])
 
     @once_property
     def points(self) -> SurfacePoints:
-        """All points, with `id`, by which random numbers are drawn: those of a texel depend on nothing but its number."""
+        """Compute all points, with `id`: the random numbers of a texel depend only on the texel's number."""
         return self.take(slice(None))
 
     def take(self, rows: slice) -> SurfacePoints:
-        """The points of some rows, made when they are asked for: a large image is computed part by part.
+        """Compute the points of some rows; use it to process a large image part by part.
 
         Args:
-            rows: a slice of the P points.
+            rows: slice of the P points.
 
         Returns:
-            position and barycentric float64, normal, face (-1 of points that are lifted) and id.
+            points with position and barycentric (float64), normal, face (-1 for lifted points) and id.
 
         Raises:
-            TypeError: no slice.
+            TypeError: `rows` is not a slice.
 
         Example:
             >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -93,24 +93,25 @@ class TexturePoints(Summary):
             raise TypeError(f"rows: got {told(rows)}, want a slice")
         id, face = np.ascontiguousarray(self.id[rows]), np.ascontiguousarray(self.face[rows])
         how = {"samples": self.samples, "memory": self.options.memory, "workers": self.options.workers}
-        weights = weights_of(self.corners, id, face, self.size[0], **how)
-        position, normal, on = shaded(self.mesh, self.corner_normals, face, weights, self.normals)
+        weights = compute_weights(self.corners, id, face, self.size[0], **how)
+        position, normal, on = shade_points(self.mesh, self.corner_normals, face, weights, self.normals)
         return SurfacePoints(position, normal, on, weights, id)
 
     def image(self, values: Any, *, gutter: Any = "all") -> np.ndarray:
-        """Return the image of numbers at the points: the mean over the points of each texel.
+        """Return the image of values at the points; each texel has the mean of its points' values.
 
-        Texels without a finite number are filled from the nearest texel of the same chart with one.
+        A texel without a finite value is filled from the nearest texel of the same chart with one.
 
         Args:
-            values: (P,) or (P, C) numbers, NaN for points without.
-            gutter: Distance in texels up to which other texels are filled, or "all". The rest is 0. Default: "all".
+            values: (P,) or (P, C) numbers, NaN for points without a value.
+            gutter: Distance in texels up to which texels without points are filled from the nearest texel with points, or
+                "all". Texels farther away are 0. Default: "all".
 
         Returns:
-            (H, W) or (H, W, C) float32, the first row at v = 0.
+            (H, W) or (H, W, C) float32, with the first row at v = 0.
 
         Raises:
-            TypeError, ValueError: numbers or a gutter that cannot be used.
+            TypeError, ValueError: `values` or `gutter` is invalid.
 
         Example:
             >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -123,19 +124,19 @@ class TexturePoints(Summary):
         return self._image(self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0], values, gutter)
 
     def image_error(self, errors: Any, *, gutter: Any = "all") -> np.ndarray:
-        """The image of the standard errors of what `image` shows.
+        """Return the image of the standard errors of the values that `image` shows.
 
         Args:
             errors: `Estimate` at the points, or with one sample per texel its standard errors, (P,) or (P, C). With several
-                samples errors follow from the differences in a texel, and are rather too large. A texel
-                with a single sample takes the differences of the texels around it.
-            gutter: As for `image`. Default: "all".
+                samples, the errors come from the spread of the values in a texel and are somewhat too large, since samples
+                are stratified. A texel with a single sample uses the spread in the surrounding texels.
+            gutter: Fill distance, as for `image`. Default: "all".
 
         Returns:
-            (H, W) or (H, W, C) float32; a texel that is filled has the error of the one it is filled from.
+            (H, W) or (H, W, C) float32. A filled texel has the error of its source texel.
 
         Raises:
-            TypeError, ValueError: errors or a gutter that cannot be used.
+            TypeError, ValueError: `errors` or `gutter` is invalid.
 
         Example:
             >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -151,7 +152,9 @@ class TexturePoints(Summary):
             values = self._rows(errors.value, "errors").reshape(flat.shape)
             made = self._texel_rows.errors(values, flat, self.size[0])
         else:
-            raise TypeError(f"errors: got {told(errors)}, want the Estimate: of {self.samples} samples the values tell")
+            raise TypeError(
+                f"errors: got {told(errors)}, want the Estimate with its values: errors of {self.samples} samples need them"
+            )
         return self._image(made, own, gutter)
 
     @property
@@ -166,13 +169,13 @@ class TexturePoints(Summary):
         return rows
 
     def _image(self, found: np.ndarray, rows: np.ndarray, gutter: Any) -> np.ndarray:
-        made = filled(found, self._texel_rows.covered, self._charts, self.size, check_gutter(gutter))
+        made = fill_texels(found, self._texel_rows.covered, self._charts, self.size, check_gutter(gutter))
         return made if rows.ndim == 2 else made[..., 0]
 
     def _charts(self) -> np.ndarray:
-        """(texels,) int32: the chart that each texel is of, -1 of none."""
+        """Return the (texels,) int32 chart of each texel, -1 without one."""
         charts = np.full(self.size[0] * self.size[1], -1, np.int32)
-        charts[self.texel[::-1]] = charts_of(self.corners)[self.face[::-1]]
+        charts[self.texel[::-1]] = label_charts(self.corners)[self.face[::-1]]
         return charts
 
 
@@ -187,33 +190,34 @@ def texture_points(
     device: Any = None,
     workers: int | None = None,
 ) -> TexturePoints:
-    """Place the texels of a texture as points on a mesh.
+    """Return the texels of a texture as points on a mesh, for use with every function that takes points.
 
-    A texel gets a point if a bilinear lookup on the surface reads the texel: its centre is nearer than 1 texel to a face
-    along either axis. The point is at the centre, or else at the nearest point of a face; the face of the lowest number has
-    it. The id of a point follows from its texel, so that the random numbers of a texel depend on nothing else.
+    A texel gets a point if a bilinear lookup on the surface reads the texel: its centre is closer than 1 texel to a face along
+    both axes. The point is at the centre or, if the centre is outside all faces, at the nearest point of a face. Among faces
+    at the same distance, the one with the lowest number is taken. The id of a point, and so its random numbers, depends only
+    on the texel.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
-        uv: (F, 3, 2) texture coordinates of the corners of faces, u to the right and v down from the upper left corner of
-            the image, as from `load_uv`; NaN for faces without.
+        uv: (F, 3, 2) texture coordinates of face corners, as from `load_uv`: u to the right and v down from the upper left
+            corner of the image. NaN for faces without coordinates.
         size: Width and height of the image in texels, or one number for both.
-        samples: Number of points per texel: one at its centre, or several, stratified over the part that faces cover, for
-            means over that part. Default: 1.
-        normals: "face" for face normals, "smooth" for interpolated corner normals, which give dark bands on coarse meshes,
-            or "lifted" for these at points moved to the smooth surface. Default: "face".
-        corner_normals: (F, 3, 3) normals of the corners of faces, of any length. Default: None, those of the vertices.
+        samples: Number of points per texel, 1 to 1024: one at its centre, or several, stratified over the part that faces
+            cover, for means over that part. Default: 1.
+        normals: "face" for face normals, "smooth" for interpolated corner normals, which make dark bands on coarse meshes,
+            or "lifted" for interpolated normals at points moved to the smooth surface. Default: "face".
+        corner_normals: (F, 3, 3) normals of face corners, of any length. Default: None, those of the vertices.
         device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
         workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
-        the points, and what makes images of numbers at them.
+        the points, with methods that make images of values at the points.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
+        TypeError, ValueError: an argument is invalid; the message names it.
+        MemoryError: the image needs more memory than is free.
 
-    Source: Hasselgren2005 for what a face reaches; Hanika2021 for the lift.
+    Source: Hasselgren2005 for the coverage test; Hanika2021 for lifted points.
 
     Example:
         >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -227,11 +231,11 @@ def texture_points(
     size = check_size(size, samples)
     check_choice(normals, "normals", NORMALS)
     unused = normals == "face"
-    turned = None if unused and corner_normals is None else corner_normals_of(mesh, corner_normals)
+    turned = None if unused and corner_normals is None else compute_corner_normals(mesh, corner_normals)
     options = CallOptions.of(1, device=device, workers=workers)
-    flaws, corners = face_flaws(uv), uv * np.array(size, np.float64)
-    claims = claims_of(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
-    report = report_on(mesh, claims.covered, claims.overlapped, flaws | {"overlapped": claims.overlapping})
+    flaws, corners = find_face_flaws(uv), uv * np.array(size, np.float64)
+    claims = claim_points(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
+    report = build_report(mesh, claims.covered, claims.overlapped, flaws | {"overlapped": claims.overlapping})
     turned = None if unused else turned
     return TexturePoints(mesh, corners, size, samples, normals, turned, claims.id, claims.face, report, options)
 
@@ -245,17 +249,19 @@ def _check_uv(uv: Any, faces: int) -> np.ndarray:
 
 
 def check_samples(samples: Any, argument: str = "samples") -> int:
-    """Points of a texel."""
+    """Return the checked number of points per texel."""
     return check_integer(samples, argument, 1, _MOST_SAMPLES)
 
 
 def check_size(size: Any, samples: int, argument: str = "size") -> tuple[int, int]:
-    """Width and height of an image of so many samples a texel."""
+    """Return the checked width and height of an image with `samples` samples per texel."""
     wants = f"a whole number from 1 to {_MOST_SIDE}, or two, width and height"
     both = size if isinstance(size, Sequence) and not isinstance(size, str | bytes) else (size, size)
     if len(both) != 2:
         raise ValueError(f"{argument}: got {told(size)}, want {wants}")
     width, height = (check_integer(side, argument, 1, _MOST_SIDE, wants) for side in both)
     if width * height * samples > MOST_TEXELS:
-        raise ValueError(f"{argument}: got {told(size)} by {samples} samples a texel, want at most {MOST_TEXELS:,} in all")
+        raise ValueError(
+            f"{argument}: got {told(size)} with {samples} samples per texel, want at most {MOST_TEXELS:,} samples in all"
+        )
     return width, height

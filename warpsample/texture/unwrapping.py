@@ -13,34 +13,34 @@ from warpsample.host.extras import missing
 from warpsample.mesh.apart import REFUSED, answer_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 
-Charted = tuple[np.ndarray, np.ndarray, np.ndarray]
-"""Of a mesh: (V2,) the vertex that each new one is, (F, 3) new vertices of its faces, and (V2, 2) their coordinates."""
+MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
+"""Charts of a mesh: (V2,) old vertex of each new vertex, (F, 3) new vertices of each face, and (V2, 2) coordinates."""
 
 PADDING = 4
-"""Texels between charts, if nothing else is said."""
+"""Default number of texels between charts."""
 
 _MOST_SIDE = 1 << 14
-_DIAGONAL = 1000.0  # that xatlas gets of a mesh: it drops faces whose area is below 1e-7
+_DIAGONAL = 1000.0  # diagonal of the scaled mesh for xatlas, which drops faces with an area below 1e-7
 _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh import charting; charting.main({size}, {padding})"
 
 
 def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.ndarray]:
-    """New texture coordinates for a mesh: charts that do not overlap, by xatlas, in one square image.
+    """Compute new texture coordinates for a mesh: charts without overlaps in one square image, by xatlas.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        size: width and height of the image that they are for, in texels, 1 to 16384.
-        padding: texels between charts, 0 to 64. Level k of a mipmap needs 3 x 2^k of them, so 4 serve the image itself and
-            nearly the next level.
+        mesh: a Mesh, or anything that `as_mesh` accepts.
+        size: width and height of the image in texels, 1 to 16384.
+        padding: texels between charts, 0 to 64. Level k of a mipmap needs 3 x 2^k texels, so the default of 4 is enough for
+            the
+            image itself and nearly for the next level.
 
     Returns:
-        the mesh with its vertices split where charts end, so that each has one place in the image, the same faces in the
-        same order; and (F, 3, 2) float64, v downward. Faces without an area are all at one place.
+        the mesh with vertices split at the borders of charts, and the same faces in the same order; and (F, 3, 2) float64
+        coordinates from 0 to 1, v downward. A face without an area has equal coordinates at its three corners.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used, a mesh that xatlas does not bear, or an image too small for
-            so many charts.
-        ModuleNotFoundError: xatlas is missing; says how to install it.
+        TypeError, ValueError: an argument is invalid, xatlas fails on the mesh, or the image is too small for the charts.
+        ModuleNotFoundError: xatlas is missing; the message names the install command.
 
     Example:
         >>> split, uv = ws.unwrap(ws.load_mesh("courtyard"), 256)
@@ -50,12 +50,18 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
     mesh = as_mesh(mesh)
     size = check_integer(size, "size", 1, _MOST_SIDE)
     padding = check_integer(padding, "padding", 0, 64)
-    ((vertex, faces, uv),) = charted([(mesh.vertices, mesh.faces)], size, padding)
+    ((vertex, faces, uv),) = unwrap_meshes([(mesh.vertices, mesh.faces)], size, padding)
     return replace(mesh, vertices=mesh.vertices[vertex], faces=faces), uv[faces]
 
 
-def charted(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> list[Charted]:
-    """Charts of several meshes, vertices and faces, in one image; coordinates are told in shares of it."""
+def unwrap_meshes(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> list[MeshCharts]:
+    """Compute charts of several meshes in one square image of `size` texels; coordinates are from 0 to 1.
+
+    Args:
+        parts: vertices and faces of each mesh.
+        size: width and height of the image in texels.
+        padding: texels between charts.
+    """
     if find_spec("xatlas") is None:
         raise missing("new texture coordinates need xatlas", "xatlas")
     used = np.concatenate([vertices[np.unique(faces)] for vertices, faces in parts])
@@ -70,7 +76,9 @@ def charted(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     if status == REFUSED:
         raise ValueError(answer.decode())
     if status:
-        raise ValueError(f"mesh: got one on which xatlas ended with {status}, want coordinates by another program")
+        raise ValueError(
+            f"mesh: got a mesh on which xatlas ended with {status}, want texture coordinates made by another program"
+        )
     made = np.load(BytesIO(answer))
     share = made["share"]
     return [(made[f"old{i}"], made[f"f{i}"], made[f"uv{i}"].astype(np.float64) * share) for i in range(len(parts))]

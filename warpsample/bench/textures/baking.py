@@ -25,10 +25,10 @@ from warpsample.host.engine import check_workers
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.gltf import read_corners
 from warpsample.mesh.files.uv import load_uv
-from warpsample.texture.claims import claims_of
+from warpsample.texture.claims import claim_points
 from warpsample.texture.jobs import SCENES
-from warpsample.texture.report import face_flaws
-from warpsample.texture.shading import corner_normals_of
+from warpsample.texture.report import find_face_flaws
+from warpsample.texture.shading import compute_corner_normals
 from warpsample.texture.texture_points import texture_points
 from warpsample.texture.unwrapping import unwrap
 
@@ -106,7 +106,7 @@ def load_scene(asset: Path | None, part: str | None, size: int) -> Textured:
     mesh, uv = load_mesh(asset), load_uv(asset)
     file_normals = read_corners(asset, "NORMAL") if asset.suffix.lower() in SCENES else None
     normals = np.zeros((len(mesh.vertices), 3), np.float32)
-    normals[mesh.faces] = corner_normals_of(mesh, file_normals)
+    normals[mesh.faces] = compute_corner_normals(mesh, file_normals)
     if part is not None:
         is_in_part = np.array(mesh.parts) == check_choice(part, "part", sorted(set(mesh.parts)))
         uv = np.where((is_in_part[mesh.part] & (mesh.part >= 0))[:, None, None], uv, np.nan)
@@ -116,9 +116,9 @@ def load_scene(asset: Path | None, part: str | None, size: int) -> Textured:
 def compute_known(scene: Textured, size: int, rays: int = _RAYS, most: int = _MOST) -> Known:
     """Compute reference values with many rays and another seed, at up to `most` texels and at `most` sample positions."""
     t = texture_points(scene.mesh, scene.uv, size, normals="smooth", corner_normals=scene.normals[scene.mesh.faces])
-    flaws = face_flaws(scene.uv)
+    flaws = find_face_flaws(scene.uv)
     usable = ~(flaws["without_uv"] | flaws["zero_area"])
-    alone = ~claims_of(t.corners, usable, t.size, 1, t.options.memory).overlapping[t.face]
+    alone = ~claim_points(t.corners, usable, t.size, 1, t.options.memory).overlapping[t.face]
     inside = np.flatnonzero(alone & (np.asarray(t.points.barycentric) > 0.0).all(axis=1))
     if not len(inside):
         raise ValueError("asset: got coordinates with all faces overlapping, want some faces without overlap, or a part")

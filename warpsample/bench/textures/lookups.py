@@ -9,9 +9,9 @@ from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.texture.charts import charts_of
-from warpsample.texture.claims import claims_of
-from warpsample.texture.report import face_flaws
+from warpsample.texture.charts import label_charts
+from warpsample.texture.claims import claim_points
+from warpsample.texture.report import find_face_flaws
 from warpsample.texture.texture_points import TexturePoints
 
 
@@ -80,12 +80,12 @@ def _find_shared(t: TexturePoints, at: np.ndarray, face: np.ndarray) -> np.ndarr
     Charts with equal texture coordinates would count as one chart, so positions in space separate them. The two sides of a
     folded chart are separated by orientation.
     """
-    flaws = face_flaws(t.corners)
+    flaws = find_face_flaws(t.corners)
     mirrored = np.repeat(flaws["mirrored"], 3).reshape(-1, 3, 1)
-    charts = charts_of(np.concatenate([t.corners, t.mesh.vertices[t.mesh.faces], mirrored], axis=2))
+    charts = label_charts(np.concatenate([t.corners, t.mesh.vertices[t.mesh.faces], mirrored], axis=2))
     usable = ~(flaws["without_uv"] | flaws["zero_area"])
     backwards = np.ascontiguousarray(t.corners[::-1])
-    last = len(charts) - 1 - claims_of(backwards, usable[::-1], t.size, 1, t.options.memory).face
+    last = len(charts) - 1 - claim_points(backwards, usable[::-1], t.size, 1, t.options.memory).face
     texels, weights = _find_texels(at, t.size[0])
     shared = np.zeros(len(at), np.bool_)
     for owners in (t.face, last):

@@ -1,1 +1,1 @@
-"""CityJSON: its surfaces as a mesh, and numbers of them written back into the file."""
+"""CityJSON: surfaces as a mesh, and results written back into the file."""

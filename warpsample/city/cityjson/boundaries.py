@@ -1,4 +1,4 @@
-"""The faces of a CityJSON geometry, and the semantic object that each of them belongs to."""
+"""Faces of a CityJSON geometry, and the semantic object of each face."""
 
 from collections.abc import Sequence
 from itertools import chain
@@ -11,46 +11,61 @@ from warpsample.host.json_tree import Part
 from warpsample.mesh.holes import Outlines
 
 DEPTHS = {"MultiSurface": 1, "CompositeSurface": 1, "Solid": 2, "MultiSolid": 3, "CompositeSolid": 3}
-"""How deep the lists of faces are nested in the boundaries, by the type of the geometry."""
+"""Depth of nested lists above a face in the boundaries, by type of geometry."""
 
 
-def outlines_of(geometry: Part, vertices: int) -> Outlines:
-    """The faces of a geometry whose corners are some of so many vertices.
+def read_outlines(geometry: Part, vertices: int) -> Outlines:
+    """Return the outlines of a geometry's faces.
 
-    Boundaries of another depth and corners that are no vertex are a ValueError or a TypeError.
+    Args:
+        geometry: JSON of the geometry.
+        vertices: number of vertices that the corners refer to.
+
+    Raises:
+        TypeError, ValueError: the boundaries are not nested as the type requires, or a corner is not a vertex number.
     """
     at = geometry.at("boundaries")
-    faces = [face or [[]] for face in _faces(geometry)]
-    rings = [_list(ring, at, "a ring, a list of vertices") for face in faces for ring in face]
+    faces = [face or [[]] for face in _read_faces(geometry)]
+    rings = [_check_list(ring, at, "a ring, a list of vertices") for face in faces for ring in face]
     corners = list(chain.from_iterable(rings))
     others = [corner for corner in corners if type(corner) is not int] if set(map(type, corners)) - {int} else []
     if others:
-        raise TypeError(f"{at}: got the corner {told(others[0])}, want whole numbers, {geometry.text('type')}'s depth")
+        raise TypeError(
+            f"{at}: got the corner {told(others[0])}, want whole numbers, nested as deep as in a {geometry.text('type')}"
+        )
     if corners and not 0 <= min(corners) <= max(corners) < vertices:
         wrong = min(corners) if min(corners) < 0 else max(corners)
-        raise ValueError(f"{at}: got the vertex {told(wrong)}, want one of the {vertices:,} that there are")
+        raise ValueError(f"{at}: got the vertex {told(wrong)}, want one of the {vertices:,} vertices, counted from 0")
     sizes = np.array([len(ring) - (len(ring) > 1 and ring[0] == ring[-1]) for ring in rings], np.int64)
     held = np.array(corners, np.int64)
-    if sizes.sum() < len(held):  # a ring is closed, against the specification
+    if sizes.sum() < len(held):  # some rings repeat their first corner, against the specification
         held = np.array(
             [corner for ring, size in zip(rings, sizes.tolist(), strict=True) for corner in ring[:size]], np.int64
         )
     return Outlines(held, sizes, np.array([len(face) for face in faces], np.int64))
 
 
-def semantics_of(geometry: Part, surfaces: int) -> np.ndarray:
-    """(N,) int32: which of so many semantic objects each face is of; -1 where it is of none."""
+def read_semantics(geometry: Part, surfaces: int) -> np.ndarray:
+    """Return the (N,) int32 semantic object of each face, -1 without one.
+
+    Args:
+        geometry: JSON of the geometry.
+        surfaces: number of semantic objects.
+
+    Raises:
+        ValueError: the values do not have the shape of the boundaries, or are not numbers of semantic objects.
+    """
     semantics = geometry.part("semantics")
     depth, at = DEPTHS[geometry.text("type")], semantics.at("values")
-    numbers = _numbers(semantics.content.get("values"), geometry.values("boundaries"), depth, at)
+    numbers = _flatten_values(semantics.content.get("values"), geometry.values("boundaries"), depth, at)
     wrong = [n for n in numbers if n is not None and not (type(n) is int and 0 <= n < surfaces)]
     if wrong:
         raise ValueError(f"{at}: got {told(wrong[0])}, want null or the number of one of the {surfaces} surfaces")
     return np.array([-1 if n is None else n for n in numbers], np.int32)
 
 
-def nested(numbers: Sequence[int | None], boundaries: list[Any], depth: int) -> list[Any]:
-    """A number for each face, nested as the faces are in the boundaries: `values` of a semantics."""
+def nest_values(numbers: Sequence[int | None], boundaries: list[Any], depth: int) -> list[Any]:
+    """Return one number for each face, nested as the boundaries are: the `values` of a semantics object."""
     left = iter(numbers)
 
     def filled(part: list[Any], levels: int) -> list[Any]:
@@ -59,26 +74,26 @@ def nested(numbers: Sequence[int | None], boundaries: list[Any], depth: int) -> 
     return filled(boundaries, depth)
 
 
-def _faces(geometry: Part) -> list[list[Any]]:
+def _read_faces(geometry: Part) -> list[list[Any]]:
     at, found = geometry.at("boundaries"), geometry.values("boundaries")
     for _ in range(DEPTHS[geometry.text("type")] - 1):
-        found = [item for part in found for item in _list(part, at, "a list of faces")]
-    return [_list(face, at, "a face, a list of rings") for face in found]
+        found = [item for part in found for item in _check_list(part, at, "a list of faces")]
+    return [_check_list(face, at, "a face, a list of rings") for face in found]
 
 
-def _list(value: Any, at: str, wants: str) -> list[Any]:
+def _check_list(value: Any, at: str, wants: str) -> list[Any]:
     if type(value) is not list:
         raise TypeError(f"{at}: got {told(value)}, want {wants}")
     return value
 
 
-def _numbers(values: Any, boundaries: Sequence[Any], depth: int, at: str) -> list[Any]:
-    """A number or None for each face, flat; None at any level is None for all below it."""
+def _flatten_values(values: Any, boundaries: Sequence[Any], depth: int, at: str) -> list[Any]:
+    """Return a flat list of one number or None for each face; None at an outer level stands for None at all faces below."""
     if values is None:
         values = [None] * len(boundaries)
     if type(values) is not list or len(values) != len(boundaries):
-        raise ValueError(f"{at}: got {told(values)}, want null or {len(boundaries)} of them, as the boundaries have")
+        raise ValueError(f"{at}: got {told(values)}, want null or a list of {len(boundaries)}, as in the boundaries")
     if depth == 1:
         return values
     parts = zip(values, boundaries, strict=True)
-    return list(chain.from_iterable(_numbers(value, part, depth - 1, at) for value, part in parts))
+    return list(chain.from_iterable(_flatten_values(value, part, depth - 1, at) for value, part in parts))

@@ -1,4 +1,4 @@
-"""Which geometries of an object are traced: those of one level of detail (LoD), each surface once."""
+"""Choice of the geometries to trace: one level of detail (LoD) per object, and each surface once."""
 
 import re
 from typing import Any
@@ -9,23 +9,27 @@ from warpsample.host.json_tree import Part
 
 INSTANCE = "GeometryInstance"
 _NO_SURFACES = ("MultiPoint", "MultiLineString")
-_LEAST = 1.0  # below it are footprints, within what the others are of
+_LEAST = 1.0  # least LoD chosen by default; lower ones are footprints
 _MOST_ANCESTORS = 100
 
 Choice = tuple[int, Part, float]
-"""The number of a geometry among those of its object, the geometry (of an instance its template), and its LoD."""
+"""Number of a geometry in its object, the geometry (for an instance, its template), and its LoD."""
 
 
 def as_lod(value: Any, argument: str) -> float:
-    """A level of detail, a number or its text, as a number; what is none is a ValueError that names the argument."""
+    """Return a level of detail, given as a number or text, as a number.
+
+    Raises:
+        ValueError: the value is no level of detail.
+    """
     is_number = type(value) in (int, float) and 0 <= value < 100
     if not is_number and not (isinstance(value, str) and re.fullmatch(r"\d(\.\d+)?", value)):
         raise ValueError(f"{argument}: got {told(value)}, want a level of detail, such as 2.2")
     return float(value)
 
 
-def surfaced(thing: Part, templates: list[Part]) -> list[Choice]:
-    """The geometries of an object that have surfaces."""
+def list_surface_geometries(thing: Part, templates: list[Part]) -> list[Choice]:
+    """Return the geometries of an object that have surfaces."""
     made = []
     for number, placed in enumerate(thing.parts("geometry")):
         is_instance = placed.text("type") == INSTANCE
@@ -38,10 +42,10 @@ def surfaced(thing: Part, templates: list[Part]) -> list[Choice]:
     return made
 
 
-def chosen(found: list[Choice], thing: Part, lod: float | None) -> list[Choice]:
-    """Those of one LoD, by default the highest that is no footprint.
+def choose_geometries(found: list[Choice], thing: Part, lod: float | None) -> list[Choice]:
+    """Return the geometries of one LoD; by default the highest, without footprints.
 
-    Many files have the same faces as surfaces and as a solid: the ones with semantics are taken, or else the solids.
+    Many files have the same faces both as surfaces and as a solid. The form with semantics is taken, or else the solid.
     """
     level = max((choice[2] for choice in found if choice[2] >= _LEAST), default=None) if lod is None else lod
     kinds: dict[str, list[Choice]] = {"solids": [], "surfaces": [], INSTANCE: []}
@@ -54,8 +58,8 @@ def chosen(found: list[Choice], thing: Part, lod: float | None) -> list[Choice]:
     return kinds[best] + kinds[INSTANCE]
 
 
-def coarser(objects: dict[str, Part], taken: dict[str, list[Choice]], above: dict[str, list[str]]) -> set[str]:
-    """The objects whose geometry is a coarser one of the same, as parts of them have a finer one: the two are not traced."""
+def find_superseded(objects: dict[str, Part], taken: dict[str, list[Choice]], above: dict[str, list[str]]) -> set[str]:
+    """Return the ids of objects with a coarser geometry than one of their parts; tracing both would count surfaces twice."""
     levels = {name: found[0][2] for name, found in taken.items() if found}
     return {
         parent
@@ -66,10 +70,13 @@ def coarser(objects: dict[str, Part], taken: dict[str, list[Choice]], above: dic
     }
 
 
-def ancestors(objects: dict[str, Part], name: str) -> list[str]:
-    """The parents of an object, theirs, and so on, as far as the document has them, each once.
+def list_ancestors(objects: dict[str, Part], name: str) -> list[str]:
+    """Return the ids of an object's parents, grandparents and so on, each once.
 
-    One that is its own ancestor, or has more than a hundred, is a ValueError.
+    Parents missing from the document are left out.
+
+    Raises:
+        ValueError: an object is its own ancestor, or has more than 100 ancestors.
     """
     found: dict[str, None] = {}
     left = [name]

@@ -1,4 +1,4 @@
-"""`load_city`: a CityJSON file as a mesh whose faces know their surface."""
+"""CityJSON files as meshes whose triangles know their surfaces: `load_city`."""
 
 from collections.abc import Mapping
 from contextlib import nullcontext
@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from warpsample.city.cityjson.choosing import as_lod
-from warpsample.city.cityjson.context import with_context
-from warpsample.city.cityjson.documents import rewritten
+from warpsample.city.cityjson.context import append_context
+from warpsample.city.cityjson.documents import rewrite_content
 from warpsample.city.cityjson.example import example_content
 from warpsample.city.cityjson.gathering import Gathered, Geometry, gather
 from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
-from warpsample.city.cityjson.surfaces import CitySurfaces, Rows, surfaces_of, warn_of_overlaps
+from warpsample.city.cityjson.surfaces import CitySurfaces, Rows, tabulate_surfaces, warn_of_overlaps
 from warpsample.city.cityjson.writing import ERROR, Editor
 from warpsample.host.arguments import check_file, check_flag, check_seed, naming_file, told
 from warpsample.host.arrays import as_real
@@ -35,17 +35,17 @@ _FILE = "a CityJSON file"
 
 @dataclass(frozen=True, eq=False, repr=False)
 class City(Summary):
-    """The surfaces of a CityJSON file as a mesh.
+    """Surfaces of a CityJSON file as a mesh.
 
     Attributes:
-        mesh: in metres: the coordinates of the file, times the lengths of their units by its reference system.
-        surface: (F,) int32, the row of each triangle's surface in `surfaces`; -1 for those of a context.
-        surfaces: the table of the surfaces.
+        mesh: mesh in metres. Coordinates of the file are converted by its reference system.
+        surface: (F,) int32, row in `surfaces` of each triangle's surface; -1 for triangles of a context.
+        surfaces: table of the N surfaces.
         split: whether each polygon is a surface of its own.
-        geometries: what of the file is in the mesh.
-        rows: where the surfaces stand in the file.
-        path: of the file.
-        content: of the file.
+        geometries: geometries of the file that are in the mesh.
+        rows: positions of the surfaces in the file.
+        path: path of the file.
+        content: bytes of the file.
     """
 
     mesh: Mesh
@@ -59,23 +59,25 @@ class City(Summary):
 
     @property
     def receiving(self) -> np.ndarray:
-        """(F,) float64, m2: the areas of the triangles that have numbers; 0 of GroundSurfaces and a context."""
-        kind = np.append(self.surfaces.type, GROUND)[self.surface]  # the last is for -1
+        """(F,) float64, m2: areas of the triangles that get results; 0 for GroundSurfaces and a context."""
+        kind = np.append(self.surfaces.type, GROUND)[self.surface]  # GROUND is appended for -1, the context
         return np.where(kind == GROUND, 0.0, self.mesh.face_areas)
 
     def points(self, count: int | None = None, *, seed: int = 0) -> SurfacePoints:
-        """Random points on each triangle, for means over surfaces; a GroundSurface, which lies on earth, has none.
+        """Return random points on each triangle, for means over surfaces; a GroundSurface touches the ground and gets none.
 
         Args:
-            count: about so many, shared out by area, but at least two on each triangle; by default four for each.
-            seed: of the random numbers.
+            count: approximate number of points, shared among triangles by area, with at least two on each. Default: four
+                times the
+                number of triangles.
+            seed: seed of the random numbers.
 
         Returns:
-            the points in the order of the triangles, uniform on each.
+            points in the order of the triangles, uniform on each triangle.
 
         Raises:
-            TypeError, ValueError: no such number.
-            MemoryError: more than is free.
+            TypeError, ValueError: `count` or `seed` is invalid.
+            MemoryError: the points need more memory than is free.
 
         Example:
             >>> city = ws.load_city("courtyard")
@@ -88,24 +90,28 @@ class City(Summary):
     def surface_means(
         self, values: Any, error: Any = None, *, points: SurfacePoints | None = None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Means over the surfaces, weighted by area, of numbers at points of the mesh.
+        """Return area-weighted means over surfaces of values at points of the mesh, with standard errors.
 
-        Points have random numbers of their own, so their errors are independent: those of a triangle have the variance of
-        its values over their number, which holds the rays' noise and where the points are; with one point on each, as
-        without `points`, only the rays' noise is known. What all have in common, the weather, the sky's model and the mesh,
-        is in no error, and makes those of two surfaces alike.
+        Points have independent random numbers, so their errors are independent. With several points on a triangle, its error
+        comes
+        from the spread of the values, which includes the noise of rays and of point positions. With one point, as without
+        `points`,
+        only the noise of rays is included. Errors of the weather, the sky model and the mesh are not included; they are
+        common to
+        all surfaces.
 
         Args:
-            values: (P,) at the points; (F,) at the centres of the triangles if no points are given.
-            error: of the same shape, the standard errors; by default 0. They count where a triangle has one point.
-            points: that `values` are of, as `City.points` gives them, with their faces.
+            values: (P,) values at the points; (F,) values at the centres of triangles if `points` is None.
+            error: standard errors of the same shape. Default: 0. They are used for triangles with one point.
+            points: the points of `values`, as from `City.points`, with their faces.
 
         Returns:
-            values, standard errors and areas in m2, (N,) float64 each, a row for each of `surfaces`; values and errors are
-            NaN of a GroundSurface, and where no point is.
+            values, standard errors and areas in m2, (N,) float64 each, in the order of `surfaces`. Values and errors are NaN
+            for a
+            GroundSurface and for a surface without points.
 
         Raises:
-            TypeError, ValueError: other shapes, or points without faces.
+            TypeError, ValueError: an array has another shape, or the points have no faces.
 
         Example:
             >>> city = ws.load_city("courtyard")
@@ -129,21 +135,30 @@ class City(Summary):
         return values, errors, self.surfaces.area.copy()
 
     def write(self, path: str | PathLike[str], results: Mapping[str, Any]) -> None:
-        """Writes the file with results as attributes: of the semantic objects of surfaces, and of the objects above them.
+        """Write a copy of the file with results as attributes of semantic surfaces and of city objects.
 
-        All else is the same JSON: integers, order, spelling of numbers; a sequence stays one, line by line. Results of
-        surfaces without a semantic object, and of templates, are in those of their object alone.
+        The rest of the JSON keeps its order, integers and spelling of numbers; a sequence stays a sequence. Results of
+        surfaces
+        without a semantic object, and of templates, are written only into their city object.
+
+        A city object gets area-weighted means over its own surfaces and those of its children:
+
+        - of roofs, under the name with "_roof", with the area in m2 as "ws_area_m2_roof";
+        - of walls, likewise with "_wall";
+        - of surfaces without a type, such as roads, under the plain name.
+
+        A name that ends in "_m2" is a value per m2. Its integral over the area is written as well, under the name without
+        "_m2".
 
         Args:
-            path: of the new file, complete or not at all; it ends as the one that was read, in .json or .jsonl.
-            results: (N,) numbers, a row for each of `surfaces`, NaN where there is none, by the name of the attribute. A
-                name and the same with "_error" are values and their errors. An object with roofs, its own or those of its
-                children, gets their mean under the name and "_roof", and "ws_area_m2_roof", their m2; likewise "_wall"; and
-                without an ending those of what has no type of surface, such as roads. Names that end in "_m2" are per m2:
-                the sums over the area are written too, under the name without it.
+            path: path of the new file, with the suffix of the input, .json or .jsonl. An interrupted write leaves no partial
+                file.
+            results: (N,) numbers in the order of `surfaces`, NaN without a result, by name of the attribute. Standard errors
+                of a
+                result have its name with "_error" appended.
 
         Raises:
-            TypeError, ValueError: a path that cannot be written, or results of another shape or without a name.
+            TypeError, ValueError: the path cannot be written, or results have another shape or no name.
             OSError: the file cannot be written.
 
         Example:
@@ -156,43 +171,46 @@ class City(Summary):
         target = _check_target(path, self.path)
         columns = _check_results(results, len(self.surfaces))
         editor = Editor(self.geometries, self.surfaces, self.rows, columns, split=self.split)
-        write_bytes(target, rewritten(self.content, editor.edit))
+        write_bytes(target, rewrite_content(self.content, editor.edit))
 
 
 def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False, context: Any = None) -> City:
-    """The surfaces of a CityJSON file, version 1.0, 1.1 or 2.0, or of a sequence (CityJSONSeq, one object on each line).
+    """Load the surfaces of a CityJSON file (version 1.0, 1.1 or 2.0) or sequence (CityJSONSeq) as a mesh.
 
-    Of each object the geometries of one level of detail are taken: those with semantics, or else the solids, if it has the
-    same surfaces twice. Templates are placed, surfaces with holes cut into triangles; points and lines are left out.
-    "courtyard", where no file is called that, is an example.
+    Each object contributes the geometries of one level of detail. If an object has the same surfaces twice, those with
+    semantics
+    are taken, or else the solids. Templates are placed, surfaces with holes are triangulated, points and lines are left out.
 
-    The mesh, its areas and all lengths are in metres: feet become metres by the file's metadata.referenceSystem, heights by
-    a unit of their own (extra `city`). Without a reference system coordinates are taken as metres.
+    The mesh, its areas and all lengths are in metres. Feet are converted by the file's metadata.referenceSystem, and heights
+    by
+    their own unit (extra `city`). Without a reference system, coordinates are taken as metres.
 
     Args:
-        path: of the file.
-        lod: the level of detail, as 2.2 or "2.2"; by default the highest that each object has, without footprints (LoD 0)
-            and without buildings whose parts have a higher one.
-        split: whether each polygon is a surface of its own, with results of its own.
-        context: what stands around, and gets no results: a mesh in the coordinates and units of the file, such as the
-            terrain; what `rasters.surface` returns, in a unit of its own on the same map; or "ground", a level plane through
-            the lowest point, black as all of a mesh; by default nothing, as below the horizon no sky is.
+        path: path of the file, or "courtyard", an example, if no file has this name.
+        lod: level of detail, as 2.2 or "2.2". Default: the highest of each object, without footprints (LoD 0) and without
+            buildings whose parts have a higher one.
+        split: whether each polygon is a surface with results of its own.
+        context: black surroundings without results. A mesh in the coordinates and units of the file, such as terrain; the
+            result of `rasters.surface`, in any unit on the same map; or "ground", a level plane through the lowest point.
+            Default: no surroundings, and no sky below the horizon.
 
     Returns:
-        the mesh, the surface of each of its triangles, and the table of the surfaces.
+        the mesh, the surface of each triangle, and the table of surfaces.
 
     Raises:
-        TypeError: not a path, or no level of detail.
-        FileNotFoundError: no such file.
-        ValueError: a file that is damaged, in degrees, or has no such surfaces; names the path. A raster as context of
-            another map.
-        MemoryError: templates are placed so often that the free memory does not hold them.
+        TypeError: `path` is not a path.
+        FileNotFoundError: the file does not exist.
+        ValueError: the file is damaged, in degrees or has no surfaces of the level of detail; `lod` is invalid; or the
+            raster of
+            `context` is on another map.
+        MemoryError: the surfaces and placed templates need more memory than is free.
 
     Warns:
-        UserWarning: some polygons cross themselves; says how many. Their triangles overlap and may face either way, so that
-            what they hide, and the numbers of their surfaces, are not those of a polygon; areas are Newell's, and less.
-            The reference system is not known, as without pyproj, or names no unit of heights beside a map in feet; or
-            lengths on its map are wrong by a twentieth and more, as by Web Mercator.
+        UserWarning: some polygons cross themselves. Their triangles overlap and may face either way, so shadows and results
+            of
+            such surfaces are wrong; areas are by Newell's formula, and smaller than those of the triangles.
+        UserWarning: the reference system is unknown, pyproj is missing, or a map in feet has no unit of heights.
+        UserWarning: lengths on the map are wrong by 5 % or more, as in Web Mercator.
 
     Example:
         >>> city = ws.load_city("courtyard")
@@ -213,9 +231,9 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
     if not found.geometries:
         there = ", ".join(f"{level:g}" for level in sorted(found.lods))
         got = "none" if lod is None else f"{lod:g}"
-        raise ValueError(f"lod: got {got}, want one of those that {str(path)!r} has surfaces of: {there}")
+        raise ValueError(f"lod: got {got}, want a level of detail that {str(path)!r} has surfaces of: {there}")
     found.units.warn(path, points)
-    return _city(found, points * found.units.metres, path, content, split=split, context=context)
+    return _build_city(found, points * found.units.metres, path, content, split=split, context=context)
 
 
 def _check_target(path: Any, source: Path) -> Path:
@@ -223,14 +241,14 @@ def _check_target(path: Any, source: Path) -> Path:
         raise TypeError(f"path: got {told(path)}, want the path of {_FILE}")
     suffix = source.suffix or ".json"  # of the example
     if Path(path).suffix != suffix:
-        raise ValueError(f"path: got {str(path)!r}, want a file that ends in {suffix}, as what was read")
+        raise ValueError(f"path: got {str(path)!r}, want a file that ends in {suffix}, as the input does")
     check_output(Path(path), "path", source)
     return Path(path)
 
 
 def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
     if not isinstance(results, Mapping) or not all(isinstance(name, str) and name for name in results):
-        raise TypeError(f"results: got {told(results)}, want numbers by the names of attributes")
+        raise TypeError(f"results: got {told(results)}, want a dict from names of attributes to numbers")
     columns = {name: as_real(column, f"results[{name!r}]") for name, column in results.items()}
     for name, column in columns.items():
         if column.shape != (count,):
@@ -240,12 +258,12 @@ def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
     return columns
 
 
-def _city(found: Gathered, points: np.ndarray, path: Path, content: bytes, *, split: bool, context: Any) -> City:
+def _build_city(found: Gathered, points: np.ndarray, path: Path, content: bytes, *, split: bool, context: Any) -> City:
     parts = ([getattr(each, name) for each in found.outlines] for name in ("corners", "sizes", "rings"))
     outlines = Outlines(*map(np.concatenate, parts))
-    surfaces, rows = surfaces_of(found, points, outlines, split)
+    surfaces, rows = tabulate_surfaces(found, points, outlines, split)
     triangles, owner = outlines.triangles(points)
-    vertices, faces = with_context(points, triangles, context, found.units)
+    vertices, faces = append_context(points, triangles, context, found.units)
     surface = np.full(len(faces), -1, np.int32)
     surface[: len(owner)] = rows.row[owner]
     mesh = Mesh(vertices, faces, surface, surfaces.names)

@@ -1,4 +1,4 @@
-"""What stands around a city: a plane of ground, or a mesh beside it."""
+"""Surroundings of a city: a level plane, a mesh or a raster."""
 
 from typing import Any
 
@@ -10,17 +10,18 @@ from warpsample.host.locks import imported
 from warpsample.mesh.mesh import mesh_of
 
 GROUND_PLANE = "ground"
+"""Value of `context` for a level plane."""
 
-_REACH = 20.0  # of the plane beyond the city, in its diagonals; scenes keep their digits for what is not so far
+_REACH = 20.0  # margin of the plane in city diagonals; a larger one would reduce float32 precision
 
 
-def with_context(points: np.ndarray, faces: np.ndarray, context: Any, units: Units) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices in metres and faces of a city with those of a context after them; None is none."""
+def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: Units) -> tuple[np.ndarray, np.ndarray]:
+    """Return vertices in metres and faces of a city, followed by those of the context; None adds nothing."""
     if context is None:
         return points, faces
     if isinstance(context, str) and context == GROUND_PLANE:
-        corners, squares = _plane(points[np.unique(faces)])
-    elif hasattr(context, "grid") and hasattr(context, "mesh"):  # a RasterSurface, without importing its room
+        corners, squares = _make_plane(points[np.unique(faces)])
+    elif hasattr(context, "grid") and hasattr(context, "mesh"):  # a RasterSurface; tested without importing its class
         _check_map(context.grid, units)
         corners, squares = context.mesh.vertices * context.grid.metres, context.mesh.faces
     else:
@@ -30,12 +31,10 @@ def with_context(points: np.ndarray, faces: np.ndarray, context: Any, units: Uni
 
 
 def _check_map(grid: Any, units: Units) -> None:
-    """Refuse a raster on another map than a city, and one in an unknown unit beside a city that is not in metres."""
+    """Raise a ValueError for a raster on another map, or for a raster without a CRS unless the city is in metres."""
     if grid.crs is None:
         if (units.metres != 1.0).any():
-            raise ValueError(
-                f"context: got a raster without a CRS beside a city in {told(units.name)}, want one whose CRS tells its unit"
-            )
+            raise ValueError(f"context: got a raster without a CRS beside a city in {told(units.name)}, want one with a CRS")
     elif units.crs is not None:
         rows, columns = grid.height.shape
         middle = grid.transform @ (columns / 2.0, rows / 2.0)
@@ -46,8 +45,8 @@ def _check_map(grid: Any, units: Units) -> None:
             )
 
 
-def _plane(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """A level square through the lowest point, so large that a wall sees hardly anything but it below the horizon."""
+def _make_plane(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return a level square through the lowest point, large enough to cover nearly everything below the horizon."""
     low, high = points.min(axis=0), points.max(axis=0)
     reach = _REACH * np.linalg.norm(high - low)
     ends = np.stack([low - reach, high + reach])

@@ -1,6 +1,6 @@
-"""The JSON texts of a CityJSON file: one, or in a sequence (CityJSONSeq) one on each line.
+"""JSON documents of a CityJSON file: a single one, or one per line of a sequence (CityJSONSeq).
 
-A text is read twice: for its surfaces, and again, if results are written, with each number as it is spelt there.
+A document is parsed once to read its surfaces. It is parsed again to write results, keeping the spelling of each number.
 """
 
 import json
@@ -16,39 +16,43 @@ _VERSION = re.compile(r"[12]\.\d")
 
 
 def read_each(content: bytes, read: Callable[[int, Part], None]) -> None:
-    """Calls `read` with each object of a file, (its number, the object): the CityJSON, then the features of a sequence.
+    """Call `read(number, document)` for each document: the CityJSON head, then the features of a sequence.
 
-    Damaged JSON, other objects and other versions are a ValueError, as are those that `read` raises and its TypeErrors; in a
-    sequence they name the line.
+    Raises:
+        ValueError: a document is damaged or has another type or version, or `read` raises a TypeError or ValueError. For a
+            sequence, the message names the line.
     """
-    lines, number = _lines(content), 0
+    lines, number = _split_lines(content), 0
     for at, line in enumerate(lines, 1):
         if line.strip():
             try:
-                read(number, _checked(parsed(line), _FEATURE if number else _HEAD))
+                read(number, _check_header(parsed(line), _FEATURE if number else _HEAD))
             except (ValueError, TypeError) as error:
                 raise ValueError(f"line {at}: {error}" if len(lines) > 1 else str(error)) from None
             number += 1
 
 
-def rewritten(content: bytes, edit: Callable[[int, dict[str, Any]], None]) -> bytes:
-    """The file with its objects changed by `edit`, (number of the object, the object), and else the same JSON.
+def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None]) -> bytes:
+    """Return the file's bytes with each document changed by `edit(number, document)`.
 
-    Members keep their order and numbers their spelling; there is no white space between them.
+    Members keep their order and numbers their spelling; white space between members is removed.
     """
     made, number = [], 0
-    for line in _lines(content):
+    for line in _split_lines(content):
         text = line.strip()
         if text:
-            made.append(_edited(text, lambda found, number=number: edit(number, found)) + line[len(line.rstrip()) :])
+            made.append(_edit_text(text, lambda found, number=number: edit(number, found)) + line[len(line.rstrip()) :])
             number += 1
         else:
             made.append(line)
     return b"\n".join(made)
 
 
-def _lines(content: bytes) -> list[bytes]:
-    """The lines of a sequence, the first of which is not empty; or all as one."""
+def _split_lines(content: bytes) -> list[bytes]:
+    """Return the lines of a sequence, or the content of any other file as one item.
+
+    A sequence has several lines, and its first line is a JSON document.
+    """
     first, _, rest = content.partition(b"\n")
     try:
         is_sequence = bool(first.strip() and rest.strip() and json.loads(first))
@@ -57,7 +61,7 @@ def _lines(content: bytes) -> list[bytes]:
     return [first, *rest.split(b"\n")] if is_sequence else [content]
 
 
-def _checked(tree: Part, kind: str) -> Part:
+def _check_header(tree: Part, kind: str) -> Part:
     found = tree.text("type")
     if found != kind:
         raise ValueError(f"its type is {found!r}, want {kind!r}")
@@ -66,25 +70,25 @@ def _checked(tree: Part, kind: str) -> Part:
     return tree
 
 
-class _Spelt:
-    """A number that Python would spell otherwise."""
+class _SpelledNumber:
+    """Number whose text differs from Python's representation."""
 
     def __init__(self, text: str) -> None:
         self.text = text
 
 
-def _as_spelt(text: str) -> float | _Spelt:
+def _parse_float(text: str) -> float | _SpelledNumber:
     number = float(text)
-    return number if repr(number) == text else _Spelt(text)
+    return number if repr(number) == text else _SpelledNumber(text)
 
 
-def _edited(text: bytes, edit: Callable[[dict[str, Any]], None]) -> bytes:
-    found = json.loads(text, parse_float=_as_spelt)
+def _edit_text(text: bytes, edit: Callable[[dict[str, Any]], None]) -> bytes:
+    found = json.loads(text, parse_float=_parse_float)
     edit(found)
-    mark = secrets.token_hex(16)  # around the numbers, as JSON's encoder writes no text as it is
+    mark = secrets.token_hex(16)  # marks numbers in the output, since the JSON encoder cannot write raw text
     options = {"separators": (",", ":"), "ensure_ascii": text.isascii()}
     try:
         made = json.dumps(found, default=lambda number: f"{mark}{number.text}", **options)
-    except RecursionError:  # which is reached sooner by a call from further down
+    except RecursionError:  # the limit is reached earlier than in parsing, since the stack is deeper here
         raise ValueError("its JSON is nested too deeply") from None
     return re.sub(f'"{mark}([^"]*)"', r"\1", made).encode("utf-8", "backslashreplace")

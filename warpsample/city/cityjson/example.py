@@ -1,4 +1,4 @@
-"""The courtyard of `load_mesh` as CityJSON: `load_city("courtyard")`."""
+"""CityJSON version of the example mesh, for `load_city("courtyard")`."""
 
 import json
 from os import PathLike
@@ -9,13 +9,13 @@ from warpsample.city.cityjson.kinds import BY_NORMAL
 from warpsample.mesh.examples import example
 from warpsample.mesh.mesh import Mesh
 
-_STEP = 3.0  # metres, of all coordinates
+_STEP = 3.0  # metres; all coordinates are multiples of this step
 
 
 def example_content(path: str | PathLike[str]) -> bytes | None:
-    """The bytes of the example of that name; None if there is none, or if a file has that name.
+    """Return the bytes of the named example; None if there is no such example or a file has its name.
 
-    Its buildings are one Building with semantics, the ground is a LandUse without; each triangle is a face.
+    All buildings are one Building with semantics, and the ground is a LandUse without; each triangle is a face.
     """
     made = example(path)
     if made is None:
@@ -27,13 +27,13 @@ def example_content(path: str | PathLike[str]) -> bytes | None:
     semantics = {"surfaces": [{"type": name} for name in BY_NORMAL[:2]], "values": values}
     faces = mesh.faces[:, None, :]
     objects = {
-        "ground": {"type": "LandUse", "geometry": [_geometry(faces[ground])]},
-        "buildings": {"type": "Building", "geometry": [_geometry(faces[~ground]) | {"semantics": semantics}]},
+        "ground": {"type": "LandUse", "geometry": [_multi_surface(faces[ground])]},
+        "buildings": {"type": "Building", "geometry": [_multi_surface(faces[~ground]) | {"semantics": semantics}]},
     }
     whole = {"type": "CityJSON", "version": "2.0", "transform": {"scale": [_STEP] * 3, "translate": [0.0] * 3}}
     vertices = np.rint(mesh.vertices / _STEP).astype(int).tolist()
     return json.dumps(whole | {"CityObjects": objects, "vertices": vertices}).encode()
 
 
-def _geometry(faces: np.ndarray) -> dict[str, object]:
+def _multi_surface(faces: np.ndarray) -> dict[str, object]:
     return {"type": "MultiSurface", "lod": "1", "boundaries": faces.tolist()}

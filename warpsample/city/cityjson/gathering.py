@@ -1,12 +1,19 @@
-"""The faces of all objects of a CityJSON file, in world coordinates."""
+"""Faces of all objects of a CityJSON file, in world coordinates."""
 
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
-from warpsample.city.cityjson.boundaries import outlines_of, semantics_of
-from warpsample.city.cityjson.choosing import INSTANCE, Choice, ancestors, chosen, coarser, surfaced
+from warpsample.city.cityjson.boundaries import read_outlines, read_semantics
+from warpsample.city.cityjson.choosing import (
+    INSTANCE,
+    Choice,
+    choose_geometries,
+    find_superseded,
+    list_ancestors,
+    list_surface_geometries,
+)
 from warpsample.city.cityjson.documents import read_each
 from warpsample.city.cityjson.units import Units
 from warpsample.host.arguments import told
@@ -15,23 +22,23 @@ from warpsample.host.json_tree import Part
 from warpsample.mesh.holes import Outlines
 from warpsample.mesh.indexed import LARGEST
 
-_BYTES = 250  # of a corner: its triangles, and what is computed of them
+_BYTES = 250  # memory per corner, for its triangles and the mesh computed from them
 
 
 @dataclass(frozen=True)
 class Geometry:
-    """A geometry that is traced, and where it stands in the file.
+    """Geometry to trace, and its position in the file.
 
     Attributes:
-        document: the number of the line in a sequence, of those that are not empty; else 0.
-        object: the id of its object.
-        kind: the object's type.
-        ancestors: the ids of the objects above it.
-        number: among the object's geometries.
-        lod: its level of detail.
-        types: of its semantic objects.
-        is_instance: whether the geometry is a template, which other objects have as well.
-        faces: how many it has.
+        document: number of the document in a sequence, without empty lines; 0 in other files.
+        object: id of the city object.
+        kind: type of the city object.
+        ancestors: ids of the object's parents, grandparents and so on.
+        number: number of the geometry in the object.
+        lod: level of detail.
+        types: types of the semantic objects.
+        is_instance: whether the geometry is a template, which other objects use as well.
+        faces: number of faces.
     """
 
     document: int
@@ -47,15 +54,15 @@ class Geometry:
 
 @dataclass
 class Gathered:
-    """What the documents read so far hold.
+    """Geometries, vertices and units of the documents read so far.
 
     Attributes:
-        lods: all that occur.
-        geometries: those that are traced.
-        vertices: (V, 3) blocks, in world coordinates and in the file's units.
-        outlines: of each geometry, its corners among all vertices.
-        semantics: of each geometry, (N,) the semantic object of each face, or -1.
-        units: of the file.
+        units: units of the file.
+        lods: all levels of detail in the file.
+        geometries: geometries to trace.
+        vertices: blocks (V, 3) of vertices, in world coordinates and in the file's units.
+        outlines: outlines of each geometry, with corners counted among all vertices.
+        semantics: (N,) semantic object of each face, or -1, for each geometry.
     """
 
     units: Units
@@ -69,7 +76,11 @@ class Gathered:
     _checked: int = 0
 
     def place(self, points: np.ndarray) -> int:
-        """Adds vertices; gives the number of the first of them. A ValueError if one is too far away to be traced."""
+        """Append vertices and return the number of the first one.
+
+        Raises:
+            ValueError: a vertex is too far from the origin to be traced.
+        """
         if not (np.abs(points) <= LARGEST).all():
             raise ValueError(f"it has coordinates beyond {LARGEST:g}")
         self.vertices.append(points)
@@ -77,9 +88,13 @@ class Gathered:
         return self._offset - len(points)
 
     def add(self, geometry: Geometry, outlines: Outlines, semantics: np.ndarray, first: int) -> None:
-        """Adds a geometry whose corners count from the vertex `first` on; a MemoryError if there are too many."""
+        """Append a geometry with corners numbered relative to the vertex `first`.
+
+        Raises:
+            MemoryError: the triangles of all geometries would need more memory than is free.
+        """
         self._corners += len(outlines.corners)
-        if self._corners > self._checked:  # and again before it doubles
+        if self._corners > self._checked:  # checks again when the number of corners has doubled
             self._checked = 2 * self._corners
             check_memory(_BYTES * self._checked, f"{self._corners:,} corners and more", "take a part of the city")
         self.geometries.append(geometry)
@@ -89,13 +104,13 @@ class Gathered:
 
 @dataclass(frozen=True)
 class Head:
-    """What the first object of a file says for all of them."""
+    """Members of the first document that apply to all documents."""
 
     tree: Part
 
     @cached_property
     def templates(self) -> list[Part]:
-        """The geometries that objects share."""
+        """Geometries shared by objects."""
         return self.tree.part("geometry-templates").parts("templates") if "geometry-templates" in self.tree else []
 
     @cached_property
@@ -103,36 +118,36 @@ class Head:
         return {}
 
     def outlines(self, template: Part) -> Outlines:
-        """The faces of a template; they are read once."""
+        """Return the outlines of a template; each template is read once."""
         if template.path not in self._outlines:
-            self._outlines[template.path] = outlines_of(template, len(self.template_points))
+            self._outlines[template.path] = read_outlines(template, len(self.template_points))
         return self._outlines[template.path]
 
     @cached_property
     def template_points(self) -> np.ndarray:
-        """(V, 3) float64, their vertices."""
+        """(V, 3) float64, vertices of the templates."""
         found = self.tree.part("geometry-templates")
-        return _numbers(found.content.get("vertices-templates"), found.at("vertices-templates"))
+        return _read_rows(found.content.get("vertices-templates"), found.at("vertices-templates"))
 
     @cached_property
     def transform(self) -> np.ndarray:
-        """(2, 3) float64, the scale and the translation of vertices; version 1.0 may have none."""
+        """(2, 3) float64, scale and translation of vertices. Only version 1.0 may lack a transform."""
         if "transform" not in self.tree and self.tree.text("version").startswith("1.0"):
             return np.float64([(1, 1, 1), (0, 0, 0)])
         found = self.tree.part("transform")
-        scale, translate = (_numbers([found.content.get(key)], found.at(key))[0] for key in ("scale", "translate"))
+        scale, translate = (_read_rows([found.content.get(key)], found.at(key))[0] for key in ("scale", "translate"))
         if not (scale > 0.0).all():
             raise ValueError(f"{found.at('scale')}: got {scale.tolist()}, want numbers above 0")
         return np.stack([scale, translate])
 
     def points(self, tree: Part) -> np.ndarray:
-        """(V, 3) float64, the vertices of a document in world coordinates."""
+        """Return the (V, 3) float64 vertices of a document in world coordinates."""
         scale, translate = self.transform
-        return _numbers(tree.values("vertices"), tree.at("vertices")) * scale + translate
+        return _read_rows(tree.values("vertices"), tree.at("vertices")) * scale + translate
 
 
 def gather(content: bytes, lod: float | None) -> Gathered:
-    """The surfaces of all objects of a file, of one level of detail, or of the highest that each object has."""
+    """Read the surfaces of all objects of a file, for one level of detail or the highest of each object."""
     found: list[tuple[Gathered, Head]] = []
 
     def read(number: int, tree: Part) -> None:
@@ -140,7 +155,7 @@ def gather(content: bytes, lod: float | None) -> Gathered:
             found.append((Gathered(Units.of(tree)), Head(tree)))
         _add_document(*found[0], tree, number, lod)
 
-    with np.errstate(all="ignore"):  # what is not finite is refused
+    with np.errstate(all="ignore"):  # numbers that are not finite raise errors later
         read_each(content, read)
     return found[0][0] if found else Gathered(Units.of(Part({})))
 
@@ -149,11 +164,11 @@ def _add_document(found: Gathered, head: Head, tree: Part, number: int, lod: flo
     points = head.points(tree)
     first = found.place(points)
     objects = tree.members("CityObjects")
-    above = {name: ancestors(objects, name) for name in objects}
-    choices = {name: surfaced(thing, head.templates) for name, thing in objects.items()}
+    above = {name: list_ancestors(objects, name) for name in objects}
+    choices = {name: list_surface_geometries(thing, head.templates) for name, thing in objects.items()}
     found.lods |= {own for each in choices.values() for _, _, own in each}
-    taken = {name: chosen(choices[name], thing, lod) for name, thing in objects.items()}
-    left_out = coarser(objects, taken, above) if lod is None else set()
+    taken = {name: choose_geometries(choices[name], thing, lod) for name, thing in objects.items()}
+    left_out = find_superseded(objects, taken, above) if lod is None else set()
     for name, thing in objects.items():
         if thing.content.get("attributes") is not None:
             thing.part("attributes")
@@ -163,7 +178,7 @@ def _add_document(found: Gathered, head: Head, tree: Part, number: int, lod: flo
 
 @dataclass(frozen=True)
 class _Place:
-    """An object, where it stands in the file, and the vertices of its document, which count from `first` on."""
+    """City object, its document, and the document's vertices, which are numbered from `first`."""
 
     document: int
     name: str
@@ -178,17 +193,17 @@ def _add_geometry(found: Gathered, head: Head, place: _Place, choice: Choice) ->
     placed, first = place.thing.parts("geometry")[number], place.first
     is_instance = placed.text("type") == INSTANCE
     if is_instance:
-        outlines, copies = _instance(placed, head.outlines(geometry), head.template_points, place.points)
+        outlines, copies = _place_template(placed, head.outlines(geometry), head.template_points, place.points)
         first = found.place(copies)
     else:
-        outlines = outlines_of(geometry, len(place.points))
+        outlines = read_outlines(geometry, len(place.points))
     kind, faces = place.thing.text("type"), len(outlines.rings)
-    types, semantics = _semantics(geometry, faces)
+    types, semantics = _read_types(geometry, faces)
     shape = Geometry(place.document, place.name, kind, place.above, number, lod, types, is_instance, faces)
     found.add(shape, outlines, semantics, first)
 
 
-def _semantics(geometry: Part, faces: int) -> tuple[list[str], np.ndarray]:
+def _read_types(geometry: Part, faces: int) -> tuple[list[str], np.ndarray]:
     if geometry.content.get("semantics") is None:
         return [], np.full(faces, -1, np.int32)
     surfaces = geometry.part("semantics").parts("surfaces")
@@ -196,23 +211,25 @@ def _semantics(geometry: Part, faces: int) -> tuple[list[str], np.ndarray]:
         surface.indices("children", surfaces)
         if "parent" in surface:
             surface.index("parent", surfaces)
-    return [surface.text("type") for surface in surfaces], semantics_of(geometry, len(surfaces))
+    return [surface.text("type") for surface in surfaces], read_semantics(geometry, len(surfaces))
 
 
-def _instance(placed: Part, outlines: Outlines, template: np.ndarray, points: np.ndarray) -> tuple[Outlines, np.ndarray]:
-    """The faces of a template where an object has it, and their vertices; mirrored ones are turned inside out again."""
-    matrix = _matrix(placed)
+def _place_template(
+    placed: Part, outlines: Outlines, template: np.ndarray, points: np.ndarray
+) -> tuple[Outlines, np.ndarray]:
+    """Return the outlines and vertices of a template placed by an object; rings are reversed if the matrix mirrors."""
+    matrix = _read_matrix(placed)
     anchors = placed.indices("boundaries", points)
     if len(anchors) != 1:
         raise ValueError(f"{placed.at('boundaries')}: got {told(anchors)}, want one vertex")
     used, corners = np.unique(outlines.corners, return_inverse=True)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
-        corners = _reversed(corners, outlines.sizes)
+        corners = _reverse_rings(corners, outlines.sizes)
     copies = template[used] @ matrix[:3, :3].T + matrix[:3, 3] + points[anchors[0]]
     return Outlines(corners, outlines.sizes, outlines.rings), copies
 
 
-def _matrix(placed: Part) -> np.ndarray:
+def _read_matrix(placed: Part) -> np.ndarray:
     key = "transformationMatrix"
     matrix = placed.reals(key, np.eye(4).ravel().tolist()).reshape(4, 4)
     if not np.array_equal(matrix[3], (0.0, 0.0, 0.0, 1.0)):
@@ -220,14 +237,14 @@ def _matrix(placed: Part) -> np.ndarray:
     return matrix
 
 
-def _reversed(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """The corners with each ring the other way round."""
+def _reverse_rings(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+    """Return the corners with the order of each ring reversed."""
     ends = np.cumsum(sizes)
     return corners[np.repeat(2 * ends - sizes, sizes) - 1 - np.arange(len(corners))]
 
 
-def _numbers(rows: object, at: str) -> np.ndarray:
-    """(n, 3) float64 of lists of three finite numbers."""
+def _read_rows(rows: object, at: str) -> np.ndarray:
+    """Return lists of three finite numbers as an (n, 3) float64 array."""
     wants = "lists of three numbers"
     if type(rows) is not list or any(type(row) is not list or len(row) != 3 for row in rows):
         raise ValueError(f"{at}: got {told(rows)}, want {wants}")

@@ -1,21 +1,22 @@
-"""What the surfaces of an object are called: by their semantics, or, of what is built, by where they face."""
+"""Types of surfaces: from semantics or, for built objects without semantics, from normals."""
 
 import numpy as np
 
 ROOF, WALL, GROUND = "RoofSurface", "WallSurface", "GroundSurface"
 BY_NORMAL = (ROOF, WALL, GROUND)
+"""Types of upward, upright and downward surfaces."""
 
-_STEEP = 0.5  # cosine of 60 degrees: a surface that is steeper is a wall
+_STEEP = 0.5  # cosine of 60 degrees: steeper surfaces are walls
 _NOT_BUILT = {"Road", "Railway", "Waterway", "TransportSquare", "WaterBody", "LandUse", "PlantCover", "TINRelief"}
 _NOT_BUILT |= {"SolitaryVegetationObject", "CityFurniture", "CityObjectGroup", "GenericCityObject"}
 
 
 def is_built(kind: str) -> bool:
-    """Whether an object of a type has roofs and walls: also types that are not known, as those of extensions."""
+    """Return whether objects of a type have roofs and walls; True for unknown types, such as those of extensions."""
     return kind not in _NOT_BUILT
 
 
-def by_normal(crosses: np.ndarray) -> np.ndarray:
-    """(N,) the number in BY_NORMAL of faces with these normals, (N, 3) of any length; without one they are walls."""
+def classify_by_normal(crosses: np.ndarray) -> np.ndarray:
+    """Return the (N,) index in BY_NORMAL of faces with normals (N, 3) of any length; faces without a normal are walls."""
     length = np.linalg.norm(crosses, axis=1)
     return np.select([crosses[:, 2] > _STEEP * length, crosses[:, 2] < -_STEEP * length], [0, 2], 1)

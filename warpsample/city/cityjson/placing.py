@@ -1,4 +1,4 @@
-"""Random points on the triangles of a city, so many on each that a mean over any surface has an error bar."""
+"""Random points on the triangles of a city, with enough points per triangle for error bars of means over surfaces."""
 
 import numpy as np
 
@@ -10,20 +10,26 @@ from warpsample.mesh.points.sampling import BYTES_PER_POINT
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
 
-_LEAST = 2  # points of a triangle: from two on their values tell how they vary
-_EACH = 4  # points of a triangle, on average, if no number is given
+_LEAST = 2  # least number of points per triangle, so that the spread of values is known
+_EACH = 4  # default number of points per triangle, on average
 
 
 def spread_points(mesh: Mesh, areas: np.ndarray, count: int | None, seed: int) -> SurfacePoints:
-    """Points on the triangles that have an area, (F,): about `count` shared out by it, but at least two on each.
+    """Return random points on triangles, shared in proportion to `areas`, with at least two points on each.
+
+    Args:
+        mesh: mesh with F triangles.
+        areas: (F,) areas in m2; a triangle with the area 0 gets no points.
+        count: approximate total number of points. Default: four times the number of triangles with an area.
+        seed: seed of the random numbers.
 
     Raises:
-        TypeError, ValueError: a count that is none; no triangle has an area.
-        MemoryError: more than is free.
+        TypeError, ValueError: `count` is invalid, or no triangle has an area.
+        MemoryError: the points need more memory than is free.
     """
     placed = areas > 0.0
     if not placed.any():
-        raise ValueError("mesh: got a city whose surfaces have no area, want at least one that has")
+        raise ValueError("mesh: got a city whose surfaces have no area, want at least one surface with an area")
     count = _EACH * np.count_nonzero(placed) if count is None else check_integer(count, "count", 1, 2**31 - 1)
     each = np.where(placed, np.maximum(np.rint(count * (areas / areas.sum())), _LEAST), 0.0).astype(np.int64)
     total = int(each.sum())
@@ -33,6 +39,6 @@ def spread_points(mesh: Mesh, areas: np.ndarray, count: int | None, seed: int) -
     root = np.sqrt(u[:, :1])
     weights = np.hstack([1.0 - root, root * (1.0 - u[:, 1:]), root * u[:, 1:]])
     corner = mesh.vertices[mesh.faces[face]]
-    edges = corner[:, 1:] - corner[:, :1]  # far from the origin only they are weighted
+    edges = corner[:, 1:] - corner[:, :1]  # weights apply to edges, not corners, for precision far from the origin
     position = corner[:, 0] + np.einsum("pk,pkj->pj", weights[:, 1:], edges)
     return SurfacePoints(position, mesh.face_normals[face], face)

@@ -1,4 +1,4 @@
-"""The table of a city's surfaces: what each is of, and its area."""
+"""Table of a city's surfaces: object, type, level of detail and area."""
 
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -9,26 +9,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from warpsample.city.cityjson.gathering import Gathered
-from warpsample.city.cityjson.kinds import BY_NORMAL, by_normal, is_built
+from warpsample.city.cityjson.kinds import BY_NORMAL, classify_by_normal, is_built
 from warpsample.host.arguments import told
 from warpsample.host.tables import frame_of
 from warpsample.mesh.holes import Outlines
 
-_FOLDED = 0.1  # of a polygon's triangles: more beyond its area than this is no lack of flatness
-_TINY = 1e-6  # m2, and what coordinates are rounded by
+_FOLDED = 0.1  # share of the triangles' area; a larger excess over the polygon's area is not due to slight unevenness
+_TINY = 1e-6  # m2, tolerance for rounded coordinates
 
 
 @dataclass(frozen=True, eq=False)
 class CitySurfaces:
-    """The N surfaces of a city, a row each: the faces of a geometry that have one semantic object, or one by one if split.
+    """Table of the N surfaces of a city.
+
+    A surface is the set of faces of a geometry with the same semantic object, or a single face in a split city.
 
     Attributes:
-        object: (N,) ids of the objects.
-        type: (N,) as RoofSurface, by the semantics; without these, of what is built, by the normal (upright within 30
-            degrees are walls); else "".
-        lod: (N,) float64, the level of detail.
-        faces: (N,) int32, how many polygons.
-        area: (N,) float64, m2: by Newell's formula, less the holes.
+        object: (N,) ids of the city objects.
+        type: (N,) types such as "RoofSurface", from the semantics. Without semantics, faces of built objects get a type from
+            their normal, with walls within 30 degrees of upright; faces of other objects have "".
+        lod: (N,) float64, levels of detail.
+        faces: (N,) int32, numbers of polygons.
+        area: (N,) float64, areas in m2 by Newell's formula, without holes.
     """
 
     object: NDArray[np.object_]
@@ -38,24 +40,24 @@ class CitySurfaces:
     area: NDArray[np.float64]
 
     def __len__(self) -> int:
-        """How many surfaces."""
+        """Return the number of surfaces."""
         return len(self.area)
 
     @property
     def names(self) -> list[str]:
-        """The object and the type of each, as "house/RoofSurface"; what the parts of the mesh are called."""
+        """Object and type of each surface, such as "house/RoofSurface"; also the names of the mesh's parts."""
         return [f"{name}/{kind}" if kind else name for name, kind in zip(self.object, self.type, strict=True)]
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
-        """The columns by name."""
+        """Columns of the table by name."""
         return {item.name: getattr(self, item.name) for item in fields(self)}
 
     def to_frame(self) -> Any:
-        """The table as a pandas.DataFrame, or as arrays by name where pandas is not installed.
+        """Return the table as a pandas.DataFrame, or as a dict of arrays if pandas is not installed.
 
         Returns:
-            a row for each surface.
+            one row for each surface.
 
         Example:
             >>> print(list(ws.load_city("courtyard").surfaces.to_frame()))
@@ -66,12 +68,12 @@ class CitySurfaces:
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """Where the surfaces stand in the file, and which of the polygons each has.
+    """Positions of surfaces in the file, and polygons of each surface.
 
     Attributes:
-        geometry: (N,) the number of the geometry.
-        semantic: (N,) the number of the semantic object there, or -1.
-        row: (P,) of each polygon, the surface that it belongs to.
+        geometry: (N,) number of each surface's geometry.
+        semantic: (N,) number of the semantic object in the geometry, or -1.
+        row: (P,) row of the surface of each polygon.
     """
 
     geometry: np.ndarray
@@ -79,11 +81,11 @@ class Rows:
     row: np.ndarray
 
 
-def surfaces_of(found: Gathered, points: np.ndarray, outlines: Outlines, split: bool) -> tuple[CitySurfaces, Rows]:
-    """The surfaces of what was gathered, in the order of the file; one for each polygon if they are to be split."""
+def tabulate_surfaces(found: Gathered, points: np.ndarray, outlines: Outlines, split: bool) -> tuple[CitySurfaces, Rows]:
+    """Return the table of surfaces in the order of the file, and their positions; with `split`, one surface per polygon."""
     geometry = np.repeat(np.arange(len(found.geometries)), [len(each.rings) for each in found.outlines])
     semantic = np.concatenate(found.semantics)
-    types, kind = _types(found, geometry, semantic, by_normal(outlines.crosses(points)[outlines.outer]))
+    types, kind = _classify_polygons(found, geometry, semantic, classify_by_normal(outlines.crosses(points)[outlines.outer]))
     row, first = np.arange(len(kind)), np.arange(len(kind))
     if not split:
         _, first, row = np.unique(np.stack([geometry, semantic, kind]), axis=1, return_index=True, return_inverse=True)
@@ -101,15 +103,15 @@ def surfaces_of(found: Gathered, points: np.ndarray, outlines: Outlines, split: 
 
 
 def warn_of_overlaps(path: Path, objects: np.ndarray, covered: np.ndarray, areas: np.ndarray) -> None:
-    """Warns of polygons whose triangles cover more than their area: those that cross themselves, and bowls.
+    """Warn of polygons whose triangles overlap: polygons that cross themselves or are far from flat.
 
-    What is not quite flat in files of cities, as by 18 mm, is a thousandth.
+    Such triangles cover more than the polygon's area. Slight unevenness, such as 18 mm, adds about a thousandth.
 
     Args:
-        path: of the file.
-        objects: (P,) whose polygons they are.
-        covered: (P,) the areas of the triangles of each.
-        areas: (P,) by Newell's formula.
+        path: path of the file.
+        objects: (P,) ids of the polygons' objects.
+        covered: (P,) sums of the areas of each polygon's triangles, in m2.
+        areas: (P,) areas by Newell's formula, in m2.
     """
     bad = np.flatnonzero(covered - areas > _FOLDED * covered + _TINY)
     if len(bad):
@@ -120,8 +122,10 @@ def warn_of_overlaps(path: Path, objects: np.ndarray, covered: np.ndarray, areas
         )
 
 
-def _types(found: Gathered, geometry: np.ndarray, semantic: np.ndarray, facing: np.ndarray) -> tuple[list[str], np.ndarray]:
-    """The names of all types, and (P,) which of them each polygon has."""
+def _classify_polygons(
+    found: Gathered, geometry: np.ndarray, semantic: np.ndarray, facing: np.ndarray
+) -> tuple[list[str], np.ndarray]:
+    """Return the names of all types, and the (P,) index of each polygon's type."""
     names = {name: number for number, name in enumerate((*BY_NORMAL, ""))}
     starts = np.cumsum([0, *(len(one.types) for one in found.geometries)])
     of_semantics = [names.setdefault(name, len(names)) for one in found.geometries for name in one.types]

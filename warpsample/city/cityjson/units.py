@@ -1,4 +1,4 @@
-"""Units of a CityJSON file: factors that turn its coordinates into metres, by its `metadata.referenceSystem`."""
+"""Units of a CityJSON file: factors from its coordinates to metres, by `metadata.referenceSystem`."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,19 +13,19 @@ from warpsample.host.json_tree import Part
 from warpsample.host.locks import imported
 
 _KEY = "referenceSystem"
-_STEEP = 500.0  # heights over the diagonal of the plan; a guyed mast alone has 300, a house in degrees 50,000
-_LEAST = 1.0  # of heights: a house has more
+_STEEP = 500.0  # height over the diagonal of the plan: 300 for a single guyed mast, 50,000 for a house in degrees
+_LEAST = 1.0  # least range of heights for the check; houses have more
 
 
 @dataclass(frozen=True)
 class Units:
-    """Reference system of a file, and what it says of lengths.
+    """Reference system of a file and its units of length.
 
     Attributes:
-        name: as the file has it; "" for none.
-        crs: the pyproj.CRS; None for no name, a name that is not known, or without pyproj.
-        metres: (3,) float64, the lengths of the units of x, y and z in metres; 1 where they are not known.
-        doubt: a phrase on what is not known, or "".
+        name: name of the reference system in the file; "" without one.
+        crs: pyproj.CRS; None without a name, for an unknown name, or without pyproj.
+        metres: (3,) float64, lengths of the units of x, y and z in metres; 1 where unknown.
+        doubt: phrase on unknown units, or "".
     """
 
     name: str
@@ -35,10 +35,10 @@ class Units:
 
     @classmethod
     def of(cls, head: Part) -> "Units":
-        """Read the reference system of the first object of a file.
+        """Read the reference system from the first document of a file.
 
         Raises:
-            TypeError, ValueError: one that is no text, or whose coordinates are no lengths of a map and heights.
+            TypeError, ValueError: the name is not a text, or its coordinates are not lengths on a map and heights.
         """
         metadata = head.part("metadata") if head.content.get("metadata") is not None else Part({}, "metadata")
         if metadata.content.get(_KEY) is None:
@@ -58,17 +58,20 @@ class Units:
         return cls(name, crs, np.array([flat, flat, up or flat], np.float64), doubt)
 
     def check_lengths(self, points: np.ndarray) -> None:
-        """Refuse points, (V, 3), of no known system that are much steeper than cities, as those in degrees are."""
+        """Raise a ValueError for points (V, 3) of an unknown reference system that look like degrees.
+
+        Such points are in the range of longitudes and latitudes, and much steeper than a city.
+        """
         ends = np.stack([points.min(axis=0), points.max(axis=0)])
         on_earth, extent = np.abs(ends[:, :2]).max(axis=0) <= (180.0, 90.0), ends[1] - ends[0]
         if self.crs is None and on_earth.all() and extent[2] > max(_LEAST, _STEEP * np.hypot(*extent[:2])):
             raise ValueError(
                 f"it has no metadata.{_KEY} that is known, and coordinates between {ends.tolist()}, as in degrees; want "
-                "lengths"
+                "lengths, such as metres on a map"
             )
 
     def warn(self, path: Path, points: np.ndarray) -> None:
-        """Warn once of units that are not known, and of a map that stretches lengths about the points, (V, 3)."""
+        """Warn of unknown units, and of a map that distorts lengths at the points (V, 3)."""
         said = f"got {str(path)!r} in {told(self.name)}"
         if self.doubt:
             taken = "" if self.crs else "; its coordinates are taken as metres"

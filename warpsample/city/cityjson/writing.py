@@ -1,4 +1,4 @@
-"""Results as attributes in a CityJSON file, of surfaces and of objects; all else stays as it is."""
+"""Results as attributes in a CityJSON file, on surfaces and on city objects; everything else stays the same."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from copy import deepcopy
@@ -7,25 +7,25 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.city.cityjson.boundaries import DEPTHS, nested
+from warpsample.city.cityjson.boundaries import DEPTHS, nest_values
 from warpsample.city.cityjson.gathering import Geometry
 from warpsample.city.cityjson.kinds import ROOF, WALL
 from warpsample.city.cityjson.surfaces import CitySurfaces, Rows
 
-_OF_OBJECTS = {ROOF: "_roof", WALL: "_wall", "": ""}
-"""What the names of results end in on an object, by the type of the surfaces that it has; of other types it has none."""
+_SUFFIXES = {ROOF: "_roof", WALL: "_wall", "": ""}
+"""Suffixes of the results of city objects, by type of surface. Surfaces of other types are not summarized on objects."""
 _PER_AREA = "_m2"
-_DIGITS = 7  # that a float32 has
+_DIGITS = 7  # significant digits of a float32
 
 ERROR = "_error"
-"""What the name of errors ends in, after that of their values."""
+"""Suffix of the name of standard errors."""
 
 Results = Mapping[str, np.ndarray]
-"""Numbers of the surfaces by the name of the attribute; NaN where there is none. Errors are named after their values."""
+"""Numbers of the surfaces by name of the attribute, NaN without a result. Errors have the suffix "_error"."""
 
 
 class Editor:
-    """Puts results of surfaces into the objects of the file that they were read from."""
+    """Writer of surfaces' results into the documents of the file from which the surfaces were read."""
 
     geometries: Sequence[Geometry]
     surfaces: CitySurfaces
@@ -35,16 +35,16 @@ class Editor:
     def __init__(
         self, geometries: Sequence[Geometry], surfaces: CitySurfaces, rows: Rows, results: Results, *, split: bool
     ) -> None:
-        """Takes the results, and where the surfaces stand."""
+        """Store the results, with totals added, and the positions of the surfaces."""
         self.geometries, self.surfaces, self.rows, self.split = geometries, surfaces, rows, split
-        self.results: Results = dict(with_totals(results, surfaces.area))
+        self.results: Results = dict(add_totals(results, surfaces.area))
         self.numbers: dict[int, list[int]] = {}
         for number, geometry in enumerate(geometries):
             self.numbers.setdefault(geometry.document, []).append(number)
         self.starts: Any = np.searchsorted(rows.geometry, np.arange(len(geometries) + 1)).tolist()
 
     def edit(self, number: int, document: dict[str, Any]) -> None:
-        """Changes one document of the file."""
+        """Add the results to one document of the file, in place."""
         below: dict[str, list[int]] = {}
         for at in self.numbers.get(number, ()):
             geometry, held = self.geometries[at], range(self.starts[at], self.starts[at + 1])
@@ -53,7 +53,7 @@ class Editor:
             if not geometry.is_instance:
                 self._edit_geometry(document["CityObjects"][geometry.object]["geometry"][geometry.number], held)
         for name, held in below.items():
-            found = dict(self._means(np.array(held, np.int64)))
+            found = dict(self._object_attributes(np.array(held, np.int64)))
             if found:
                 thing = document["CityObjects"][name]
                 thing["attributes"] = (thing.get("attributes") or {}) | found
@@ -61,18 +61,18 @@ class Editor:
     def _edit_geometry(self, geometry: dict[str, Any], held: range) -> None:
         numbers = self.rows.semantic[held.start : held.stop].tolist()
         if self.split:
-            numbers = _split(geometry, numbers, self.surfaces.type[held.start : held.stop].tolist())
+            numbers = _split_semantics(geometry, numbers, self.surfaces.type[held.start : held.stop].tolist())
         for row, number in zip(held, numbers, strict=True):
             if number is not None and number >= 0:
-                geometry["semantics"]["surfaces"][number].update(self._cells(row))
+                geometry["semantics"]["surfaces"][number].update(self._surface_attributes(row))
 
-    def _cells(self, row: int) -> dict[str, float]:
-        return dict(_finite({name: column[row] for name, column in self.results.items()}))
+    def _surface_attributes(self, row: int) -> dict[str, float]:
+        return dict(_format_finite({name: column[row] for name, column in self.results.items()}))
 
-    def _means(self, held: np.ndarray) -> Iterator[tuple[str, float]]:
-        """The attributes of an object from the surfaces that it and those below it have."""
+    def _object_attributes(self, held: np.ndarray) -> Iterator[tuple[str, float]]:
+        """Yield the attributes of a city object: means and areas over the surfaces of the object and its descendants."""
         kinds = self.surfaces.type[held]
-        for kind, end in _OF_OBJECTS.items():
+        for kind, end in _SUFFIXES.items():
             for name, column in self.results.items():
                 has = (kinds == kind) & np.isfinite(self.results[name.removesuffix(ERROR)][held])
                 areas = self.surfaces.area[held[has]]
@@ -80,14 +80,14 @@ class Editor:
                     weights = np.ones(len(areas)) if self._is_total(name) else areas / areas.sum()
                     terms = weights * column[held[has]]
                     mean = np.sqrt(np.square(terms).sum()) if name.endswith(ERROR) else terms.sum()
-                    yield from _finite({name + end: float(mean), f"ws_area{_PER_AREA}{end}": float(areas.sum())})
+                    yield from _format_finite({name + end: float(mean), f"ws_area{_PER_AREA}{end}": float(areas.sum())})
 
     def _is_total(self, name: str) -> bool:
         return name.removesuffix(ERROR) + _PER_AREA in self.results
 
 
-def with_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
-    """The columns, and of those that are per m2 the sums over the area."""
+def add_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
+    """Yield all columns and, for columns per m2, the integrals over the surfaces' areas."""
     for name, column in results.items():
         yield name, column
         plain, end = (name.removesuffix(ERROR), ERROR) if name.endswith(ERROR) else (name, "")
@@ -95,13 +95,13 @@ def with_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.n
             yield plain.removesuffix(_PER_AREA) + end, column * areas
 
 
-def _finite(cells: Mapping[str, float]) -> Iterator[tuple[str, float]]:
-    """Those that are numbers, to as many digits as they have."""
+def _format_finite(cells: Mapping[str, float]) -> Iterator[tuple[str, float]]:
+    """Yield the finite numbers, rounded to 7 significant digits."""
     return ((name, float(f"{value:.{_DIGITS}g}")) for name, value in cells.items() if isfinite(value))
 
 
-def _split(geometry: dict[str, Any], semantic: list[int], types: list[str]) -> list[int | None]:
-    """Gives each face that has a type a semantic object of its own, and says its number."""
+def _split_semantics(geometry: dict[str, Any], semantic: list[int], types: list[str]) -> list[int | None]:
+    """Give each face with a type its own semantic object, in place; return the object of each face, None without a type."""
     old = (geometry.get("semantics") or {}).get("surfaces", [])
     made: list[dict[str, Any]] = []
     renamed: dict[int, list[int]] = {}
@@ -111,7 +111,7 @@ def _split(geometry: dict[str, Any], semantic: list[int], types: list[str]) -> l
         if kind:
             renamed.setdefault(was, []).append(len(made))
             made.append({"type": kind} if was < 0 else deepcopy(old[was]))
-    for was in sorted(set(range(len(old))) - set(renamed)):  # without a face, as the parent of others
+    for was in sorted(set(range(len(old))) - set(renamed)):  # semantic objects without a face, such as parents
         renamed[was] = [len(made)]
         made.append(old[was])
     for surface in made:
@@ -120,6 +120,6 @@ def _split(geometry: dict[str, Any], semantic: list[int], types: list[str]) -> l
         if "children" in surface:
             surface["children"] = [number for child in surface["children"] for number in renamed[child]]
     if made:
-        values = nested(numbers, geometry["boundaries"], DEPTHS[geometry["type"]])
+        values = nest_values(numbers, geometry["boundaries"], DEPTHS[geometry["type"]])
         geometry["semantics"] = (geometry.get("semantics") or {}) | {"surfaces": made, "values": values}
     return numbers
