@@ -56,6 +56,32 @@ def test_other_bodies_have_no_inside(name):
     assert not found.any()
 
 
+@pytest.mark.parametrize("named", [False, True])
+@pytest.mark.parametrize(
+    ("name", "boxes"),
+    [
+        ("a wall", [((-3, -1), (0, 1)), ((0, -1), (3, 1))]),
+        ("an edge", [((-3, -1), (0, 1)), ((0, 1), (3, 3))]),
+        ("a storey", [((-1, -1), (1, 1)), ((-1, -1), (1, 1))]),
+    ],
+)
+def test_crates_that_share_a_wall_or_an_edge_are_closed(name, boxes, named):
+    bodies, covered = [], []
+    for number, (low, high) in enumerate(boxes):
+        box = trimesh.creation.box(bounds=[(*low, 2 * number if name == "a storey" else -1), (*high, 2 * number + 2)])
+        bodies.append((box.vertices, box.faces))
+        covered.append((np.array(low), np.array(high)))
+    mesh = floor_and(*bodies)
+    if named:
+        part = np.repeat(np.arange(3), [2, 12, 12])
+        mesh = ws.Mesh(mesh.vertices, mesh.faces, part, ["floor", "one", "two"])
+    points = ws.sample_surface(ws.Mesh(mesh.vertices, mesh.faces[:2]), 2000, seed=1)
+    under = np.any([(points.position[:, :2] > low).all(axis=1) & (points.position[:, :2] < high).all(axis=1)
+                    for low, high in covered], axis=0)  # fmt: skip
+    assert 100 < under.sum() < 1900
+    assert np.array_equal(inside(mesh, points), under)
+
+
 def test_each_body_is_taken_alone():
     """A closed ball beside an open one, and faces without an area within: only the closed one has an inside."""
     faces = np.concatenate([BALL.faces, [[0, 0, 1]]])

@@ -21,7 +21,7 @@ _WITHIN = 1e-6  # least corner weight of a point in the interior of its face; po
 
 
 class Closed:
-    """Closed bodies of a mesh: parts in which every edge belongs to two faces, one in either direction."""
+    """Closed bodies of a mesh: parts in which each edge is used equally often in either direction."""
 
     def __init__(self, mesh: Mesh) -> None:
         """Store the mesh; bodies are searched at first use."""
@@ -31,33 +31,27 @@ class Closed:
     def bodies(self) -> tuple[np.ndarray, np.ndarray]:
         """Compute the (F,) int64 body of each face, -1 in open parts, and (B,) bool, True for outward-facing bodies.
 
-        Vertices with the same position count as one vertex.
+        Vertices with the same position count as one vertex, at first within named parts alone: crates that touch are bodies
+        of their own. Faces that belong to no closed body then are joined over all parts.
         """
         _, vertex = np.unique(self.mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
         faces = vertex.reshape(-1)[self.mesh.faces].astype(np.int64)
         flat = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
-        start, end = faces[~flat].ravel(), np.roll(faces[~flat], -1, axis=1).ravel()
-        count = int(faces.max()) + 1
-        along, back = start * count + end, end * count + start
-        known, uses = np.unique(along, return_counts=True)
-        place = np.minimum(np.searchsorted(known, back), len(known) - 1)
-        whole = (known[place] == back) & (uses[place] == 1) & (uses[np.searchsorted(known, along)] == 1)
-        sparse = imported("scipy.sparse")
-        links = sparse.coo_array((np.ones(len(start), np.bool_), (start, end)), (count, count))
-        _, body = imported("scipy.sparse.csgraph").connected_components(links, directed=False)
-        is_open = np.zeros(count, np.bool_)
-        is_open[body[start[~whole]]] = True
-        own = body[faces[:, 0]]
-        volume = self._volumes(own, count)
-        found = np.full(len(faces), -1, np.int64)
-        closed = ~is_open[own] & ~flat & (volume[own] != 0.0)
-        kept, found[closed] = np.unique(own[closed], return_inverse=True)
-        return found, volume[kept] > 0.0
+        part = np.zeros(len(faces), np.int64) if self.mesh.part is None else self.mesh.part.astype(np.int64) + 1
+        body = np.full(len(faces), -1, np.int64)
+        for corners in (part[:, None] * (faces.max() + 1) + faces, faces):
+            rows = np.flatnonzero((body < 0) & ~flat)
+            label = _label_closed(corners[rows])
+            body[rows] = np.where(label < 0, -1, label + body.max() + 1)
+        volume = np.bincount(body[body >= 0], self._volumes[body >= 0])
+        body[body >= 0] = np.where(volume == 0.0, -1, np.cumsum(volume != 0.0) - 1)[body[body >= 0]]
+        return body, volume[volume != 0.0] > 0.0
 
-    def _volumes(self, body: np.ndarray, count: int) -> np.ndarray:
-        """Return six times the signed volume of each body, negative for bodies with inward-facing faces."""
+    @property
+    def _volumes(self) -> np.ndarray:
+        """(F,) six times the signed volume of each face's part of its body; the sum is negative if faces face inward."""
         corner = self.mesh.vertices[self.mesh.faces[:, 0]] - self.mesh.bounds.mean(axis=0)
-        return np.bincount(body, (corner * self.mesh.cross_products).sum(axis=1), count)
+        return (corner * self.mesh.cross_products).sum(axis=1)
 
     @once_property
     def _grid(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -131,6 +125,29 @@ class Closed:
         ray, met = np.divmod(pairs[times % 2 == 1], len(outward))
         kinds = (ray[outward[met]], ray[~outward[met]])
         return np.stack([np.bincount(kind, minlength=len(points)) for kind in kinds], axis=1).astype(np.int32)
+
+
+def _label_closed(faces: np.ndarray) -> np.ndarray:
+    """Return the (N,) number of the closed part that each face (N, 3) belongs to, from 0 on; -1 in open parts.
+
+    Parts are connected by vertices. In a closed part each edge is used equally often in either direction: parity is then
+    defined, also where two bodies share an edge or a wall.
+    """
+    if not len(faces):
+        return np.zeros(0, np.int64)
+    vertex, corner = np.unique(faces, return_inverse=True)
+    faces, count = corner.reshape(faces.shape).astype(np.int64), len(vertex)
+    start, end = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+    along, back = start * count + end, end * count + start
+    known, uses = np.unique(along, return_counts=True)
+    place = np.minimum(np.searchsorted(known, back), len(known) - 1)
+    balanced = (known[place] == back) & (uses[place] == uses[np.searchsorted(known, along)])
+    links = imported("scipy.sparse").coo_array((np.ones(len(start), np.bool_), (start, end)), (count, count))
+    parts, label = imported("scipy.sparse.csgraph").connected_components(links, directed=False)
+    closed = np.ones(parts, np.bool_)
+    closed[label[start[~balanced]]] = False
+    number = np.where(closed, np.cumsum(closed) - 1, -1)
+    return number[label[faces[:, 0]]].astype(np.int64)
 
 
 def _locate_cells(position: np.ndarray, origin: np.ndarray, cells: np.ndarray) -> np.ndarray:

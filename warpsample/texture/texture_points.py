@@ -192,10 +192,10 @@ def texture_points(
 ) -> TexturePoints:
     """Return the texels of a texture as points on a mesh, for use with every function that takes points.
 
-    A texel gets a point if a bilinear lookup on the surface reads the texel: its centre is closer than 1 texel to a face along
-    both axes. The point is at the centre or, if the centre is outside all faces, at the nearest point of a face. Among faces
-    at the same distance, the one with the lowest number is taken. The id of a point, and so its random numbers, depends only
-    on the texel.
+    A texel gets a point if a bilinear lookup on the surface reads the texel: its centre is closer than 1 texel to a face
+    along both axes. The point is at the centre or, if the centre is outside all faces, at the nearest point of a face. Among
+    faces at the same distance, the one with the lowest number is taken. The id of a point, and so its random numbers,
+    depends only on the texel.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
