@@ -105,8 +105,7 @@ class TexturePoints(Summary):
         Args:
             values: (P,) or (P, C) numbers, NaN for points without a value.
             gutter: fill distance for texels without points, from the nearest texel with points: "all", or a whole number of
-                texels.
-                Texels farther away are 0.
+                texels. Texels farther away are 0.
 
         Returns:
             (H, W) or (H, W, C) float32, with the first row at v = 0.
@@ -129,10 +128,8 @@ class TexturePoints(Summary):
 
         Args:
             errors: the `Estimate` at the points. With one sample per texel, the standard errors (P,) or (P, C) are accepted,
-                too.
-                With several samples, the errors come from the spread of a texel's values. Such errors are somewhat too
-                    large, since
-                samples are stratified. A texel with one value uses the spread in the surrounding texels.
+                too. With several samples, the errors come from the spread of a texel's values. Such errors are somewhat too
+                large, since samples are stratified. A texel with one value uses the spread in the surrounding texels.
             gutter: fill distance, as in `image`.
 
         Returns:
@@ -208,13 +205,10 @@ def texture_points(
             corner of the image. NaN for faces without coordinates.
         size: width and height of the image in texels, or one number for both.
         samples: points per texel, 1 to 1024. With one, a value is that at the texel's centre. With several, it is the mean
-            over
-            the part of the texel that faces cover: samples are stratified over the texel, and samples outside all faces are
-                left
-            out. Use fewer rays per point for the same work.
+            over the part of the texel that faces cover: samples are stratified over the texel, and samples outside all faces
+            are left out. Use fewer rays per point for the same work.
         normals: "face" for normals of faces; "smooth" for interpolated corner normals, which make dark bands on coarse
-            meshes;
-            "lifted" for interpolated normals at points moved to the smooth surface.
+            meshes; "lifted" for interpolated normals at points moved to the smooth surface.
         corner_normals: (F, 3, 3) normals of face corners, of any length. Default: vertex normals of the mesh.
         device, workers: see `CallOptions`.
 
