@@ -203,8 +203,7 @@ class Enclosed:
 
         Args:
             usable: (P,) bool, points with a value. Only usable points are compared with; points on the rim of a chart and
-                points
-                whose rays disagreed are left out, too.
+                points whose rays disagreed are left out, too.
         """
         if not self.inside.any():
             return np.zeros(len(usable), np.bool_)

@@ -25,8 +25,7 @@ class TextureReport:
         mirrored: number of faces mirrored in the image, which is no flaw.
         without_uv: number of faces with coordinates that are not finite, which have no texels.
         named: names of the mesh parts with overlapped, outside, zero_area, mirrored and without_uv faces, keyed by these
-            words;
-            empty for a mesh without parts.
+            words; empty for a mesh without parts.
     """
 
     covered: int

@@ -17,8 +17,7 @@ def compute_corner_normals(mesh: Mesh, given: object) -> np.ndarray:
     Args:
         mesh: a mesh with F faces.
         given: (F, 3, 3) normals of any length; None for the mesh's vertex normals. Where a normal is 0 or not finite, the
-            normal
-            of the face is used.
+            normal of the face is used.
 
     Raises:
         TypeError, ValueError: `given` is no array of F x 3 x 3 real numbers.

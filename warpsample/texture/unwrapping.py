@@ -31,8 +31,7 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
         mesh: a Mesh, or anything that `as_mesh` accepts.
         size: width and height of the image in texels, 1 to 16384.
         padding: texels between charts, 0 to 64. Level k of a mipmap needs 3 x 2^k texels, so the default of 4 is enough for
-            the
-            image itself and nearly for the next level.
+            the image itself and nearly for the next level.
 
     Returns:
         the mesh with vertices split at the borders of charts, and the same faces in the same order; and (F, 3, 2) float64

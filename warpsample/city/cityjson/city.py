@@ -68,8 +68,7 @@ class City(Summary):
 
         Args:
             count: approximate number of points, shared among triangles by area, with at least two on each. Default: four
-                times the
-                number of triangles.
+                times the number of triangles.
             seed: seed of the random numbers.
 
         Returns:
@@ -154,8 +153,7 @@ class City(Summary):
             path: path of the new file, with the suffix of the input, .json or .jsonl. An interrupted write leaves no partial
                 file.
             results: (N,) numbers in the order of `surfaces`, NaN without a result, by name of the attribute. Standard errors
-                of a
-                result have its name with "_error" appended.
+                of a result have its name with "_error" appended.
 
         Raises:
             TypeError, ValueError: the path cannot be written, or results have another shape or no name.
@@ -201,14 +199,12 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
         TypeError: `path` is not a path.
         FileNotFoundError: the file does not exist.
         ValueError: the file is damaged, in degrees or has no surfaces of the level of detail; `lod` is invalid; or the
-            raster of
-            `context` is on another map.
+            raster of `context` is on another map.
         MemoryError: the surfaces and placed templates need more memory than is free.
 
     Warns:
         UserWarning: some polygons cross themselves. Their triangles overlap and may face either way, so shadows and results
-            of
-            such surfaces are wrong; areas are by Newell's formula, and smaller than those of the triangles.
+            of such surfaces are wrong; areas are by Newell's formula, and smaller than those of the triangles.
         UserWarning: the reference system is unknown, pyproj is missing, or a map in feet has no unit of heights.
         UserWarning: lengths on the map are wrong by 5 % or more, as in Web Mercator.
 
