@@ -1,15 +1,18 @@
 """Runs kernels: in batches of their tasks, on worker threads or on a device, within the free memory."""
 
 import os
+import shutil
 from collections import defaultdict, deque
 from collections.abc import Callable
 from ctypes import Structure
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import warp as wp
 
 from warpsample.host.arguments import check_integer
+from warpsample.host.files import WriteError
 from warpsample.host.interrupts import uninterrupted
 from warpsample.host.kernel_cache import load
 from warpsample.host.locks import imported, make
@@ -34,6 +37,8 @@ MOST_WORKERS = 1024
 _MOST_ON_DEVICE = 1 << 34  # directions of a batch on a CUDA device, which is idle in part with fewer than 10^5 tasks
 _ALWAYS_FREE = 1 << 24  # bytes; asking the system for the rest takes 100 us
 
+_UNITS = (("TB", 12), ("GB", 9), ("MB", 6), ("kB", 3))
+
 _idle: dict[tuple[wp.Kernel, str], list[wp.Launch]] = defaultdict(list)
 
 
@@ -54,6 +59,24 @@ def check_memory(needed: int, what: str, remedy: str) -> None:
     free = imported("psutil").virtual_memory().available
     if needed > free:
         raise MemoryError(f"{what} need {needed / 1e9:.1f} GB and {free / 1e9:.1f} GB are free; {remedy}")
+
+
+def check_space(path: Path, needed: int, what: str) -> None:
+    """Raise an error if the disk has too little space for an output, before anything is computed.
+
+    Raises:
+        WriteError: the output is larger than the free space; gives both sizes.
+    """
+    folder = path.resolve().parent
+    free = shutil.disk_usage(next(parent for parent in (folder, *folder.parents) if parent.exists())).free
+    if needed > free:
+        raise WriteError(f"{path} cannot be written: {what} take {_format_size(needed)}, and {_format_size(free)} are free")
+
+
+def _format_size(size: int) -> str:
+    """Return a number of bytes in the largest unit that is not above the number."""
+    unit, power = next(((unit, power) for unit, power in _UNITS if size >= 10**power), ("bytes", 0))
+    return f"{size / 10**power:,.3f} {unit}" if power else f"{size} {unit}"
 
 
 def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, workers: int, work: int) -> None:

@@ -1,4 +1,7 @@
-"""The extras of the package: which modules each of them brings, and the error for a module that is missing."""
+"""Optional libraries: the extras that bring them, the error for a missing one, and a process for one that may crash."""
+
+import subprocess
+import sys
 
 EXTRAS: dict[str, tuple[str, ...]] = {
     "viz": ("pyvista", "matplotlib", "pxr", "trame", "nest_asyncio2", "ipywidgets"),
@@ -24,3 +27,27 @@ def missing(what: str, module: str | None, extra: str = "") -> ModuleNotFoundErr
     top = str(module).partition(".")[0]
     found = extra or next((name for name, modules in EXTRAS.items() if top in modules), "")
     return ModuleNotFoundError(f"{what}: pip install " + (f"'.[{found}]'" if found else top), name=top)
+
+
+REFUSED = 3
+"""Exit status of a program of `run_program` that writes a reason in place of its result."""
+
+
+def run_program(program: str, content: bytes = b"") -> tuple[int, bytes]:
+    """Run a Python program in a process of its own, for a library that may crash; an interrupt ends the process.
+
+    Args:
+        program: source code.
+        content: standard input of the program.
+
+    Returns:
+        exit status, and standard output.
+    """
+    with subprocess.Popen(
+        [sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+    ) as child:
+        try:
+            output = child.communicate(content)[0]
+        finally:
+            child.kill()
+    return child.returncode, output

@@ -10,12 +10,12 @@ import numpy as np
 
 from warpsample.host.arguments import told
 from warpsample.host.arrays import Array, as_real
+from warpsample.host.known import arrived, digest_of, remember
 from warpsample.host.locks import once_property
 from warpsample.host.neighbours import as_ndarray, kind_told
 from warpsample.host.summary import Summary
 from warpsample.mesh.foreign import KINDS, arrays_of
 from warpsample.mesh.indexed import check_faces, check_vertices
-from warpsample.mesh.known import arrived, digest_of, remember
 from warpsample.mesh.optics import check_share, check_sum, optics_digest
 from warpsample.mesh.parts import check_names, check_part
 from warpsample.mesh.polydata import surface
