@@ -45,7 +45,7 @@ def meshes(client):
         from warpsample.host import known
         from warpsample.tracing.scene import _scenes
 
-        return len(known._arrived), sum(bool(scene._trees) for scene in _scenes.values()), os.getpid()
+        return len(known._received), sum(bool(scene._trees) for scene in _scenes.values()), os.getpid()
 
     return client.run(look).values()
 

@@ -44,7 +44,7 @@ def test_a_pointer_becomes_what_the_source_says():
         "Args:\n    count: its own.\n    workers: threads.\n    seed: of 64 bits,\n        as a whole number.\n"
     )
     assert after.endswith("changes no bit.\n\nReturns:\n    nothing.")
-    assert "\n    progress: whether to show a bar" in after  # of the record's base
+    assert "\n    progress: whether to show a progress bar" in after  # of the record's base
 
 
 def test_a_pointer_to_what_is_not_said_is_refused():

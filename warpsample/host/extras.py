@@ -11,7 +11,7 @@ EXTRAS: dict[str, tuple[str, ...]] = {
     "texture": ("xatlas", "PIL", "OpenEXR"),
     "test": ("trimesh",),
 }
-"""The modules that each extra brings, as pyproject.toml has them; one that several bring stands once."""
+"""Modules that each extra installs, as pyproject.toml lists them; a module of several extras is listed once."""
 
 
 def missing(what: str, module: str | None, extra: str = "") -> ModuleNotFoundError:
@@ -20,9 +20,9 @@ def missing(what: str, module: str | None, extra: str = "") -> ModuleNotFoundErr
     The line installs from a checkout, `.`: the package is not on an index.
 
     Args:
-        what: a clause that names the library, as "weather needs pvlib".
-        module: the module that was not found, perhaps within its package.
-        extra: another one than brings the module, or several, where a call needs more of it.
+        what: clause that names the library, as "weather needs pvlib".
+        module: module that was not found, perhaps a part of a package.
+        extra: name of another extra, or of several, where the call needs more than the module.
     """
     top = str(module).partition(".")[0]
     found = extra or next((name for name, modules in EXTRAS.items() if top in modules), "")
@@ -34,7 +34,7 @@ REFUSED = 3
 
 
 def run_program(program: str, content: bytes = b"") -> tuple[int, bytes]:
-    """Run a Python program in a process of its own, for a library that may crash; an interrupt ends the process.
+    """Run a Python program in a new process, for a library that may crash; an interrupt ends the process.
 
     Args:
         program: source code.

@@ -1,4 +1,4 @@
-"""The options that calls share, said and checked once: what a call over points is told besides its own subject."""
+"""Options that all calls over points share, such as seed and device: their checks and their descriptions."""
 
 import inspect
 import re
@@ -21,10 +21,13 @@ Options = TypeVar("Options", bound="CallOptions")
 
 
 def explained_by(*sources: Any) -> Callable[[Call], Call]:
-    """A decorator for functions whose docstrings point to what others say of the arguments that they share.
+    """Return a decorator that copies descriptions of shared arguments into the docstring of a function.
 
-    A line "seed, workers: see `Name`." under "Args:" becomes what the source of that name says of each: a function, or a
-    class, whose methods say it.
+    A line "seed, workers: see `Name`." under "Args:" is replaced by the descriptions of `seed` and `workers` in the
+    docstring of the source with that name.
+
+    Args:
+        sources: functions, and classes whose methods describe the arguments.
     """
     texts = {source.__name__: _texts_of(source) for source in sources}
 
@@ -32,7 +35,7 @@ def explained_by(*sources: Any) -> Callable[[Call], Call]:
         return "".join(texts[pointer[2]][name] for name in pointer[1].split(", "))
 
     def explain(function: Call) -> Call:
-        if function.__doc__:  # Python keeps none by -OO
+        if function.__doc__:  # Python removes docstrings with -OO
             function.__doc__ = _POINTER.sub(explained, inspect.cleandoc(function.__doc__))
         return function
 
@@ -40,7 +43,7 @@ def explained_by(*sources: Any) -> Callable[[Call], Call]:
 
 
 def _texts_of(source: Any) -> dict[str, str]:
-    """What docstrings say of each argument, whole lines by the argument's name."""
+    """Return the descriptions of arguments in the docstrings of a source, as whole lines by the name of the argument."""
     owners = reversed(source.__mro__[:-1]) if inspect.isclass(source) else ()
     functions = [getattr(owner, name) for owner in owners for name in vars(owner) if not name.startswith("_")] or [source]
     arguments = ((inspect.getdoc(function) or "").partition("Args:\n")[2].partition("\n\n")[0] for function in functions)
@@ -49,16 +52,16 @@ def _texts_of(source: Any) -> dict[str, str]:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class CallOptions:
-    """What calls over points have in common, checked: whose random numbers are drawn, and how they are computed.
+    """Checked options that all calls over points share.
 
     Attributes:
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        ids: (P,) uint64, the global ids of all rows; None if they are counted from the first.
-        active: (P,) uint8, not 0 where a point counts; None if all do.
-        memory: where kernels run.
-        workers: threads on the CPU.
-        progress: whether to show a bar.
+        seed: seed of all random numbers, 64 bits.
+        first_point: global id of row 0.
+        ids: (P,) uint64, global ids of all rows; None if the ids count up from `first_point`.
+        active: (P,) uint8, not 0 for active points; None if all points are active.
+        memory: memory and device of the kernels.
+        workers: number of threads on the CPU.
+        progress: whether to show a progress bar.
     """
 
     seed: int
@@ -80,18 +83,18 @@ class CallOptions:
         active: Any = None,
         **how: Any,
     ) -> "CallOptions":
-        """The options of a call over so many points.
+        """Check the options of a call and return a `CallOptions`.
 
         Args:
-            points: how many.
-            seed: of 64 bits.
-            first_point: the global id of row 0; 0 if the points have their own, `SurfacePoints.id`.
-            ids: (P,) uint64, those of `SurfacePoints`.
-            active: (P,) bool; other points get 0 and a status, and cost next to nothing.
-            how: what `by` takes; by default computed on the CPU by all cores.
+            points: number of points.
+            seed: seed of the random numbers, 64 bits.
+            first_point: global id of row 0; must be 0 if the points have their own ids, `SurfacePoints.id`.
+            ids: (P,) uint64, the ids of `SurfacePoints`.
+            active: (P,) bool; points that are not active get 0 and a status, and take almost no time.
+            how: arguments of `by`; by default all cores of the CPU compute.
 
         Raises:
-            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
+            TypeError, ValueError: an argument is not allowed; names the argument, its value and the allowed values.
         """
         return cls(
             seed=check_seed(seed),
@@ -102,17 +105,17 @@ class CallOptions:
         )
 
     def by(self: Options, **how: Any) -> Options:
-        """A copy of the options that are computed in another way.
+        """Return a copy of the options with another device, another number of threads, or a progress bar.
 
         Args:
-            device: where to compute, the CPU by default; on a CUDA device in parts, which come back as NumPy's arrays.
-            workers: threads on the CPU, by default as many as WARPSAMPLE_WORKERS says, or as there are cores.
-            progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
-            given: an array that the call was given, on whose device a wp.array is computed with.
-            argument: what that array is called.
+            device: device that computes, by default the CPU; a CUDA device computes in parts, and results are NumPy arrays.
+            workers: number of threads on the CPU, by default WARPSAMPLE_WORKERS or the number of cores.
+            progress: whether to show a progress bar, on a terminal or in a notebook; changes no bit.
+            given: array of the caller; with a wp.array its device computes.
+            argument: name of that array in errors.
 
         Raises:
-            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
+            TypeError, ValueError: an argument is not allowed; names the argument, its value and the allowed values.
         """
         return replace(self, **_ways(**how))
 
@@ -125,7 +128,7 @@ def _ways(
     given: Array | None = None,
     argument: str = "",
 ) -> dict[str, Any]:
-    """The fields that say how a call is computed, by the arguments of `CallOptions.by`."""
+    """Return the fields `memory`, `workers` and `progress` of the arguments of `CallOptions.by`."""
     return {
         "memory": Memory.of(device, given, argument),
         "workers": check_workers(workers),
