@@ -98,7 +98,7 @@ def assert_laws(call, mesh, points):
     masked = call(mesh, turned, seed=5, active=active[order])
     chosen = active[order]
     assert_rows_where(masked, whole, chosen, order[chosen])
-    with pytest.raises(ValueError, match=r"^first_point: got 3, want 0 for points that have ids of their own, `id`$"):
+    with pytest.raises(ValueError, match=r"^first_point: got 3, want 0 for points that have their own ids, `id`$"):
         call(mesh, owned, seed=5, first_point=3)
 
 

@@ -249,7 +249,7 @@ def test_ids_and_raised_points_go_with_the_points(mesh, points):
     assert_same(cluster.ambient_occlusion(mesh, raised, RAYS, seed=SEED, chunk=33), right)
     directions = ws.sample_directions(owned, 8, seed=SEED)
     assert_same(cluster.sample_directions(owned, 8, mesh=mesh, seed=SEED, chunk=33), directions)
-    with pytest.raises(ValueError, match=r"^first_point: got 7, want 0 for points that have ids of their own, `id`$"):
+    with pytest.raises(ValueError, match=r"^first_point: got 7, want 0 for points that have their own ids, `id`$"):
         cluster.ambient_occlusion(mesh, owned, RAYS, first_point=7)
 
 

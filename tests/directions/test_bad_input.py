@@ -74,7 +74,7 @@ def test_bad_input_is_named_before_any_work(normals, arguments, error, message):
 
 
 def test_out_may_not_overlap_the_normals(normals):
-    with pytest.raises(ValueError, match=r"^out: got an array that overlaps the normals, want one apart from them"):
+    with pytest.raises(ValueError, match=r"^out: got an array that overlaps the normals, want one with other memory"):
         ws.sample_directions(normals, 1, out=normals[:, None])
 
 

@@ -8,7 +8,7 @@ import pytest
 from meshes import BOX
 
 import warpsample as ws
-from warpsample.mesh import known
+from warpsample.host import known
 
 TAU = np.linspace(0.0, 1.0, len(BOX.faces))
 

@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.mesh import known
+from warpsample.host import known
 
 TRIANGLE = "v 0 0 {0}\nv 1 0 {0}\nv 0 1 {0}\n"
 

@@ -18,9 +18,9 @@ from warpsample.distributions.record import Distribution
 from warpsample.estimate.source.content import WHAT, function_content
 from warpsample.host.arguments import check_first_point, check_integer, check_seed, told
 from warpsample.host.arrays import check_active
+from warpsample.host.known import digest_of
 from warpsample.host.neighbours import as_ndarray
 from warpsample.host.picture import read_picture
-from warpsample.mesh.known import digest_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.record import STREAMS

@@ -35,7 +35,7 @@ from warpsample.cluster.writing import at_work, store_of, writing
 from warpsample.host.arguments import check_integer, told
 from warpsample.host.files import WriteError, check_output, complete_or_absent, read_arrays, write_arrays
 from warpsample.host.interrupts import uninterrupted
-from warpsample.mesh.known import digest_of
+from warpsample.host.known import digest_of
 from warpsample.output.quantities import quantity_of
 from warpsample.output.terminal_bar import terminal_bar
 from warpsample.radiation.weather.weather import read_weather

@@ -18,7 +18,7 @@ from warpsample.cluster.holdings import arrays_of, whole_chunks
 from warpsample.cluster.metadata import contents_of
 from warpsample.cluster.store import check_same, make_store
 from warpsample.cluster.writing import put_encoded
-from warpsample.host.space import check_space
+from warpsample.host.engine import check_space
 
 _MAP = "spatial_ref"
 

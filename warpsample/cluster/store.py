@@ -18,9 +18,9 @@ from warpsample.cluster.lock import lock_name
 from warpsample.cluster.metadata import check_metadata, metadata_of
 from warpsample.estimate.source.content import difference
 from warpsample.host.arguments import told
+from warpsample.host.engine import check_space
 from warpsample.host.files import WriteError
 from warpsample.host.interrupts import uninterrupted
-from warpsample.host.space import check_space
 
 SUFFIX = ".zarr"
 

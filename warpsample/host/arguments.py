@@ -1,4 +1,4 @@
-"""Checks of arguments, each with an error that names the argument, what it got and what it wants."""
+"""Checks of arguments. Each error names the argument, the value that it got, and the values that are allowed."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -16,24 +16,33 @@ _FLAGS = (bool, np.bool_)
 
 
 def told(value: Any) -> str:
-    """`value` as a message shows it: short, on one line, and without an error of its own."""
+    """Return the text of a value for an error message: one line of at most 80 characters. Raise no error."""
     try:
         text = repr(value)
-    except Exception:  # whatever the value's own code raises; Python itself refuses to print ints of 5,000 digits
+    except Exception:  # of the value's own code; Python itself refuses to print ints of 5,000 digits
         return f"a value of type {type(value).__name__}"
     text = " ".join(text.splitlines())
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
 
 
 def check_flag(value: Any, argument: str) -> bool:
-    """`value` as a bool, or a TypeError: "no" and 2 are true to Python, and mean nothing here."""
+    """Return a flag as a bool.
+
+    Raises:
+        TypeError: the value is neither True nor False; "no" and 2 are true to Python, and are refused here.
+    """
     if not isinstance(value, _FLAGS):
         raise TypeError(f"{argument}: got {told(value)}, want True or False")
     return bool(value)
 
 
 def check_choice(value: Any, argument: str, choices: Sequence[str]) -> str:
-    """`value`, if it is one of the names; a TypeError for what is no string, a ValueError for another one."""
+    """Return a name that is one of the choices.
+
+    Raises:
+        TypeError: the value is no string.
+        ValueError: the string is none of the choices.
+    """
     if not isinstance(value, str) or value not in choices:
         kind = ValueError if isinstance(value, str) else TypeError
         raise kind(f"{argument}: got {told(value)}, want one of {', '.join(choices)}")
@@ -41,9 +50,16 @@ def check_choice(value: Any, argument: str, choices: Sequence[str]) -> str:
 
 
 def check_file(value: Any, argument: str, wants: str) -> Path:
-    """`value` as the path of a file that exists; a TypeError for what is no path.
+    """Return the path of an existing ordinary file.
 
-    A FileNotFoundError is also for a folder, and for a device or a pipe, which may never end.
+    Args:
+        value: path, as a string or a `PathLike` of one.
+        argument: name of the argument in errors.
+        wants: noun phrase for the allowed files, as "an .hdr or .npy file".
+
+    Raises:
+        TypeError: the value is no path.
+        FileNotFoundError: the file is missing, or is a folder, a device or a pipe; reading a pipe may never end.
     """
     if not isinstance(value, str | PathLike) or not isinstance(fspath(value), str):
         raise TypeError(f"{argument}: got {told(value)}, want the path of {wants}")
@@ -54,6 +70,7 @@ def check_file(value: Any, argument: str, wants: str) -> Path:
 
 
 def _flaw(path: Path) -> str:
+    """Return the reason why a path cannot be read as a file; empty if there is none."""
     try:
         return "" if path.is_file() else "a folder" if path.is_dir() else "no ordinary file" if path.exists() else "missing"
     except (OSError, ValueError):  # too long a name, a folder that may not be read, a zero byte
@@ -62,9 +79,14 @@ def _flaw(path: Path) -> str:
 
 @contextmanager
 def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
-    """Wraps the reader of a file: whatever it raises on a damaged file becomes one ValueError that names the file.
+    """Raise one ValueError that names the file in place of any error while a damaged file is read.
 
-    ModuleNotFoundError, MemoryError and TimeoutError, as of a user's deadline, come as they are.
+    ModuleNotFoundError and MemoryError stay unchanged, and so does TimeoutError, as of a user's deadline.
+
+    Args:
+        argument: name of the argument in the error.
+        path: file to be read.
+        wants: noun for the content, as "a mesh".
     """
     try:
         if not path.stat().st_size:
@@ -80,7 +102,12 @@ def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
 
 
 def check_integer(value: Any, argument: str, low: int, high: int, wants: str | None = None) -> int:
-    """`value` as an int: a TypeError for what is no whole number, a ValueError for one outside [low, high]."""
+    """Return a whole number from `low` to `high` as an int.
+
+    Raises:
+        TypeError: the value is no whole number.
+        ValueError: the number is outside [low, high].
+    """
     if type(value) is int and low <= value <= high:
         return value
     wants = wants or (f"a whole number of at least {low}" if high >= 2**62 else f"a whole number from {low} to {high}")
@@ -94,7 +121,12 @@ def check_integer(value: Any, argument: str, low: int, high: int, wants: str | N
 
 
 def check_number(value: Any, argument: str, low: float, high: float) -> float:
-    """`value` as a float: a TypeError for what is no real number, a ValueError for NaN and outside [low, high]."""
+    """Return a real number from `low` to `high` as a float.
+
+    Raises:
+        TypeError: the value is no real number.
+        ValueError: the number is NaN or outside [low, high].
+    """
     wants = f"a number from {low:g} to {high:g}"
     if not isinstance(value, Real) or isinstance(value, bool):
         raise TypeError(f"{argument}: got {told(value)}, want {wants}")
@@ -108,17 +140,20 @@ def check_number(value: Any, argument: str, low: float, high: float) -> float:
 
 
 def check_scale(scale: Any) -> float:
-    """A length that directions are drawn by, within what float32 holds."""
+    """Return the length of drawn direction vectors as a float, at most 1e30 in size, so that float32 holds it."""
     return check_number(scale, "scale", -1e30, 1e30)
 
 
 def check_seed(seed: Any) -> int:
-    """A seed of 64 bits."""
+    """Return a seed as an int from 0 to 2^64 - 1; raise an error as `check_integer` does."""
     return check_integer(seed, "seed", 0, 2**64 - 1, "a whole number of 64 bits, 0 to 2^64 - 1")
 
 
 def check_first_point(first_point: Any, points: int, ids: Any = None) -> int:
-    """A global point id that leaves room for `points` ids of 64 bits; with ids of their own, 0."""
+    """Return the global id of the first point, an int that leaves room for `points` ids of 64 bits.
+
+    Only 0 is allowed where the points have `ids`. Errors are those of `check_integer`.
+    """
     if ids is not None:
-        return check_integer(first_point, "first_point", 0, 0, "0 for points that have ids of their own, `id`")
+        return check_integer(first_point, "first_point", 0, 0, "0 for points that have their own ids, `id`")
     return check_integer(first_point, "first_point", 0, 2**64 - points, f"an id of 64 bits with room for {points} points")

@@ -1,4 +1,4 @@
-"""The arrays of users: checked once, and from then on known by their address."""
+"""Checks of arrays that users give: real numbers, masks, points of the unit square, unit vectors, and devices."""
 
 from math import frexp, hypot, inf, ldexp
 from typing import Any, TypeAlias
@@ -13,26 +13,32 @@ from warpsample.host.locks import once
 from warpsample.host.neighbours import as_ndarray
 
 Array: TypeAlias = NDArray[Any] | Any
-"""NumPy's, or a wp.array; type checkers take it for NumPy's, which users mostly have."""
+"""A NumPy array or a wp.array. Type checkers see a NumPy array, the usual case."""
 Floats: TypeAlias = NDArray[np.float32] | Any
-"""The same of float32, or a wp.array of vectors of it."""
+"""A float32 NumPy array, or a wp.array of float32 or of its vectors."""
 
 
 @once
 def cpu() -> wp.Device:
-    """The CPU as a device; the first call of a process starts Warp."""
+    """Return Warp's device of the CPU; the first call of a process starts Warp."""
     start()
     return wp.get_device("cpu")
 
 
 def check_device(device: Any, default: wp.Device) -> wp.Device:
-    """The device of this machine that a caller names, as "cuda:0" or a wp.Device; the default for None."""
+    """Return the device of this machine with a name as "cuda:0", or a given wp.Device; the default for None.
+
+    Raises:
+        TypeError: the value is neither a string nor a wp.Device.
+        ValueError: this machine has no such device.
+    """
     if device is None:
         return default
     return _device(device)
 
 
 def _device(device: Any) -> wp.Device:
+    """Return the device of a name; raise the errors of `check_device`."""
     known = ", ".join(str(d) for d in wp.get_devices())
     if not isinstance(device, str | wp.Device):
         raise TypeError(f"device: got {told(device)}, want one of {known}")
@@ -45,7 +51,11 @@ def _device(device: Any) -> wp.Device:
 
 
 def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarray:
-    """`value` as float32 where it is that already, else as float64; a TypeError for what is no array of real numbers."""
+    """Return an array of real numbers: float32 arrays unchanged, all others as float64.
+
+    Raises:
+        TypeError: the value is no array of real numbers.
+    """
     array = as_ndarray(value, argument, wants)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{argument}: got {f'dtype {array.dtype}' if array.ndim else told(value)}, want {wants}")
@@ -56,9 +66,11 @@ def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarra
 
 
 def check_active(active: Any, points: int) -> np.ndarray | None:
-    """Which of the points count: a copy as (points,) uint8, C-contiguous; None if all do.
+    """Return the mask of active points as a C-contiguous (points,) uint8 copy; None if no mask is given.
 
-    It may be of bool, or of uint8, as Warp has it: another type is a TypeError, another shape a ValueError.
+    Raises:
+        TypeError: the mask is neither bool nor uint8, which is Warp's type for bool.
+        ValueError: the mask has another shape.
     """
     if active is None:
         return None
@@ -68,11 +80,17 @@ def check_active(active: Any, points: int) -> np.ndarray | None:
         raise TypeError(f"active: got {f'dtype {mask.dtype}' if mask.ndim else told(active)}, want {wants}")
     if mask.shape != (points,):
         raise ValueError(f"active: got shape {mask.shape}, want {wants}")
-    return np.array(mask, order="C").view(np.uint8)  # a copy: it may lie where results are written to
+    return np.array(mask, order="C").view(np.uint8)  # a copy: results may be written to its memory
 
 
 def as_square(value: Any, argument: str) -> np.ndarray:
-    """`value`, or a ValueError for numbers outside [0, 1); float64 ones that would round up to 1 are the float32 below."""
+    """Return points of the unit square, as float32 if the value is of float64; other arrays unchanged.
+
+    A float64 number that would round up to 1 becomes the largest float32 below 1.
+
+    Raises:
+        ValueError: a number is outside [0, 1).
+    """
     array = as_ndarray(value, argument)
     if array.dtype in (np.float32, np.float64) and array.size:
         if not (array.min() >= 0.0 and array.max() < 1.0):
@@ -83,7 +101,12 @@ def as_square(value: Any, argument: str) -> np.ndarray:
 
 
 def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not all 0") -> tuple[float, float, float]:
-    """`value` as a unit vector: a TypeError for what is no numbers, a ValueError for all but three finite ones, not 0."""
+    """Return a vector, scaled to length 1, as three floats.
+
+    Raises:
+        TypeError: the value is no array of real numbers.
+        ValueError: the value is not three finite numbers, or all three are 0.
+    """
     vector = as_real(value, argument, wants)
     largest = float(np.abs(vector).max()) if vector.shape == (3,) else 0.0
     if not 0.0 < largest < inf:
@@ -95,7 +118,12 @@ def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not a
 
 
 def as_view(value: Any, argument: str) -> tuple[float, float, float]:
-    """`value` as a unit vector, if it is a direction at or above the surface, else an error as of `as_unit`."""
+    """Return a view direction in the frame of a surface, +z along the normal, scaled to length 1, as three floats.
+
+    Raises:
+        TypeError: the value is no array of real numbers.
+        ValueError: the value is not three finite numbers, all three are 0, or z is below 0.
+    """
     wants = "three finite numbers, not all 0, the last at least 0"
     view = as_unit(value, argument, wants)
     if view[2] < 0.0:

@@ -1,4 +1,4 @@
-"""Where arrays lie while kernels run: where they are, or NumPy's on a device, to which they go in parts and come back."""
+"""Memory of kernels: the caller's own arrays on the CPU; on a CUDA device copies of NumPy arrays, part by part."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -12,20 +12,24 @@ from warpsample.host.arrays import Array, check_device, cpu
 from warpsample.host.neighbours import address_of
 
 HOME = ("cpu",)
-"""Names of the devices that read NumPy's own memory, and run the kernels and the tracer of the CPU. The others run those of
-CUDA; so do tests on the CPU, by leaving it out here."""
+"""Names of the devices that read the memory of NumPy arrays, and run the kernels and the tracer for the CPU. Other devices
+run the kernels for CUDA. Tests remove "cpu" to run the kernels for CUDA on the CPU."""
 
 BUDGET = 1 << 28
-"""Bytes of NumPy's arrays with a row for each point or ray that a device holds at a time."""
+"""Bytes of NumPy arrays, with a row for each point or ray, that are copied to a CUDA device at a time."""
 
 
 def at_home(device: wp.Device) -> bool:
-    """Whether kernels on a device read NumPy's memory, and are shaped for the CPU."""
+    """Return whether kernels on a device read the memory of NumPy arrays, and are written for the CPU."""
     return device.alias in HOME
 
 
 def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array[Any]":
-    """Uninitialised memory of a device; a MemoryError if it has too little left."""
+    """Return an uninitialised wp.array on a device.
+
+    Raises:
+        MemoryError: the device has too little free memory.
+    """
     try:
         return wp.empty(shape, dtype=dtype, device=device)
     except RuntimeError as error:
@@ -37,16 +41,28 @@ def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array
 
 @dataclass(frozen=True)
 class Memory:
-    """The memory that a call works in: a device's, whose kernels may read and write the caller's arrays `in_place`."""
+    """Memory of a call.
+
+    Attributes:
+        device: device that runs the kernels.
+        in_place: whether kernels read and write the caller's arrays without copies.
+    """
 
     device: wp.Device
     in_place: bool
 
     @classmethod
     def of(cls, device: Any, given: Array | None = None, argument: str = "") -> "Memory":
-        """The memory of a call on the device that its caller names, by default the one of the array that is given.
+        """Return the memory of a call on a device, by default the device of a given wp.array, else the CPU.
 
-        No device of this machine, or another one than that of a given wp.array, is a TypeError or ValueError.
+        Args:
+            device: name of a device, a wp.Device or None.
+            given: array that the caller gave.
+            argument: name of that array in errors.
+
+        Raises:
+            TypeError: `device` is neither a string nor a wp.Device.
+            ValueError: this machine has no such device, or a given wp.array is on another device.
         """
         of_warp = isinstance(given, wp.array)
         default = given.device if of_warp else cpu()
@@ -56,23 +72,29 @@ class Memory:
         return cls(target, of_warp or at_home(target))
 
     def fits(self, size: int) -> bool:
-        """Whether so many bytes are within the budget."""
+        """Return whether `size` bytes are within BUDGET; always true in place."""
         return self.in_place or size <= BUDGET
 
     def parts(self, rows: int, size: int, besides: int = 0) -> Iterable[slice]:
-        """Rows of `size` bytes, by as many as fit into the budget with `besides` bytes; in place all of them at once."""
+        """Return slices of rows that are copied to the device one after the other; a single slice of all rows in place.
+
+        Args:
+            rows: number of rows.
+            size: bytes of a row.
+            besides: bytes of the part that do not depend on the number of rows.
+        """
         if self.in_place:
             return (slice(0, rows),) if rows else ()
         step = max(1, (BUDGET - besides) // size)
         return (slice(start, min(start + step, rows)) for start in range(0, rows, step))
 
     def loan(self) -> "Loan":
-        """Memory for one part, by a `with` statement."""
+        """Return a new loan, which holds the memory of one part within a `with` statement."""
         return Loan(self)
 
 
 class Loan:
-    """Memory that one part of a call holds. In the end results are fetched, if nothing failed, and all is given back."""
+    """Memory that one part of a call holds. At the end results are copied back, unless there was an error."""
 
     def __init__(self, memory: Memory) -> None:
         self.memory = memory
@@ -80,11 +102,11 @@ class Loan:
         self._results: list[tuple[np.ndarray, wp.array]] = []
 
     def __enter__(self) -> "Loan":
-        """The loan itself, for the body of a `with` statement."""
+        """Return the loan."""
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        """Fetches the results, and gives the memory back in any case."""
+        """Copy the results to the caller's arrays, if there was no error, and free the memory in any case."""
         try:
             while self._results and kind is None:
                 array, there = self._results.pop()
@@ -94,13 +116,19 @@ class Loan:
             self._held.clear()
 
     def put(self, array: Array | None, rows: slice = slice(None)) -> int:
-        """The address of rows of an array that kernels read, those of `Memory.parts` or all; 0 for None."""
+        """Return the address of rows of an input array, in the memory of the kernels; 0 for None.
+
+        `rows` is a slice of `Memory.parts`, or all rows. In place it is not used: kernels get the whole array.
+        """
         if array is None:
             return 0
         return self._keep(array) if self.memory.in_place else self._keep(self._copy(np.ascontiguousarray(array[rows])))
 
     def output(self, array: Array, rows: slice = slice(None), zero: bool = False) -> int:
-        """The address to which kernels write rows of an array: all of them, or those that are not 0 of an array that is."""
+        """Return the address to which kernels write rows of an array; the rows are copied back at the end of the loan.
+
+        `zero` sets copied memory to 0 first, for kernels that do not write all rows of an array of zeros.
+        """
         if self.memory.in_place:
             return self._keep(array)
         there = allocate(array[rows].shape, wp.dtype_from_numpy(array.dtype), self.memory.device)
@@ -110,7 +138,7 @@ class Loan:
         return self._keep(there)
 
     def clone(self, array: "wp.array[Any]") -> "wp.array[Any]":
-        """A wp.array in the host's memory as kernels read it; one on a device as it is."""
+        """Return a copy of a wp.array of the CPU on the device; return arrays that kernels can read unchanged."""
         if self.memory.in_place or not array.ptr or not array.device.is_cpu:
             return array
         there = allocate(array.shape, array.dtype, self.memory.device)
@@ -119,10 +147,12 @@ class Loan:
         return there
 
     def _copy(self, array: np.ndarray) -> wp.array:
+        """Return a copy of a NumPy array on the device."""
         there = allocate(array.shape, wp.dtype_from_numpy(array.dtype), self.memory.device)
         there.assign(array)
         return there
 
     def _keep(self, array: Array) -> int:
+        """Keep an array alive until the end of the loan; return its address."""
         self._held.append(array)
         return address_of(array)

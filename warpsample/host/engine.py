@@ -1,54 +1,75 @@
-"""Runs kernels: in batches of their tasks, on worker threads or on a device, within the free memory."""
+"""Runs of kernels: in batches of tasks, on worker threads or on a CUDA device; and checks of free memory and disk space."""
 
 import os
+import shutil
 from collections import defaultdict, deque
 from collections.abc import Callable
 from ctypes import Structure
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import warp as wp
 
 from warpsample.host.arguments import check_integer
+from warpsample.host.files import WriteError
 from warpsample.host.interrupts import uninterrupted
 from warpsample.host.kernel_cache import load
 from warpsample.host.locks import imported, make
 from warpsample.host.progress import begin
 from warpsample.host.sharing import share
 
-_FEW_BATCHES, _MANY_BATCHES = 4, 16  # of a worker: many even out threads of unlike speed, but each passes the GIL around,
-_BATCH_WORK = 1 << 17  # so from this many directions a batch on
+# Batches of a worker: many batches even out threads of different speed, but each batch passes the GIL around. A worker gets
+# more than the few batches only if each has at least _BATCH_WORK directions.
+_FEW_BATCHES, _MANY_BATCHES = 4, 16
+_BATCH_WORK = 1 << 17
 
 LEAST_WORK = 1 << 17
-"""Directions; below that (0.3 ms) handing work to a thread costs more than it gains, so the calling thread does it alone."""
+"""Directions from which on threads share a call. Below it (0.3 ms) waking threads costs more than it gains."""
 
 MOST_WORK = 1 << 25
-"""Directions of a batch: 0.1 s, after which an interrupt is heard and a bar moves."""
+"""Largest number of directions of a batch: 0.1 s, after which the call can be interrupted and a progress bar moves."""
 
 MOST_TASKS = (1 << 31) - 1
-"""Tasks of a batch: wp.tid() is an int32."""
+"""Largest number of tasks of a batch: wp.tid() is an int32."""
 
 MOST_WORKERS = 1024
-"""Threads of a call."""
+"""Largest number of threads of a call."""
 
-_MOST_ON_DEVICE = 1 << 34  # directions of a batch on a CUDA device, which is idle in part with fewer than 10^5 tasks
-_ALWAYS_FREE = 1 << 24  # bytes; asking the system for the rest takes 100 us
+_MOST_ON_DEVICE = 1 << 34  # directions of a batch on a CUDA device; with fewer than 10^5 tasks a part of the device is idle
+_ALWAYS_FREE = 1 << 24  # bytes; to ask the system how much more is free takes 100 us
+
+_UNITS = (("TB", 12), ("GB", 9), ("MB", 6), ("kB", 3))
 
 _idle: dict[tuple[wp.Kernel, str], list[wp.Launch]] = defaultdict(list)
 
 
 def check_workers(workers: int | None) -> int:
-    """The number of threads to use, from 1 to 1024: by default what WARPSAMPLE_WORKERS says, else a thread for each core."""
+    """Return the number of threads, from 1 to 1024: by default WARPSAMPLE_WORKERS, or the number of cores.
+
+    Raises:
+        TypeError: the value is no whole number.
+        ValueError: the number is outside the range.
+    """
     if workers is None:
-        said = os.environ.get("WARPSAMPLE_WORKERS", "").strip()
-        if said:
-            return check_integer(int(said) if said.isdecimal() else said, "WARPSAMPLE_WORKERS", 1, MOST_WORKERS)
+        variable = os.environ.get("WARPSAMPLE_WORKERS", "").strip()
+        if variable:
+            return check_integer(int(variable) if variable.isdecimal() else variable, "WARPSAMPLE_WORKERS", 1, MOST_WORKERS)
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     return check_integer(workers, "workers", 1, MOST_WORKERS)
 
 
 def check_memory(needed: int, what: str, remedy: str) -> None:
-    """Refuses what does not fit into the free memory: a MemoryError says what is needed and free, and what to do."""
+    """Raise an error if arrays do not fit into the free memory, before anything is allocated.
+
+    Args:
+        needed: bytes.
+        what: plural noun for the arrays.
+        remedy: advice at the end of the error.
+
+    Raises:
+        MemoryError: gives the needed and the free memory in GB.
+    """
     if needed < _ALWAYS_FREE:
         return
     free = imported("psutil").virtual_memory().available
@@ -56,16 +77,36 @@ def check_memory(needed: int, what: str, remedy: str) -> None:
         raise MemoryError(f"{what} need {needed / 1e9:.1f} GB and {free / 1e9:.1f} GB are free; {remedy}")
 
 
+def check_space(path: Path, needed: int, what: str) -> None:
+    """Raise an error if the disk has too little space for an output, before anything is computed.
+
+    Raises:
+        WriteError: the output is larger than the free space; gives both sizes.
+    """
+    folder = path.resolve().parent
+    free = shutil.disk_usage(next(parent for parent in (folder, *folder.parents) if parent.exists())).free
+    if needed > free:
+        raise WriteError(f"{path} cannot be written: {what} take {_format_size(needed)}, and {_format_size(free)} are free")
+
+
+def _format_size(size: int) -> str:
+    """Return a number of bytes in the largest unit that is not above the number."""
+    unit, power = next(((unit, power) for unit, power in _UNITS if size >= 10**power), ("bytes", 0))
+    return f"{size / 10**power:,.3f} {unit}" if power else f"{size} {unit}"
+
+
 def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, workers: int, work: int) -> None:
-    """Runs `kernel(*inputs, first_task)` once for each task; `wp.tid()` counts from first_task, an int64.
+    """Run `kernel(*inputs, first_task)` once for each task; the number of a task is `first_task + wp.tid()`.
+
+    The call can be interrupted after each batch. No thread is at work afterwards.
 
     Args:
-        kernel: its last parameter is first_task.
-        tasks: how many; any number, batches stay below 2^31.
-        inputs: the other parameters; structs as instances or as ctypes.
+        kernel: kernel whose last parameter is first_task, an int64.
+        tasks: number of tasks, of any size; batches stay below 2^31.
+        inputs: the other parameters; structs as instances of Warp's struct or of ctypes.
         device: on a CPU, `workers` threads share the batches; on CUDA the launches queue up.
-        workers: at most this many threads.
-        work: number of directions computed, or of comparable units: little work stays on the calling thread.
+        workers: largest number of threads.
+        work: number of directions, or of comparable units, in all; work below LEAST_WORK stays on the calling thread.
     """
     sound = wp.config.mode != "debug"  # two threads at once crash in kernels that Warp built for debugging
     workers = workers if device.is_cpu and work >= LEAST_WORK and sound else 1
@@ -85,7 +126,7 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, 
 
 
 def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
-    """A recorded launch that no other thread uses, with these inputs: 4 us where a new launch takes 60."""
+    """Return a recorded launch with the inputs, unused by other threads: 4 us, where a new launch takes 60 us."""
     try:
         command = _idle[kernel, device.alias].pop()
     except IndexError:
@@ -100,12 +141,16 @@ def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
 
 
 def _record(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
+    """Record a new launch, with empty structs in place of the inputs that are structs."""
     blank = [arg.type() if isinstance(x, Structure) else x for arg, x in zip(kernel.adj.args, inputs, strict=False)]
     return wp.launch(kernel, dim=1, inputs=[*blank, 0], device=device, record_tape=False, record_cmd=True)
 
 
 def _run_batches(command: wp.Launch, starts: Any, batch: int, tasks: int, done: Callable[[int], None] | None = None) -> None:
-    """Runs batches until none is left, and calls `done` after each; next() on a range is atomic, so threads can share it."""
+    """Run batches until none is left, and call `done` after each batch.
+
+    Threads can share `starts`, since next() on a range is atomic.
+    """
     last = len(command.kernel.adj.args) - 1
     for start in starts:
         command.set_param_at_index_from_ctype(last, start)

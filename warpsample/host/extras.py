@@ -1,4 +1,7 @@
-"""The extras of the package: which modules each of them brings, and the error for a module that is missing."""
+"""Optional libraries: the extras that bring them, the error for a missing one, and a process for one that may crash."""
+
+import subprocess
+import sys
 
 EXTRAS: dict[str, tuple[str, ...]] = {
     "viz": ("pyvista", "matplotlib", "pxr", "trame", "nest_asyncio2", "ipywidgets"),
@@ -8,7 +11,7 @@ EXTRAS: dict[str, tuple[str, ...]] = {
     "texture": ("xatlas", "PIL", "OpenEXR"),
     "test": ("trimesh",),
 }
-"""The modules that each extra brings, as pyproject.toml has them; one that several bring stands once."""
+"""Modules that each extra installs, as pyproject.toml lists them; a module of several extras is listed once."""
 
 
 def missing(what: str, module: str | None, extra: str = "") -> ModuleNotFoundError:
@@ -17,10 +20,34 @@ def missing(what: str, module: str | None, extra: str = "") -> ModuleNotFoundErr
     The line installs from a checkout, `.`: the package is not on an index.
 
     Args:
-        what: a clause that names the library, as "weather needs pvlib".
-        module: the module that was not found, perhaps within its package.
-        extra: another one than brings the module, or several, where a call needs more of it.
+        what: clause that names the library, as "weather needs pvlib".
+        module: module that was not found, perhaps a part of a package.
+        extra: name of another extra, or of several, where the call needs more than the module.
     """
     top = str(module).partition(".")[0]
     found = extra or next((name for name, modules in EXTRAS.items() if top in modules), "")
     return ModuleNotFoundError(f"{what}: pip install " + (f"'.[{found}]'" if found else top), name=top)
+
+
+REFUSED = 3
+"""Exit status of a program of `run_program` that writes a reason in place of its result."""
+
+
+def run_program(program: str, content: bytes = b"") -> tuple[int, bytes]:
+    """Run a Python program in a new process, for a library that may crash; an interrupt ends the process.
+
+    Args:
+        program: source code.
+        content: standard input of the program.
+
+    Returns:
+        exit status, and standard output.
+    """
+    with subprocess.Popen(
+        [sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+    ) as child:
+        try:
+            output = child.communicate(content)[0]
+        finally:
+            child.kill()
+    return child.returncode, output

@@ -1,9 +1,10 @@
-"""Writes files: refused before any work if they cannot be written, then complete or absent, and nothing is left behind.
+"""Readers and writers of files.
 
-Reads arrays of them, and takes no memory that a damaged header declares and the file does not hold.
+Outputs are checked before any work, and are complete or absent after it. Arrays are read without the memory that a damaged
+header declares and the file does not hold.
 
-Libraries get one of our streams instead of a path, or write into memory: some (VTK) crash on a full disk, others (VTK's PLY
-writer) do not check whether their bytes were written.
+Other libraries get a stream of this module in place of a path, or write into memory: VTK crashes on a full disk, and its PLY
+writer does not check whether the bytes were written.
 """
 
 import os
@@ -31,113 +32,135 @@ except ModuleNotFoundError:  # Windows, where an open file cannot be removed
     fcntl = None  # type: ignore[assignment]
 
 _BUFFER = 1 << 20
-_DEFLATED = 1032  # bytes that one byte of a .zip stands for, at most
+_DEFLATED = 1032  # largest number of bytes that one byte of a .zip unpacks to
 _HEADERS = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
-_OUR_PARTS = re.compile(r"\d+\.[0-9a-f]{8}\.part")  # a process and eight random digits; others are a user's own
+_OUR_PARTS = re.compile(
+    r"\d+\.[0-9a-f]{8}\.part"
+)  # number of a process and eight random digits; files with other names belong to users
 _LONGEST = 40  # characters of a name within the name of its part: file systems take 255 bytes
 
 
 class WriteError(OSError):
-    """A file could not be written; the previous file is unchanged."""
+    """Error for a file that cannot be written; the previous file is unchanged."""
 
 
 def check_output(path: Path, argument: str, *inputs: Path | None) -> None:
-    """Refuses, by a ValueError, a file that could not be written, before anything is computed; leaves no trace.
+    """Raise an error if a file cannot be written, before anything is computed.
 
-    The file may exist, but be neither a folder nor, by another name, one of the inputs that are read; None of these is
-    ignored.
+    Args:
+        path: output file; it may exist.
+        argument: name of the argument in the error.
+        inputs: files that the run reads; None is ignored.
+
+    Raises:
+        ValueError: the file cannot be written, is a folder, or is one of the inputs, perhaps by another name.
     """
     if flaw := _flaw(path, [source for source in inputs if source is not None]):
         raise ValueError(f"{argument}: got {str(path)!r}, {flaw}")
 
 
 def check_output_folder(folder: Path, argument: str) -> None:
-    """Checks the path of a folder for output files, made if need be, as `check_output` does that of a file."""
+    """Raise an error if files cannot be written to a folder, which need not exist yet.
+
+    Raises:
+        ValueError: the folder is a file, or cannot be written.
+    """
     if folder.exists() and not folder.is_dir():
         raise ValueError(f"{argument}: got {str(folder)!r}, which is a file, want a folder")
-    there = next(parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists())
-    if flaw := _flaw(there / "file", []):
+    existing = next(parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists())
+    if flaw := _flaw(existing / "file", []):
         raise ValueError(f"{argument}: got {str(folder)!r}, {flaw}")
 
 
 @contextmanager
 def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
-    """A stream whose bytes become the file `path` at the end, or are discarded on an error.
+    """Open a stream whose bytes become the file `path` at the end, or are discarded after an error.
 
-    They go to a hidden file beside it, are flushed to disk and replace the old file, whose permissions they keep. If `path`
-    is a link, its target is replaced. Remains of killed processes that wrote the same file are removed first. What cannot be
-    written is a WriteError.
+    The bytes go to a hidden file in the same folder, are flushed to the disk, and replace the old file, whose permissions
+    they keep. If `path` is a link, its target is replaced. Hidden files that killed processes left for the same output are
+    removed first.
+
+    Raises:
+        WriteError: the file cannot be written.
     """
     with part_of(path, _target(path)) as raw:
         stream = BufferedWriter(raw, _BUFFER)
         yield stream
         to_disk(stream)
-        with _told(path):
+        with _naming_output(path):
             if fcntl is None:
                 raw.close()  # Windows requires it; elsewhere the lock is needed to the end
             Path(raw.name).replace(_target(path))
 
 
 def to_disk(stream: Any) -> None:
-    """Brings what a stream of `complete_or_absent` holds to the disk, or is a WriteError: only the new name is left to do.
+    """Write all bytes of a stream of `complete_or_absent` to the disk; only the new name is left to do.
 
-    Of files that belong together each is brought there before the first one replaces its old file.
+    Call it for each of several files that belong together, before the first of the files replaces its old file.
+
+    Raises:
+        WriteError: the bytes cannot be written.
     """
     stream.flush()
-    with _told(stream.raw.path):
+    with _naming_output(stream.raw.path):
         os.fsync(stream.fileno())
 
 
 def write_bytes(path: Path, content: Any) -> None:
-    """`content`, bytes or a buffer, as the file; complete or absent."""
+    """Write bytes or a buffer as the file `path`, complete or absent; raise a WriteError if that fails."""
     with complete_or_absent(path) as stream:
         stream.write(content)
 
 
 class _Archive(zipfile.ZipFile):
-    """An .npz file that is only closed when it is complete: to close what an interrupt has left open is an error."""
+    """Writer of an .npz file that is closed only when the file is complete: closing it earlier raises an error."""
 
-    __del__ = object.__hash__  # does nothing; of a function of Python's, it would drop what a handler raises there
+    __del__ = object.__hash__  # does nothing; a Python function would drop an exception that a signal handler raises there
 
 
 @contextmanager
 def new_archive(stream: BinaryIO, compression: int = zipfile.ZIP_STORED) -> Iterator[zipfile.ZipFile]:
-    """An .npz file to add arrays to, complete at the end and useless after an error."""
+    """Open an .npz file to add arrays to; it is complete at the end, and useless after an error."""
     archive = _Archive(stream, "w", compression)
     yield archive
     archive.close()
 
 
 def write_arrays(stream: BinaryIO, arrays: Mapping[str, np.ndarray], compression: int = zipfile.ZIP_STORED) -> None:
-    """Writes an .npz file."""
+    """Write arrays by their names as an .npz file."""
     with new_archive(stream, compression) as archive:
         for name, array in arrays.items():
             write_array(archive, name, array)
 
 
 def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
-    """Adds an array to an open .npz file."""
+    """Write an array into an open .npz file."""
     member = archive.open(f"{name}.npy", "w", force_zip64=True)
     try:
         np.lib.format.write_array(member, array, allow_pickle=False)
     finally:
-        uninterrupted(member.close)  # half closed, it would complain when it is forgotten
+        uninterrupted(member.close)  # half closed, it would print an error when Python deletes it
 
 
 def read_array(path: Path) -> np.ndarray:
-    """The array in an .npy file; a ValueError if that is damaged or shorter than it declares. No pickle is loaded."""
-    with np.errstate(over="raise"):  # of the size that a damaged header declares
+    """Return the array in an .npy file; no pickle is loaded.
+
+    Raises:
+        ValueError: the file is damaged, or shorter than its header declares.
+    """
+    with np.errstate(over="raise"):  # a damaged header may declare a size that overflows
         return np.array(np.lib.format.open_memmap(path, mode="r"))  # by memory map: the file's size is checked first
 
 
 def read_arrays(path: Path) -> dict[str, np.ndarray]:
-    """The arrays in an .npz file, by name. No pickle is loaded.
+    """Return the arrays in an .npz file by their names; no pickle is loaded.
 
-    A file that cannot hold what its headers declare, or that is damaged, is a ValueError or a BadZipFile.
+    Raises:
+        ValueError, BadZipFile: the file is damaged, or too short for the arrays that its headers declare.
     """
     if not zipfile.is_zipfile(path):
         raise ValueError("it is no .npz")
-    most, found = _DEFLATED * path.stat().st_size, {}
+    most, arrays = _DEFLATED * path.stat().st_size, {}
     with zipfile.ZipFile(path) as archive:
         for name in archive.namelist():
             with archive.open(name) as member:
@@ -146,20 +169,20 @@ def read_arrays(path: Path) -> dict[str, np.ndarray]:
             if declared > most:
                 raise ValueError(f"its {name} declares {declared:,} bytes, and the file holds {most:,} at most")
             with archive.open(name) as member:
-                found[name.removesuffix(".npy")] = np.lib.format.read_array(member, allow_pickle=False)
-    return found
+                arrays[name.removesuffix(".npy")] = np.lib.format.read_array(member, allow_pickle=False)
+    return arrays
 
 
 class _Part(FileIO):
-    """The hidden file that a file is written to; its errors name the file."""
+    """Hidden file that becomes an output at the end. Errors name the output."""
 
     def __init__(self, part: Path, path: Path) -> None:
         self.path = path
         super().__init__(part, "x")
 
     def write(self, data: Any) -> int | None:
-        """Writes bytes as `FileIO.write` does."""
-        with _told(self.path):
+        """Write bytes as `FileIO.write` does."""
+        with _naming_output(self.path):
             return super().write(data)
 
 
@@ -167,7 +190,8 @@ class _Part(FileIO):
 def part_of(path: Path, target: Path) -> Iterator[_Part]:
     """Open an empty hidden file beside `target`, locked while this process lives; remove the file at the end.
 
-    Its errors are WriteErrors that name `path`, the output of the user.
+    Raises:
+        WriteError: the hidden file cannot be written; names `path`, the output of the user.
     """
     _remove_orphans(target)
     part = target.with_name(f"{_prefix(target)}{os.getpid()}.{secrets.token_hex(4)}.part")
@@ -180,8 +204,8 @@ def part_of(path: Path, target: Path) -> Iterator[_Part]:
 
 
 def _open(part: Path, path: Path, target: Path, opened: list[_Part]) -> None:
-    """Make and lock the part, and put it into a list."""
-    with _told(path):
+    """Make and lock the hidden file `part`, and add the open file to a list."""
+    with _naming_output(path):
         while not part.exists():  # again, if another run took it for an orphan before it was locked
             opened.append(_Part(part, path))
             _lock(opened[-1])
@@ -190,7 +214,7 @@ def _open(part: Path, path: Path, target: Path, opened: list[_Part]) -> None:
 
 
 def _discard(part: Path, opened: list[_Part]) -> None:
-    """Close the raw files, so that nothing more is written to a full disk, and remove the part."""
+    """Close raw files, so that nothing more is written to a full disk, and remove the hidden file `part`."""
     try:
         for raw in opened:
             raw.close()
@@ -200,10 +224,10 @@ def _discard(part: Path, opened: list[_Part]) -> None:
 
 
 def _remove_orphans(target: Path) -> None:
-    """Removes the parts of `target` that killed processes left: those of this machine that are not locked.
+    """Remove the hidden files of `target` that killed processes of this machine left.
 
-    A lock shows that the process lives, even if its number is used again. Locks of other machines on a shared folder may not
-    be visible here, so their parts are left alone; without locks nothing is removed.
+    A locked file belongs to a living process, even if the number of the process is used again. Files of other machines in a
+    shared folder stay, since their locks may not be visible here. Without locks in the file system, all files stay.
     """
     with suppress(OSError):
         prefix = _prefix(target)
@@ -215,33 +239,34 @@ def _remove_orphans(target: Path) -> None:
 
 
 def _remove_if_dead(orphan: Path) -> None:
+    """Remove a hidden file; raise an OSError if a living process has locked it."""
     if fcntl is None:
         orphan.unlink()
         return
     with orphan.open("r+b") as file:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        orphan.unlink()  # while it is locked, see part_of
+        orphan.unlink()  # while this process holds the lock, see _open
 
 
 def _lock(file: Any) -> None:
-    """Locks a file until it is closed or its process ends."""
+    """Lock an open file until it is closed or this process ends."""
     if fcntl is not None:
-        with suppress(OSError):  # of file systems without locks
+        with suppress(OSError):  # the file system has no locks
             fcntl.flock(file, fcntl.LOCK_EX)
 
 
 def _prefix(target: Path) -> str:
-    """The prefix of the names of the parts of `target` on this machine."""
+    """Return the prefix of the names of all hidden files of `target` that this machine makes."""
     return f".{target.name[:_LONGEST]}.{re.sub(r'[^A-Za-z0-9-]', '-', platform.node())[-_LONGEST:]}."
 
 
 def _target(path: Path) -> Path:
-    """The file itself, or the target of a link."""
+    """Return the path of the file, or of the target if the file is a link."""
     return Path(os.path.realpath(path))
 
 
 def _mode(target: Path) -> int:
-    """Kind and permissions of an existing file; 0 if there is none."""
+    """Return the mode bits of a file, kind and permissions; 0 for a missing file."""
     try:
         return target.stat().st_mode
     except (FileNotFoundError, NotADirectoryError):
@@ -249,7 +274,7 @@ def _mode(target: Path) -> int:
 
 
 def _flaw(path: Path, inputs: list[Path]) -> str:
-    """Why an output cannot be written; empty if it can."""
+    """Return the reason why an output cannot be written; empty if it can be written."""
     try:
         target = _target(path)
         mode = _mode(target)
@@ -274,23 +299,24 @@ def _flaw(path: Path, inputs: list[Path]) -> str:
 
 
 def is_same(target: Path, source: Path) -> bool:
-    """Return whether two paths are one existing file, by whatever names."""
+    """Return whether two paths lead to the same existing file."""
     with suppress(OSError):  # one of the two does not exist
         return target.samefile(source)
     return False
 
 
 @contextmanager
-def _told(path: Path) -> Iterator[None]:
-    """Turns a system error about a part into an error that names the file."""
+def _naming_output(path: Path) -> Iterator[None]:
+    """Raise a WriteError that names the file `path` in place of a system error about its hidden file."""
     try:
         yield
     except OSError as error:
-        if error.errno is None:  # not the system's: a TimeoutError, as handlers of signals raise it for a deadline
+        if error.errno is None:  # not of the system: a TimeoutError that a signal handler raises for a deadline
             raise
         raise WriteError(f"{path} cannot be written: {_reason(error)}") from error
 
 
 def _reason(error: OSError) -> str:
+    """Return the system's words for an error."""
     cause = error.__cause__ if isinstance(error, WriteError) else error
     return getattr(cause, "strerror", None) or str(error)

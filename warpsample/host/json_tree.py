@@ -1,4 +1,4 @@
-"""The JSON of a file: what is read from it is checked there and then, and what is wrong is named by its JSON path."""
+"""JSON of a file, whose values are checked as they are read. Errors name a value by its path in the JSON."""
 
 import json
 import sys
@@ -15,29 +15,34 @@ from warpsample.host.arguments import check_flag, check_integer, told
 
 @dataclass(frozen=True)
 class Part:
-    """An object of the JSON, and its path there, as "nodes[3]"; that of the whole is ""."""
+    """Object of a JSON text.
+
+    Attributes:
+        content: members by name.
+        path: path of the object in the JSON, as "nodes[3]"; "" for the whole.
+    """
 
     content: dict[str, Any]
     path: str = ""
 
     def __contains__(self, key: str) -> bool:
-        """Whether it has a member of that name."""
+        """Return whether the object has a member of that name."""
         return key in self.content
 
     def at(self, key: str) -> str:
-        """Where a member stands."""
+        """Return the JSON path of a member."""
         return f"{self.path}.{key}" if self.path else key
 
     def flag(self, key: str) -> bool:
-        """True or false; false if it is not there."""
+        """Return a member that is true or false; False if the member is missing."""
         return check_flag(self.content.get(key, False), self.at(key))
 
     def whole(self, key: str, default: int | None = None, high: int = 2**62) -> int:
-        """A whole number from 0 on; one without a default must be there."""
+        """Return a whole number from 0 to `high`; a missing one is the default, or an error without a default."""
         return check_integer(self._member(key, default), self.at(key), 0, high)
 
     def reals(self, key: str, default: Sequence[float]) -> np.ndarray:
-        """The list of finite numbers under a key, as many as the default has."""
+        """Return a list of finite numbers, of the length of the default, as a float64 array."""
         values = self.values(key, default)
         finite = [value for value in values if type(value) in (int, float) and abs(value) <= sys.float_info.max]
         if not len(finite) == len(values) == len(default):
@@ -45,24 +50,24 @@ class Part:
         return np.array(finite, np.float64)
 
     def text(self, key: str) -> str:
-        """A text, which must be there."""
+        """Return a text; a missing one is an error."""
         return _of_kind(self._member(key, None), self.at(key), str, "a text")
 
     def texts(self, key: str) -> list[str]:
-        """A list of texts; empty if it is not there."""
+        """Return a list of texts; empty if the member is missing."""
         return [_of_kind(value, f"{self.at(key)}[{i}]", str, "a text") for i, value in enumerate(self.values(key))]
 
     def part(self, key: str) -> "Part":
-        """An object, which must be there."""
+        """Return an object; a missing one is an error."""
         return Part(_of_kind(self._member(key, None), self.at(key), dict, "an object"), self.at(key))
 
     def parts(self, key: str) -> list["Part"]:
-        """A list of objects; empty if it is not there."""
+        """Return a list of objects; empty if the member is missing."""
         members = ((value, f"{self.at(key)}[{i}]") for i, value in enumerate(self.values(key)))
         return [Part(_of_kind(value, path, dict, "an object"), path) for value, path in members]
 
     def members(self, key: str) -> dict[str, "Part"]:
-        """The objects that are the members of one, by name; there must be one."""
+        """Return the members of an object by name; a missing object, and a member that is no object, are errors."""
         whole = self.part(key)
         return {
             name: Part(_of_kind(value, whole.at(name), dict, "an object"), whole.at(name))
@@ -70,27 +75,29 @@ class Part:
         }
 
     def index(self, key: str, among: Sequence[Any], default: int | None = None) -> int:
-        """The number of one of several items; one without a default must be there."""
+        """Return an index into `among`; a missing one is the default, or an error without a default."""
         return _index(self._member(key, default), self.at(key), among)
 
     def indices(self, key: str, among: Sequence[Any]) -> list[int]:
-        """The numbers of some of several items; empty if they are not there."""
+        """Return a list of indices into `among`; empty if the member is missing."""
         return [_index(value, f"{self.at(key)}[{i}]", among) for i, value in enumerate(self.values(key))]
 
     def _member(self, key: str, default: Any) -> Any:
+        """Return a member, or its default; raise a ValueError if there is neither."""
         if key not in self.content and default is None:
             raise ValueError(f"{self.at(key)} is missing")
         return self.content.get(key, default)
 
     def values(self, key: str, default: Sequence[Any] = ()) -> Sequence[Any]:
-        """A list, of whatever there is; the default if it is not there."""
+        """Return a list of values of any kind; the default if the member is missing."""
         return _of_kind(self.content[key], self.at(key), list, "a list") if key in self.content else default
 
 
 def parsed(content: bytes) -> Part:
-    """The whole of a JSON text.
+    """Return the object that a JSON text in UTF-8 holds.
 
-    No object, a name that is twice in one, and what JSON does not know, as NaN, are a ValueError.
+    Raises:
+        ValueError: the text is no JSON object, an object has two members of one name, or a number is NaN or infinite.
     """
     try:
         found = json.loads(content, object_pairs_hook=_object, parse_constant=_refuse_constant)
@@ -104,7 +111,7 @@ def parsed(content: bytes) -> Part:
 
 
 def check_finite(tree: Part) -> None:
-    """Raise a ValueError that names the first number beyond float64, such as 1e400, which JSON cannot write again."""
+    """Raise a ValueError for the first number that is infinite in float64, as 1e400: JSON has no infinite numbers."""
     left: list[tuple[str, Any]] = [("", tree.content)]
     while left:
         path, value = left.pop()
@@ -117,6 +124,7 @@ def check_finite(tree: Part) -> None:
 
 
 def _object(members: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Return an object of its members; raise a ValueError if two have one name."""
     made = dict(members)
     if len(made) < len(members):
         name, _ = Counter(name for name, _ in members).most_common(1)[0]
@@ -129,6 +137,7 @@ def _refuse_constant(name: str) -> float:
 
 
 def _of_kind(value: Any, path: str, kind: type, wants: str) -> Any:
+    """Return a value of a type; raise a TypeError for another type."""
     if not isinstance(value, kind):
         raise TypeError(f"{path}: got {told(value)}, want {wants}")
     return value

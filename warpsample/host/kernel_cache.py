@@ -1,7 +1,7 @@
-"""Starts Warp and loads kernels: without printing to stdout, and never from damaged files.
+"""Start of Warp, and loading of kernels: without output on stdout, and never from damaged files.
 
-LLVM crashes on some damaged objects, runs others unchecked, and ends the process when the disk is full. So each file that
-was built gets a digest, which is checked before it is loaded. Users' own modules are left to Warp.
+LLVM crashes on some damaged files, runs others without a check, and ends the process when the disk is full. So each built
+file gets a digest, which is checked before the file is loaded. Modules of users are loaded by Warp alone.
 """
 
 import atexit
@@ -23,10 +23,10 @@ from warpsample.host.locks import once
 from warpsample.host.progress import awaited, log
 
 WIDE_VECTORS = "-mprefer-vector-width=512"
-"""For the compiler, which on Intel's processors with AVX-512 prefers 256 bits: loops of one kernel then are 1.1 to 1.6 times
-as fast. Others know no such preference."""
+"""Compiler flag for vectors of 512 bits, which make the loops of kernels 1.1 to 1.6 times as fast on Intel processors with
+AVX-512. The compiler prefers 256 bits there by default; on other processors the flag has no effect."""
 
-_MARK = ".sha256"  # of a file's digest, beside it
+_MARK = ".sha256"  # suffix of the file with the digest of another file
 _SOURCES = (".cpp", ".cu")  # kept by Warp for reading only
 _SPACE = 1 << 20  # bytes; twice what the largest module takes
 _NO_DRIVER = b"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver"
@@ -34,7 +34,7 @@ _NO_DRIVER = b"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver"
 
 @once
 def start() -> None:
-    """Starts Warp, if nothing else has; by a cache folder for this process alone, and a warning, if the usual one fails."""
+    """Start Warp, unless it has started; with a warning and a cache folder for this process alone if the usual one fails."""
     with _quiet(wp.LOG_ERROR):
         try:
             _without_driver_warning(wp.init)
@@ -47,15 +47,17 @@ def start() -> None:
 
 @once
 def load(kernel: wp.Kernel, device: str) -> None:
-    """Loads the module of a kernel of ours: from the cache if it is whole there, else it is built and put there.
+    """Load the module of a kernel of this package from the cache; build the module if it is missing there, or damaged.
 
-    Warns of a cache that was damaged or is not writable. That nothing can be written, or that what was just built cannot be
-    loaded, is a RuntimeError that names the folder.
+    A warning reports a damaged or unwritable cache.
+
+    Raises:
+        RuntimeError: no folder can be written, or a module that was just built cannot be loaded; names the folder.
     """
     start()
     if device == "cpu":
         _ask_for_wide_vectors(kernel.module)
-    block = 1 if device == "cpu" else 256  # as wp.launch has it
+    block = 1 if device == "cpu" else 256  # the choice of wp.launch
     load_module = partial(wp.load_module, kernel.module, device, block_dim=block)
     entry = Path(wp.config.kernel_cache_dir, kernel.module.get_module_identifier(block))
     with _quiet(wp.LOG_WARNING):
@@ -65,7 +67,7 @@ def load(kernel: wp.Kernel, device: str) -> None:
                 load_module()
                 _mark(entry)  # Warp may have added this processor's object to that of another
                 return
-            except Exception:  # whatever Warp raises about files that another process has just removed
+            except Exception:  # of Warp, about files that another process has just removed
                 whole = False
         with awaited(f"compiling the kernel {kernel.func.__name__}, once: it is kept in {entry.parent}"):
             begin = perf_counter()
@@ -77,7 +79,7 @@ def load(kernel: wp.Kernel, device: str) -> None:
 
 
 def _ask_for_wide_vectors(module: wp.Module) -> None:
-    """Adds to the flags of a module, unless they are its own or none are wanted."""
+    """Set the compiler flags of a module, unless the module has flags of its own or the user wants none."""
     flags = wide_flags()
     if flags and module.options["cpu_compiler_flags"] is None:
         module.options["cpu_compiler_flags"] = flags
@@ -85,14 +87,14 @@ def _ask_for_wide_vectors(module: wp.Module) -> None:
 
 
 def wide_flags() -> str:
-    """The user's flags for the compiler, with wide vectors; none where none are wanted."""
-    flags = "-march=native" if wp.config.cpu_compiler_flags is None else wp.config.cpu_compiler_flags  # as Warp has it
+    """Return the user's compiler flags with the flag for wide vectors; an empty string if the user wants no flags."""
+    flags = "-march=native" if wp.config.cpu_compiler_flags is None else wp.config.cpu_compiler_flags  # Warp's default
     return f"{flags} {WIDE_VECTORS}" if flags else ""
 
 
 @contextmanager
 def _quiet(level: int) -> Iterator[None]:
-    """Raises Warp's log level, so that modules are not listed on stdout; a level that the user has set is kept."""
+    """Raise Warp's log level, so that Warp does not list modules on stdout; a level that the user has set stays."""
     before = wp.config.log_level
     if before == wp.LOG_INFO:
         wp.config.log_level = level
@@ -103,7 +105,7 @@ def _quiet(level: int) -> Iterator[None]:
 
 
 def _without_driver_warning(work: Callable[[], None]) -> None:
-    """Filters stderr during `work`: Warp's native part reports a missing CUDA driver there, and has no option against it."""
+    """Call `work` and remove Warp's warning of a missing CUDA driver from stderr, which no option of Warp turns off."""
     with ExitStack() as after:
         with suppress(OSError):  # stderr is closed, or there is no temporary folder
             held = after.enter_context(tempfile.TemporaryFile())
@@ -114,6 +116,7 @@ def _without_driver_warning(work: Callable[[], None]) -> None:
 
 
 def _show_others(held: BinaryIO, stderr: int) -> None:
+    """Restore stderr, and write the collected lines to it, without the warning."""
     os.dup2(stderr, 2)
     os.close(stderr)
     held.seek(0)
@@ -122,7 +125,7 @@ def _show_others(held: BinaryIO, stderr: int) -> None:
 
 
 def _is_whole(entry: Path) -> bool | None:
-    """Whether a module's files match their digests; None if it has no files or no digests, as when Warp alone built them."""
+    """Return whether all files of a module match the digests; None without files or digests, as when Warp alone built it."""
     if not os.path.lexists(entry):
         return None
     try:
@@ -135,17 +138,19 @@ def _is_whole(entry: Path) -> bool | None:
 
 
 def _contents(entry: Path) -> tuple[set[str], set[str]]:
-    """The names of the files that Warp loads, and of those that have a digest."""
+    """Return the names of the files that Warp loads, and the names of the files with a digest."""
     names = [path.name for path in entry.iterdir()]
     marked = {name.removesuffix(_MARK) for name in names if name.endswith(_MARK)}
     return {name for name in names if not name.endswith((_MARK, *_SOURCES))}, marked
 
 
 def _digest(entry: Path, name: str) -> bytes:
+    """Return the SHA-256 of a file in hexadecimal digits."""
     return sha256(Path(entry, name).read_bytes()).hexdigest().encode()
 
 
 def _mark(entry: Path) -> None:
+    """Write the digests of the files of a module that have none."""
     with suppress(OSError):  # a file without a digest is only built again
         outputs, marked = _contents(entry)
         for name in outputs - marked:
@@ -153,7 +158,7 @@ def _mark(entry: Path) -> None:
 
 
 def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> None:
-    """Builds and loads a module in a new folder in the cache, or in a temporary one if the disk of the cache is full."""
+    """Build and load a module in a new folder of the cache, or in a temporary folder if the disk of the cache is full."""
     home = entry.parent
     try:
         with _workshop(home, entry.name) as built:
@@ -173,9 +178,10 @@ def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> N
 
 @contextmanager
 def _workshop(parent: Path, name: str) -> Iterator[Path]:
-    """Makes a new folder Warp's cache for the time being, and yields the path in it of the module of that name.
+    """Make a new folder, use it as Warp's cache within the `with` statement, and yield the path for the module there.
 
-    On a full disk it raises an OSError; LLVM would end the process.
+    Raises:
+        OSError: the disk is full; LLVM would end the process.
     """
     parent.mkdir(parents=True, exist_ok=True)
     folder = Path(tempfile.mkdtemp(prefix="wp_", dir=parent))  # wp.clear_kernel_cache() removes it if this process is killed
@@ -194,6 +200,7 @@ def _workshop(parent: Path, name: str) -> Iterator[Path]:
 
 
 def _remove(path: Path) -> None:
+    """Remove a file or a folder."""
     if path.is_dir():
         shutil.rmtree(path, ignore_errors=True)
     else:
@@ -201,6 +208,7 @@ def _remove(path: Path) -> None:
 
 
 def _build_there(module: wp.Module, load_module: Callable[[], None], built: Path) -> None:
+    """Build and load a module in Warp's present cache, and write the digests of its files."""
     try:
         load_module()
     except Exception as error:
@@ -214,7 +222,7 @@ def _build_there(module: wp.Module, load_module: Callable[[], None], built: Path
 
 
 def _publish(built: Path, entry: Path) -> None:
-    """Moves a module to the cache in one step, so that other processes find all of it or nothing."""
+    """Move a module to the cache in one step, so that other processes find all files or none."""
     with suppress(OSError):  # another process was first, with an equal result; or the old one stays
         if built.exists() and not _is_whole(entry):
             if os.path.lexists(entry):
@@ -224,6 +232,7 @@ def _publish(built: Path, entry: Path) -> None:
 
 @once
 def _say_unwritable(folder: str, reason: str) -> None:
+    """Warn once that a cache folder cannot be written."""
     warnings.warn(
         f"kernel cache: {folder} is not writable ({reason}); kernels are built in a temporary folder by each process",
         stacklevel=2,

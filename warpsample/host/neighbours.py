@@ -1,7 +1,7 @@
-"""The arrays of other libraries (PyTorch, JAX, CuPy), taken by their protocols and without a copy.
+"""Conversion of arrays of other libraries (PyTorch, JAX, CuPy) without a copy.
 
-In the CPU's memory they become NumPy's (`__array_interface__`, `__array__`, `__dlpack__`), on a CUDA device a wp.array
-(`__dlpack__`, `__cuda_array_interface__`).
+Arrays in the memory of the CPU become NumPy arrays (`__array_interface__`, `__array__`, `__dlpack__`). Arrays on a CUDA
+device become a wp.array (`__dlpack__`, `__cuda_array_interface__`).
 """
 
 from contextlib import suppress
@@ -20,39 +20,41 @@ _DLPACK_CUDA = 2  # what `__dlpack_device__` calls a CUDA device's memory
 
 
 def address_of(array: Any) -> int:
-    """Address of the first element, on the array's device."""
+    """Return the address of the first element, in the memory of the array's device."""
     if isinstance(array, wp.array):
         return array.ptr or 0
-    with suppress(TypeError, ValueError, BufferError):  # it is not contiguous, empty, or of a type that no buffer has
+    with suppress(TypeError, ValueError, BufferError):  # not contiguous, empty, or of a type that no buffer has
         if array.flags.writeable:
             return addressof(c_char.from_buffer(array))  # in a third of the time
     return array.__array_interface__["data"][0]
 
 
 def kind_told(value: Any) -> str:
-    """What kind of thing `value` is, as a message shows it."""
+    """Return a noun phrase for the type of a value, for an error message."""
     if isinstance(value, wp.array):
         return "a wp.array"
     return "a NumPy array" if isinstance(value, np.ndarray) else f"a value of type {type(value).__name__}"
 
 
 def from_cuda(value: Any, argument: str) -> Any:
-    """Another library's array on a CUDA device as a wp.array of the same memory; everything else as it is.
+    """Return a wp.array of the same memory for an array of another library on a CUDA device; other values unchanged.
 
-    A device that Warp does not have, a gradient, or what no wp.array holds is a TypeError.
+    Raises:
+        TypeError: Warp does not have the device, the array has a gradient, or no wp.array can hold the numbers.
     """
     return value if isinstance(value, _ARRAYS) else _from_cuda(value, argument)
 
 
 def _from_cuda(value: Any, argument: str) -> Any:
+    """Convert a value as `from_cuda` does, if it is no array of NumPy or Warp."""
     try:
         if not _on_cuda(value):
             return value
         start()
-        if hasattr(value, "__dlpack__"):  # knows the number of its device, and waits for what still writes to it
+        if hasattr(value, "__dlpack__"):  # knows its device, and waits for kernels that still write to the array
             return wp.from_dlpack(value)
         return wp.array(data=value, device=wp.get_cuda_device(), copy=False)
-    except Exception as error:  # whatever the value's own code raises, and Warp
+    except Exception as error:  # of the value's own code, or of Warp
         known = ", ".join(map(str, wp.get_devices()))
         raise TypeError(
             f"{argument}: got {kind_told(value)} on a CUDA device, which Warp makes no array of ({_reason(error)}), "
@@ -61,47 +63,52 @@ def _from_cuda(value: Any, argument: str) -> Any:
 
 
 def _on_cuda(value: Any) -> bool:
+    """Return whether a value is an array on a CUDA device."""
     try:
         return value.__dlpack_device__()[0] == _DLPACK_CUDA
-    except Exception:  # it has no such method, or is where DLPack has no number for
+    except Exception:  # there is no such method, or DLPack has no number for the device
         return getattr(value, "__cuda_array_interface__", None) is not None
 
 
 def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray:
-    """`value` as NumPy has it, without a copy where it is an array in the CPU's memory.
+    """Return a value as a NumPy array, without a copy of arrays in the memory of the CPU.
 
-    A mask, which nothing here heeds, and what NumPy makes no array of, such as ragged lists, are a TypeError.
+    Raises:
+        TypeError: the value has a mask, which would be ignored, or NumPy makes no array of it, as of a ragged list.
     """
     return value if type(value) is np.ndarray else _to_ndarray(value, argument, wants)
 
 
 def _to_ndarray(value: Any, argument: str, wants: str) -> np.ndarray:
+    """Convert a value as `as_ndarray` does, if it is no NumPy array."""
     if _has_mask(value):
         raise TypeError(f"{argument}: got a masked array, want {wants} without a mask, as numpy.ma.filled gives")
     value = from_cuda(value, argument)
     if isinstance(value, wp.array):
         return value.numpy()
     try:
-        # By __array__ where there is one: of PyTorch's exports it alone heeds the sign that conj().imag leaves to be taken.
+        # By __array__ where there is one: PyTorch's other exports ignore the sign that conj().imag leaves to be applied.
         only_dlpack = hasattr(type(value), "__dlpack__") and not any(hasattr(value, name) for name in _NUMPY_KNOWS)
         return np.from_dlpack(value) if only_dlpack else np.asarray(value)
-    except Exception as error:  # whatever the value's own code raises
+    except Exception as error:  # of the value's own code
         raise TypeError(
             f"{argument}: got {told(value)}, which NumPy makes no array of ({_reason(error)}), want {wants}"
         ) from error
 
 
 def _reason(error: Exception) -> str:
+    """Return the message of an error on one line."""
     return " ".join(str(error).split())
 
 
 def _has_mask(value: Any) -> bool:
+    """Return whether a value, or an item of a nested list, is a masked array."""
     return isinstance(value, np.ma.MaskedArray) or (isinstance(value, list | tuple) and any(map(_has_mask, value)))
 
 
 def own_memory(out: Any, wants: str) -> Any:
-    """Another library's array as NumPy's of the same memory; everything else as it is."""
+    """Return a NumPy array of the same memory for a CPU array of another library; other values unchanged."""
     if isinstance(out, _ARRAYS) or not any(hasattr(out, name) for name in (*_NUMPY_KNOWS, "__dlpack__")):
         return out
     view, again = as_ndarray(out, "out", wants), as_ndarray(out, "out", wants)
-    return view if address_of(view) == address_of(again) else out  # a copy is another each time
+    return view if address_of(view) == address_of(again) else out  # each call makes a new copy, at another address

@@ -1,8 +1,8 @@
-"""Pictures of light from afar in files: Radiance's .hdr and NumPy's .npy, whole or not at all.
+"""Pictures of distant light in files: Radiance's .hdr and NumPy's .npy. A damaged file is an error.
 
-An .hdr is decoded here, every run counted. VTK, the only library that we depend on which reads one, gives memory that nobody
-wrote for a file that was cut off; it is the oracle of the tests. An .npy goes through a memory map, which compares the shape
-that is declared with the file before anything is allocated.
+An .hdr is decoded here, with a count of the pixels of each line. VTK, the only dependency that reads .hdr, returns
+uninitialised memory for a truncated file; the tests compare whole files with VTK. An .npy is read by a memory map, which
+compares the declared shape with the size of the file before anything is allocated.
 """
 
 import re
@@ -16,15 +16,18 @@ import numpy as np
 from warpsample.host.arguments import check_file, naming_file
 from warpsample.host.files import read_array
 
-_SHORTEST, _LONGEST = 8, 32767  # line of an .hdr that may be encoded channel by channel
+_SHORTEST, _LONGEST = 8, 32767  # pixels of a line of an .hdr that may be encoded channel by channel
 _LONGEST_RUN = 127
 
 
 def read_picture(path: str | PathLike[str]) -> np.ndarray:
-    """The picture in a file, row 0 on top: (H, W, 3) float32 of an .hdr; what an .npy holds. No pickle is loaded.
+    """Return the picture in a file, row 0 on top: (H, W, 3) float32 of an .hdr, or the array of an .npy.
 
-    Errors are those of `check_file`, and a ValueError for another suffix and for a file that is truncated, damaged or of
-    another format.
+    No pickle is loaded.
+
+    Raises:
+        TypeError, FileNotFoundError: as `check_file`.
+        ValueError: the suffix is another one, or the file is truncated, damaged or of another format.
     """
     path = check_file(path, "radiance", "an .hdr or .npy file")
     readers = {".hdr": _read_hdr, ".npy": read_array}
@@ -35,6 +38,7 @@ def read_picture(path: str | PathLike[str]) -> np.ndarray:
 
 
 def _read_hdr(path: Path) -> np.ndarray:
+    """Return the (H, W, 3) float32 picture in an .hdr file."""
     with path.open("rb") as file:
         rows, columns, height, width = _header(file)
         data = file.read()
@@ -45,7 +49,7 @@ def _read_hdr(path: Path) -> np.ndarray:
     for row in range(height):
         pixels[row], at = _line(data, at, width)
     if at < len(data):
-        raise ValueError("it goes on after what its header declares")
+        raise ValueError("it has more bytes than its header declares")
     picture = pixels[..., :3].astype(np.float32)
     np.ldexp(picture, pixels[..., 3:].astype(np.int32) - 136, out=picture)
     picture[pixels[..., 3] == 0] = 0.0
@@ -53,7 +57,7 @@ def _read_hdr(path: Path) -> np.ndarray:
 
 
 def _header(file: BinaryIO) -> tuple[slice, slice, int, int]:
-    """How to turn rows and columns, height and width."""
+    """Read the header; return slices that put rows and columns in order, the height, and the width."""
     if not file.readline(80).startswith(b"#?"):
         raise ValueError("it does not begin with '#?'")
     while line := file.readline(4096).strip():
@@ -68,7 +72,7 @@ def _header(file: BinaryIO) -> tuple[slice, slice, int, int]:
 
 
 def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:
-    """(W, 4) uint8 of the line that begins at an offset, and where it ends."""
+    """Return the (W, 4) uint8 pixels of the line at an offset, and the offset of the next line."""
     start = data[at : at + 4].ljust(4)
     if not (_SHORTEST <= width <= _LONGEST and start[:2] == b"\2\2" and start[2] < 128):
         return _plain_line(data[at : at + 4 * width], width), at + 4 * width
@@ -82,11 +86,12 @@ def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:
             planes += data[at + 1 : at + 2] * run if run else data[at + 1 : at + 1 + code]
             at += 2 if run else 1 + code
         if len(planes) != channel * width or at > len(data):
-            raise ValueError("it ends within a line" if at >= len(data) else "a run goes over the end of its line")
+            raise ValueError("it ends within a line" if at >= len(data) else "a run is longer than the rest of its line")
     return np.frombuffer(planes, np.uint8).reshape(4, width).T, at
 
 
 def _plain_line(data: bytes, width: int) -> np.ndarray:
+    """Return the (W, 4) uint8 pixels of a line without runs."""
     if len(data) < 4 * width:
         raise ValueError("it ends within a line")
     line = np.frombuffer(data, np.uint8).reshape(width, 4)

@@ -1,8 +1,8 @@
-"""What happens between the batches of a long call: a bar moves, and whoever no longer wants the call stops it.
+"""Progress of long calls: a bar, a line for a long wait, a logger, and a check between batches that can stop a call.
 
-A bar is for `progress=True`, on a terminal's stderr or in a notebook only. So is a line that says what is being waited for,
-but that a terminal is told in any case. And the package's logger, which nobody hears by default:
-`logging.basicConfig(level="INFO")` shows the kernels that are compiled, the ray counts of a tolerance, and the tiles.
+The bar is shown with `progress=True`, on a terminal or in a notebook. The line for a long wait is shown there too, and on a
+terminal in any case. The logger shows nothing by default; `logging.basicConfig(level="INFO")` shows the compiled kernels,
+the ray counts of a tolerance, and the tiles.
 """
 
 import logging
@@ -14,26 +14,30 @@ from contextvars import ContextVar
 from typing import Any
 
 LEAST_WORK = 1 << 25
-"""Directions, or the like: 0.1 s. What takes less does not show how far it is."""
+"""Directions, or comparable units, from which on a call moves a bar: 0.1 s."""
 
 log: logging.Logger = logging.getLogger("warpsample")
 log.addHandler(logging.NullHandler())
 
-_PATIENCE = 1.0  # seconds without a word
+_PATIENCE = 1.0  # seconds before a wait is reported
 
 _seen: ContextVar[bool] = ContextVar("seen", default=False)
 _shown: ContextVar[tuple[Any, Any, bool] | None] = ContextVar("shown", default=None)
 _NO_BAR = nullcontext()
-_asked: ContextVar[Callable[[], None] | None] = ContextVar("asked", default=None)
+_check: ContextVar[Callable[[], None] | None] = ContextVar("check", default=None)
 
 
 def bar(progress: bool, what: str, total: int | None = None) -> AbstractContextManager[None]:
-    """Shows a bar for the work within, if `progress` is True: anew for each run, or one of `total` tasks."""
+    """Show a progress bar within a `with` statement, if `progress` is True.
+
+    The bar has `total` tasks; without `total` it starts anew for each run of a kernel.
+    """
     return _bar(what, total) if progress else _NO_BAR
 
 
 @contextmanager
 def _bar(what: str, total: int | None) -> Iterator[None]:
+    """Show a bar on stderr, if it is a terminal, or in a notebook."""
     from rich.console import Console  # only bars need it
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
@@ -51,11 +55,11 @@ def _bar(what: str, total: int | None) -> Iterator[None]:
 
 @contextmanager
 def awaited(what: str) -> Iterator[None]:
-    """Says what the work within is if it takes more than a second: on stderr, which a bar of rich's writes around."""
+    """Print a line on stderr if the work within a `with` statement takes more than a second; a bar stays below the line."""
     if not (_seen.get() or _is_terminal()):
         yield
         return
-    timer = threading.Timer(_PATIENCE, _say, [f"warpsample: {what}\n"])
+    timer = threading.Timer(_PATIENCE, _print_line, [f"warpsample: {what}\n"])
     timer.daemon = True
     timer.start()
     try:
@@ -65,12 +69,14 @@ def awaited(what: str) -> Iterator[None]:
 
 
 def _is_terminal() -> bool:
+    """Return whether stderr is a terminal."""
     with suppress(AttributeError, ValueError):  # there is no stderr, or it is closed
         return sys.stderr.isatty()
     return False
 
 
-def _say(line: str) -> None:
+def _print_line(line: str) -> None:
+    """Print a line on stderr, unless stderr is closed."""
     with suppress(AttributeError, ValueError, OSError):
         sys.stderr.write(line)
         sys.stderr.flush()
@@ -78,30 +84,30 @@ def _say(line: str) -> None:
 
 @contextmanager
 def asking(wanted: Callable[[], None]) -> Iterator[None]:
-    """Within, the calls of this thread ask after each batch whether they are wanted: what `wanted` raises ends them."""
-    token = _asked.set(wanted)
+    """Call `wanted` after each batch of the calls of this thread, within a `with` statement; its error ends the call."""
+    token = _check.set(wanted)
     try:
         yield
     finally:
-        _asked.reset(token)
+        _check.reset(token)
 
 
 def begin(tasks: int, work: int) -> Callable[[int], None] | None:
-    """A function that any thread calls with the number of tasks it has done; None if nobody is to be told."""
-    told, wanted = _bar_of(tasks, work), _asked.get()
+    """Return a function that threads call with the number of tasks of a finished batch; None if there is nothing to do."""
+    advance, wanted = _bar_of(tasks, work), _check.get()
     if wanted is None:
-        return told
+        return advance
 
     def done(tasks: int) -> None:
-        if told:
-            told(tasks)
+        if advance:
+            advance(tasks)
         wanted()
 
     return done
 
 
 def _bar_of(tasks: int, work: int) -> Callable[[int], None] | None:
-    """What moves the bar; None without one, or for short work."""
+    """Return the function that moves the bar; None without a bar, or for short work."""
     shown = _shown.get()
     if shown is None or work < LEAST_WORK:
         return None

@@ -1,4 +1,4 @@
-"""Finds the records of a package: a new file with a record is a new entry, listed nowhere else."""
+"""Search for the records of a package: a new module with a `RECORD` adds an entry, without any list of modules."""
 
 import importlib
 import pkgutil
@@ -9,13 +9,13 @@ from warpsample.host.arguments import check_choice
 
 
 def records_of(package: ModuleType) -> dict[str, Any]:
-    """The `RECORD` of each module of `package` that has one, by its name."""
+    """Return the `RECORD` of each module of a package that has one, by the name of the record."""
     modules = (importlib.import_module(f"{package.__name__}.{info.name}") for info in pkgutil.iter_modules(package.__path__))
     return {module.RECORD.name: module.RECORD for module in modules if hasattr(module, "RECORD")}
 
 
 def look_up(known: dict[str, Any], name: str, argument: str) -> Any:
-    """known[name], or the error of `check_choice`, with the names that exist."""
+    """Return the value of a name; raise the error of `check_choice`, with all names, if there is none."""
     if isinstance(name, str) and name in known:
         return known[name]
     return known[check_choice(name, argument, sorted(known))]

@@ -63,7 +63,7 @@ def _describe_array(array: Any) -> str:
 
 
 def _describe_parts(value: Any) -> str:
-    """Return the counts above 0 of a record of whole numbers; of others the type and the length."""
+    """Return the counts above 0 of a record of whole numbers; for another value the type and the length."""
     counts = {item.name: getattr(value, item.name) for item in fields(value)} if is_dataclass(value) else {}
     if counts and all(isinstance(count, int) for count in counts.values()):
         return ", ".join(f"{count:,} {name}" for name, count in counts.items() if count) or "nothing"

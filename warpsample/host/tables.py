@@ -1,4 +1,4 @@
-"""Columns as a table: a frame of pandas, or a .csv."""
+"""Tables of columns: a pandas.DataFrame, or a .csv file."""
 
 import csv
 import io
@@ -7,11 +7,11 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-_BLOCK = 1 << 14  # rows that are written at a time
+_BLOCK = 1 << 14  # number of rows that are written at a time
 
 
 def frame_of(columns: Mapping[str, np.ndarray]) -> Any:
-    """A pandas.DataFrame of columns, or these as a dictionary where pandas is not installed."""
+    """Return a pandas.DataFrame of columns; a dictionary of the columns where pandas is not installed."""
     try:
         import pandas as pd
     except ModuleNotFoundError:
@@ -20,7 +20,10 @@ def frame_of(columns: Mapping[str, np.ndarray]) -> Any:
 
 
 def write_csv(stream: BinaryIO, columns: Mapping[str, np.ndarray]) -> None:
-    """Writes a .csv in UTF-8 with a header; floats to nine digits, NaN as nothing, texts in quotes where it takes them."""
+    """Write columns as a .csv in UTF-8 with a header.
+
+    Floats have nine digits, NaN is an empty cell, and texts are in quotes where .csv requires quotes.
+    """
     stream.write(_lines([list(columns)]))
     for first in range(0, len(next(iter(columns.values()))), _BLOCK):
         cells = (list(_cells(column[first : first + _BLOCK])) for column in columns.values())
@@ -28,13 +31,14 @@ def write_csv(stream: BinaryIO, columns: Mapping[str, np.ndarray]) -> None:
 
 
 def _lines(rows: Any) -> bytes:
+    """Return the lines of a .csv."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue().encode("utf-8", "backslashreplace")
 
 
 def _cells(column: np.ndarray) -> Iterator[Any]:
-    """What a column has in each row."""
+    """Yield the cells of a column."""
     if column.dtype.kind != "f":
         yield from column.tolist()
     else:

@@ -1,4 +1,4 @@
-"""Arrays of vectors as kernels take them: their memory, size and device; and those that results are written to."""
+"""Arrays of vectors for kernels, with address, shape and device; and output arrays of the caller."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -11,16 +11,20 @@ import warp as wp
 from warpsample.host.arrays import Array, cpu
 from warpsample.host.neighbours import address_of, as_ndarray, from_cuda, kind_told, own_memory
 
-_SHORTEST, _LONGEST = 1e-30, 1e30  # of a vector in float64 whose components keep their digits in float32
+_SHORTEST, _LONGEST = 1e-30, 1e30  # length of a float64 vector whose components keep their digits in float32
 _FLOATS = (np.dtype(np.float32), np.dtype(np.float64))  # compared with a type, a dtype takes three times as long
 _DIMENSIONS = {wp.vec2: 2, wp.vec3: 3}
 
 
 @dataclass(frozen=True)
 class Vectors:
-    """An array of float32 vectors, C-contiguous, on a device; its shape is without the vectors' own axis, `width` long.
+    """C-contiguous array of float32 vectors.
 
-    Holding `owner`, the array, keeps the address valid.
+    Attributes:
+        owner: the array, which keeps the address valid.
+        shape: shape of the array without the axis of the components.
+        width: number of components of a vector.
+        device: device whose memory holds the array.
     """
 
     owner: Array
@@ -35,14 +39,22 @@ class Vectors:
 
     @property
     def count(self) -> int:
-        """How many vectors."""
+        """Number of vectors."""
         return prod(self.shape)
 
 
 def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") -> Vectors:
-    """`value` as float32 vectors; without a copy where it is C-contiguous float32 already.
+    """Return an array as float32 vectors, without a copy of C-contiguous float32 arrays.
 
-    What is no array of floating-point numbers is a TypeError, a last axis that is not `width` long a ValueError.
+    Args:
+        value: array of floating-point numbers, whose last axis has the length `width`; or a wp.array of vectors.
+        width: number of components of a vector.
+        argument: name of the argument in errors; "normals" are scaled if float32 cannot hold their length.
+        shape: format of the wanted shape in errors, with {} for `width`.
+
+    Raises:
+        TypeError: the value is no array of floating-point numbers.
+        ValueError: the last axis has another length.
     """
     value = from_cuda(value, argument)
     if isinstance(value, wp.array):
@@ -57,7 +69,7 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
 
 
 def _rounded(array: np.ndarray) -> np.ndarray:
-    """The array as C-contiguous float32, copied only if it is not that already."""
+    """Return an array as C-contiguous float32; copy all other arrays."""
     if array.dtype == _FLOATS[0] and array.flags.c_contiguous and type(array) is np.ndarray:
         return array
     with np.errstate(over="ignore"):
@@ -65,7 +77,7 @@ def _rounded(array: np.ndarray) -> np.ndarray:
 
 
 def as_directions(array: np.ndarray) -> np.ndarray:
-    """(..., 3) vectors of any length as float32 ones: scaled by a power of two where their length has no float32."""
+    """Return (..., 3) vectors as float32, scaled by a power of two where float32 cannot hold the length of a vector."""
     if array.dtype != _FLOATS[0]:
         largest = np.abs(array).max(axis=-1, initial=0.0)
         outside = np.isfinite(largest) & (largest > 0.0) & ~((largest > _SHORTEST) & (largest < _LONGEST))
@@ -76,6 +88,7 @@ def as_directions(array: np.ndarray) -> np.ndarray:
 
 
 def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
+    """Return a contiguous wp.array of vectors or float32 as vectors; raise the errors of `as_vectors`."""
     of_vectors = _DIMENSIONS.get(array.dtype) == width
     of_floats = array.dtype is wp.float32 and array.ndim > 0 and array.shape[-1] == width
     if not (of_vectors or of_floats):
@@ -91,7 +104,10 @@ def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
 
 
 def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
-    """Uninitialised vectors of the same kind, NumPy's or Warp's, on the same device. Width 1 has no axis of its own."""
+    """Return uninitialised vectors in a NumPy array or a wp.array, as `like` has, on the same device.
+
+    With `width` 1 the array has no axis of components.
+    """
     if isinstance(like.owner, wp.array):
         kind = {1: wp.float32, 2: wp.vec2, 3: wp.vec3}[width]
         return Vectors(wp.empty(shape, dtype=kind, device=like.device), shape, width, like.device)
@@ -99,18 +115,20 @@ def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
 
 
 @lru_cache(maxsize=64)
-def _wanted(shape: tuple[int, ...]) -> str:
-    """What `out` is to be, in words that are seldom read."""
+def _describe_output(shape: tuple[int, ...]) -> str:
+    """Return the description of the wanted `out`; kept, since each call needs it, and errors are rare."""
     return f"a C-contiguous, writeable float32 array of shape {(*shape, 3)}"
 
 
 def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
-    """The caller's own output array, if it can be written as it is: (*shape, 3) float32, C-contiguous, same kind and device.
+    """Return the caller's output array as vectors: (*shape, 3) float32, C-contiguous, of the library and device of `like`.
 
-    Another kind or type is a TypeError; another shape or device, and one that is not contiguous, read-only, or over the
-    normals, a ValueError.
+    Raises:
+        TypeError: the array is of another library or another type.
+        ValueError: the shape or the device is another one, or the array is not contiguous, is read-only, or overlaps the
+            normals.
     """
-    want = _wanted(shape)
+    want = _describe_output(shape)
     out = own_memory(from_cuda(out, "out"), want)
     if isinstance(out, wp.array) and isinstance(like.owner, wp.array):
         vectors = _warp_vectors(out, 3, "out")
@@ -130,5 +148,5 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
         raise ValueError(f"out: got shape {(*vectors.shape, vectors.width)}, want {want}")
     first, other = vectors.address, like.address
     if first < other + 12 * like.count and other < first + 12 * prod(shape):
-        raise ValueError("out: got an array that overlaps the normals, want one apart from them")
+        raise ValueError("out: got an array that overlaps the normals, want one with other memory")
     return vectors

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.mesh.apart import REFUSED
+from warpsample.host.extras import REFUSED
 
 _TRIES = 12
 _SLACK = 0.995  # by which a try is smaller than what would just fit: packing is uneven

@@ -10,12 +10,12 @@ import numpy as np
 
 from warpsample.host.arguments import told
 from warpsample.host.arrays import Array, as_real
+from warpsample.host.known import digest_of, find_or_make, remember
 from warpsample.host.locks import once_property
 from warpsample.host.neighbours import as_ndarray, kind_told
 from warpsample.host.summary import Summary
 from warpsample.mesh.foreign import KINDS, arrays_of
 from warpsample.mesh.indexed import check_faces, check_vertices
-from warpsample.mesh.known import arrived, digest_of, remember
 from warpsample.mesh.optics import check_share, check_sum, optics_digest
 from warpsample.mesh.parts import check_names, check_part
 from warpsample.mesh.polydata import surface
@@ -80,7 +80,7 @@ class Mesh(Summary):
         """Pickled and copied as what it is made of, without its tree; a process that knows that content has it already."""
         remember(self._content, self)
         content = self.vertices, self.faces, self.part, self.parts, self.transmittance, self.reflectance
-        return arrived, (self._content, Mesh, *content)
+        return find_or_make, (self._content, Mesh, *content)
 
     def __dask_tokenize__(self) -> tuple[str, str]:
         """What Dask names tasks on it by."""

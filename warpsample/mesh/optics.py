@@ -6,8 +6,8 @@ import numpy as np
 
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
+from warpsample.host.known import digest_of
 from warpsample.host.locks import read_only
-from warpsample.mesh.known import digest_of
 
 _ROUNDED = 2.0**-22  # of a sum of two shares that were float32 once
 

@@ -10,7 +10,7 @@ from zipfile import ZipFile
 
 import numpy as np
 
-from warpsample.mesh.apart import REFUSED
+from warpsample.host.extras import REFUSED
 from warpsample.mesh.polygons import corner_triangles, triangles
 
 try:

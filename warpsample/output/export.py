@@ -14,9 +14,8 @@ from warpsample.directions.sample import Directions, Status, sample_directions
 from warpsample.distributions import as_spatial
 from warpsample.host.arguments import check_integer, check_seed
 from warpsample.host.arrays import cpu
-from warpsample.host.engine import check_memory, check_workers
+from warpsample.host.engine import check_memory, check_space, check_workers
 from warpsample.host.files import check_output, complete_or_absent, new_archive, write_array
-from warpsample.host.space import check_space
 from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.beside import files_beside

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_integer
-from warpsample.host.extras import missing
-from warpsample.mesh.apart import REFUSED, answer_of
+from warpsample.host.extras import REFUSED, missing, run_program
 from warpsample.mesh.mesh import Mesh, as_mesh
 
 MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -71,7 +70,7 @@ def unwrap_meshes(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding
         given |= {f"v{i}": ((vertices - 0.5 * (low + high)) * scale).astype(np.float32), f"f{i}": faces.astype(np.uint32)}
     stream = BytesIO()
     np.savez(stream, **given)
-    status, answer = answer_of(_PROGRAM.format(path=sys.path, size=size, padding=padding), stream.getvalue())
+    status, answer = run_program(_PROGRAM.format(path=sys.path, size=size, padding=padding), stream.getvalue())
     if status == REFUSED:
         raise ValueError(answer.decode())
     if status:

@@ -7,7 +7,7 @@ from hashlib import sha256
 import numpy as np
 
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.mesh.known import digest_of
+from warpsample.host.known import digest_of
 
 _BLOCK = 64, 256
 """Rows and columns: parts are read by whole blocks, and bands of rows are a few of them."""

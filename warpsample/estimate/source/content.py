@@ -15,7 +15,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.estimate.source.definitions import called, is_function, latest, names_in, reached
-from warpsample.mesh.known import digest_of
+from warpsample.host.known import digest_of
 
 WHAT = "what"
 """The entry of a content that is the name of a function, or of a struct."""

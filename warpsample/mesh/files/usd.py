@@ -10,8 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.host.extras import missing
-from warpsample.mesh.apart import REFUSED, answer_of
+from warpsample.host.extras import REFUSED, missing, run_program
 from warpsample.mesh.joining import joined_corners, joined_parts
 from warpsample.mesh.parts import Named
 from warpsample.mesh.usd_stage import UP
@@ -52,7 +51,7 @@ def _found(path: Path, what: str = "") -> bytes:
     """What a process of `usd_stage` writes of a file."""
     if find_spec("pxr") is None:
         raise missing(f"path: got {path.name!r}, which needs usd-core", "pxr")
-    status, found = answer_of(_PROGRAM.format(path=sys.path, file=str(path), what=what))
+    status, found = run_program(_PROGRAM.format(path=sys.path, file=str(path), what=what))
     if status == REFUSED:
         reason = found.decode()
         raise ValueError(reason if len(reason) <= _LONGEST else f"{reason[: _LONGEST - 3]}...")

@@ -14,9 +14,9 @@ import numpy as np
 
 from warpsample.host.arguments import check_file, naming_file, told
 from warpsample.host.extras import missing
+from warpsample.host.known import digest_of
 from warpsample.host.locks import imported
 from warpsample.host.summary import Summary
-from warpsample.mesh.known import digest_of
 from warpsample.radiation.weather.epw import YEAR, checked_text, radiation
 
 _NIGHT = -10.0  # degrees: in an hour whose middle is as deep, the sun is down all the time

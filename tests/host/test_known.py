@@ -11,7 +11,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.mesh import known
+from warpsample.host import known
 from warpsample.tracing.scene import scene_of
 
 BOX = trimesh.creation.box()

@@ -1,4 +1,4 @@
-"""Meshes by their content: in one process, those that arrive from others with the same content are one, with one tree."""
+"""Values by their content: a process that receives a mesh twice from another process keeps one mesh, with one tree."""
 
 import hashlib
 from collections import deque
@@ -10,14 +10,14 @@ import numpy as np
 
 from warpsample.host.locks import making
 
-_KEPT = 4  # of those that arrived, between tasks that nothing else keeps them for
+_KEPT = 4  # number of received values that are kept between tasks
 
 _known: WeakValueDictionary[str, Any] = WeakValueDictionary()
-_arrived: deque[Any] = deque(maxlen=_KEPT)
+_received: deque[Any] = deque(maxlen=_KEPT)
 
 
 def digest_of(*arrays: np.ndarray) -> str:
-    """SHA-256 of the types, shapes and numbers of arrays, in hexadecimal digits."""
+    """Return the SHA-256 of the types, shapes and numbers of arrays, in hexadecimal digits."""
     found = hashlib.sha256()
     for array in arrays:
         found.update(f"{array.dtype.str}{array.shape}".encode())
@@ -26,19 +26,19 @@ def digest_of(*arrays: np.ndarray) -> str:
 
 
 def remember(digest: str, value: Any) -> None:
-    """Lets `arrived` find a value again in this process and in those that it forks, while it lives."""
+    """Register a value, so that `find_or_make` finds it in this process, and in forked processes, as long as it exists."""
     with making:
         _known.setdefault(digest, value)
 
 
-def arrived(digest: str, make: Callable[..., Any], *content: Any) -> Any:
-    """The value of this content that the process knows, or a new one: `make(*content)`.
+def find_or_make(digest: str, make: Callable[..., Any], *content: Any) -> Any:
+    """Return the registered value of a digest, or a new value, `make(*content)`.
 
-    The last few are kept, since Dask's processes get them anew with each task, and would build their trees as often.
+    The last few new values are kept: Dask sends a mesh with each task, and each time a tree would be built.
     """
     with making:
         value = _known.get(digest)
         if value is None:
             value = _known[digest] = make(*content)
-            _arrived.append(value)
+            _received.append(value)
         return value
