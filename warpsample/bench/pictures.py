@@ -10,6 +10,7 @@ from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 from warpsample import sequences
+from warpsample.bench.running.picture_parts import LABELS, TITLES, draw_bars
 from warpsample.bench.rows import Spread, columns, shown
 from warpsample.bench.tables import grouped, named
 from warpsample.host.files import write_bytes
@@ -90,15 +91,16 @@ def draw(picture: Picture, rows: list[Any], caption: str) -> "Figure":
         axes.set_title(", ".join(_titles(picture, mine)), fontsize=10)
         _curves(axes, picture, mine, y)
         if i % across == 0:
-            axes.set_ylabel(_label(rows, y))
+            axes.set_ylabel(_label(picture, rows, y))
     for axes, *_ in grid:
         if isinstance(getattr(rows[0], plots[0][0]), str):
             axes.invert_yaxis()  # the first name is on top
         elif "y" not in picture.log:
             axes.set_ylim(bottom=0.0)
-    _legend(figure, grid)
-    x = _label(rows, picture.x) if isinstance(picture.x, str) else ""
-    figure.supxlabel("\n".join(filter(None, [x, fill(caption, int(14 * figure.get_figwidth()))])), fontsize=9)
+    _legend(figure, grid, LABELS.get((picture.name, picture.series)))
+    figure.suptitle(TITLES.get(picture.name), fontsize=12)
+    x = _label(picture, rows, picture.x) if isinstance(picture.x, str) else ""
+    figure.supxlabel("\n".join(filter(None, [x, fill(caption, int(14 * figure.get_figwidth()))])), fontsize=10)
     return figure
 
 
@@ -113,19 +115,26 @@ def _titles(picture: Picture, rows: list[Any]) -> list[str]:
     return [told for row in rows[:1] for name in names if (told := named(row, name))]
 
 
-def _label(rows: list[Any], name: str) -> str:
+def _label(picture: Picture, rows: list[Any], name: str) -> str:
+    """Return the label of a field: from LABELS, or the heading of its column."""
+    if (picture.name, name) in LABELS:
+        return LABELS[picture.name, name]
     known = columns(type(rows[0]))
     return known[name].metadata["heading"] if name in known else name.replace("_", " ")
 
 
 def _curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> None:
-    """A curve through the medians of each series, with whiskers where there is a spread."""
+    """Draw a curve through the medians of each series, with whiskers where there is a spread; bars over an x of texts."""
+    if isinstance(_values(picture, rows[0])[0], str) and isinstance(getattr(rows[0], name), Spread):
+        bars = {LABELS.get((picture.name, of), of): mine for (of,), mine in grouped(rows, picture.series).items()}
+        draw_bars(axes, {of: {getattr(row, picture.x): getattr(row, name) for row in mine} for of, mine in bars.items()})
+        return
     for i, mine in enumerate(grouped(rows, picture.series).values()):
         label = ", ".join(shown(mine[0], field) for field in picture.series.split())
         x = [getattr(v, "median", v) for v in (_values(picture, row)[0] for row in mine)]
         y = [getattr(v, "median", v) for v in (getattr(row, name) for row in mine)]
         width = 0 if isinstance(y[0], str) else 1
-        style = {"marker": _MARKERS[i % len(_MARKERS)], "markersize": 4, "linewidth": width, "label": label}
+        style = {"marker": _marker(label, i), "markersize": 4, "linewidth": width, "label": label}
         (line,) = axes.plot(x, y, color=_colour(label), fillstyle="none" if i >= len(_MARKERS) else "full", **style)
         for at, row in zip(x, mine, strict=True):
             if isinstance(spread := getattr(row, name), Spread):
@@ -136,13 +145,18 @@ def _curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> None:
     axes.grid(alpha=0.3)
 
 
+def _marker(label: str, number: int) -> str:
+    """Return the marker that a sequence has in all pictures, or another one for each series."""
+    return sequences.get(label).marker if label in sequences.names() else _MARKERS[number % len(_MARKERS)]
+
+
 def _colour(label: str) -> str | None:
     """The colour that a sequence has in all pictures; others get one after the other."""
     return sequences.get(label).colour if label in sequences.names() else None
 
 
-def _legend(figure: "Figure", grid: Any) -> None:
-    """One legend for all plots, if there is more than one curve."""
+def _legend(figure: "Figure", grid: Any, title: str | None) -> None:
+    """Add one legend for all plots, if there is more than one curve."""
     named = {label: handle for axes in grid.ravel() for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)}
     if len(named) > 1:
-        figure.legend(named.values(), named, loc="outside right center", frameon=False, fontsize=8)
+        figure.legend(named.values(), named, loc="outside right center", frameon=False, fontsize=10, title=title)
