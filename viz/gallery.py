@@ -92,8 +92,8 @@ SHOTS = (
     Shot(
         "sun_and_sky",
         "Sun and sky",
-        "Irradiation of a courtyard in a cloudless year in Athens, its irradiance in one hour of June, and the sky above the "
-        "ground with the smallest sky view, with the paths of the sun.",
+        "Irradiation of a courtyard in a cloudless year in Athens, its irradiance in one hour of June, and the sky "
+        "above the ground with the smallest sky view, with the paths of the sun.",
         "viz/sun_and_sky.py --screenshot FILE",
     ),
     Shot(
@@ -122,8 +122,8 @@ SHOTS = (
     Shot(
         "light_between",
         "Light between faces and through them",
-        "Irradiation on a day in June of a courtyard with faces that reflect nothing or 40 % of the light, and of the ground "
-        "below a tree whose crown transmits 20 %.",
+        "Irradiation on a day in June of a courtyard with faces that reflect nothing or 40 % of the light, and of the "
+        "ground below a tree whose crown transmits 20 %.",
         "viz/light_between.py --screenshot FILE",
     ),
     Shot(

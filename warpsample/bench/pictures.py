@@ -10,8 +10,8 @@ from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 from warpsample import sequences
-from warpsample.bench.running.picture_parts import LABELS, TITLES, draw_bars
 from warpsample.bench.rows import Spread, columns, shown
+from warpsample.bench.running.picture_parts import LABELS, TITLES, draw_bars
 from warpsample.bench.tables import grouped, named
 from warpsample.host.files import write_bytes
 from warpsample.host.making import missing
