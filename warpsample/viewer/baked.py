@@ -41,7 +41,7 @@ def describe_occlusion(mesh: Mesh, occlusion: ShownOcclusion) -> str:
     if not len(values):
         return count
     low, high = np.quantile(values, [0.05, 0.95])
-    return f"{count}; mean {values.mean():.2f} by area, 90 % of the area from {low:.2f} to {high:.2f} (0: occluded, 1: open)"
+    return f"{count}; mean {values.mean():.2f} by area, 90 % of the area from {low:.2f} to {high:.2f}"
 
 
 def occlusion_scene(
@@ -68,7 +68,7 @@ def show_occlusion(
 ) -> str:
     """Show baked occlusion in a window, or write it to a .png or .html file, and return a line about the values."""
     plotter = occlusion_scene(mesh, occlusion, up=up, size=size, off_screen=path is not None)
-    summary = describe_occlusion(mesh, occlusion)
+    summary = f"{describe_occlusion(mesh, occlusion)} (0: occluded, 1: open)"
     if path is None:
         plotter.show(title="warpsample")
     else:
