@@ -136,7 +136,7 @@ class Pin:
 
 
 class MeshPicker:
-    """Double click on a mesh: the point of the mesh under the mouse, and its face."""
+    """Selection of a point of a mesh, and of its face, by a double click."""
 
     def __init__(self, plotter: "pyvista.Plotter", actor: Any, choose: Callable[[np.ndarray, int], None]):
         """Call `choose` with the point, (3,), and its face at each double click on an actor of the current renderer.

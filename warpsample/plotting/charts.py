@@ -144,7 +144,10 @@ class HistogramChart:
             axes.draw(canvas.get_renderer())
 
     def show(self, seen: AngleHistogram) -> None:
-        """Replace the data. The range of the axes changes in steps, so that most drawings need no new axes."""
+        """Replace the histogram, the density and the verdict.
+
+        The range of the axes changes in steps, so that most drawings need no new axes.
+        """
         bars, curve, verdict, residuals = (artist for _, artist in self.moving)
         bars.set_data(seen.observed, seen.edges)
         curve.set_data(seen.angles, seen.density)

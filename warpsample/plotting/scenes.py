@@ -116,7 +116,7 @@ def clouds_on_mesh(
 
 
 def figure_in_window(figure: "Figure") -> "pyvista.Plotter":
-    """Return a plotter that shows a figure in a window of its size; matplotlib needs no window of its own then."""
+    """Return a plotter that shows a figure in a window with the size of the figure; matplotlib then opens no window."""
     import pyvista as pv
 
     pixels = pixels_of(figure)

@@ -44,7 +44,7 @@ def with_scalar(distribution: Distribution, value: float) -> Distribution:
 
 
 class Controls:
-    """Menus and sliders of the viewer; every change of one calls a function with the new settings."""
+    """Menus and sliders of the viewer; each change calls a function with the new settings."""
 
     def __init__(self, plotter: "pyvista.Plotter", choice: Choice, changed: Callable[[Choice], None]):
         """Add the menus and sliders to the plotter's current renderer, which is at the left of the window."""

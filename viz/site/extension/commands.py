@@ -28,13 +28,13 @@ class Command(Directive):
         command = commands()[self.arguments[0]]
         lines = [*(command.help or "").splitlines(), "", f".. program:: warpsample {self.arguments[0]}", ""]
         for parameter in command.params:
-            lines += [f".. option:: {', '.join(parameter.opts)}", "", f"   {_said(parameter)}", ""]
+            lines += [f".. option:: {', '.join(parameter.opts)}", "", f"   {_describe_parameter(parameter)}", ""]
         made = nodes.container()
         self.state.nested_parse(StringList(lines, source=self.arguments[0]), self.content_offset, made)
         return made.children
 
 
-def _said(parameter: Any) -> str:
+def _describe_parameter(parameter: Any) -> str:
     """Return the help of a parameter with its choices and its default."""
     words = get_args(parameter.type_descriptor.annotation) if _is_choice(parameter) else ()
     default = parameter.default

@@ -24,10 +24,10 @@ def find_homes(app: Any = None) -> dict[Path, str]:  # noqa: ARG001
 def rewrite(app: Any, path: Path, parent: str, content: list[str]) -> None:  # noqa: ARG001
     """Replace the links of a README with links to pages of the site and to pictures of the repository."""
     folder = (PAGES / path).resolve().parent
-    content[0] = _LINK.sub(lambda link: _led(folder, link), content[0])
+    content[0] = _LINK.sub(lambda link: _resolve_link(folder, link), content[0])
 
 
-def _led(folder: Path, link: re.Match[str]) -> str:
+def _resolve_link(folder: Path, link: re.Match[str]) -> str:
     label, path, heading = link.groups(default="")
     target = (folder / path).resolve()
     if target.suffix == ".png" and target.exists():
