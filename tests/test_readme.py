@@ -156,7 +156,7 @@ def test_options_and_calls_are_those_of_the_commands_and_the_accessor(repository
                   if inspect.isfunction(call) and call.__module__ in (commands.__name__, bake.__name__)}  # fmt: skip
     assert re.findall(r"`(\w+)`", said) == sorted((n for n, given in parameters.items() if "at" in given), reverse=True)
     calls = re.search(
-        r"^`mesh.warpsample` has (.*) \(and", (repository / "viz" / "README.md").read_text(), flags=re.MULTILINE
+        r"^`mesh.warpsample` has (.*) and a method", (repository / "viz" / "README.md").read_text(), flags=re.MULTILINE
     )[1]
     public = {name for name, call in vars(WarpsampleAccessor).items() if inspect.isfunction(call) and name[0] != "_"}
     of_quantities = {quantity.call.__name__ for quantity in quantities().values() if quantity.in_stores}

@@ -1,4 +1,4 @@
-"""The viewer: clouds of directions around the normals of a mesh, compared with their density; as `warpsample view`."""
+"""The viewer, as `warpsample view`: clouds of directions about the normals of a mesh, compared with a density."""
 
 import typer
 

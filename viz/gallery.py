@@ -1,4 +1,4 @@
-"""Every picture of the READMEs, and a page that shows them: `python viz/gallery.py`."""
+"""All pictures of the READMEs, and a page that shows the pictures: `python viz/gallery.py`."""
 
 import base64
 import subprocess
@@ -23,14 +23,14 @@ HERE = Path(__file__).parent
 
 @dataclass(frozen=True)
 class Shot:
-    """A picture.
+    """Picture of the gallery and the command that makes it.
 
     Attributes:
-        name: the name of its file, without suffix.
-        title: stands above it on the page.
-        text: stands below it.
-        command: makes it, after `python`; FILE stands for the picture, FOLDER for a folder for it.
-        needs: a module of an extra; without it there is no picture.
+        name: name of the file without suffix.
+        title: heading above the picture.
+        text: text below the picture.
+        command: arguments of `python`; FILE is replaced by the path of the picture, FOLDER by a folder for the picture.
+        needs: module of an extra that the command requires. Without this module the picture is left out.
     """
 
     name: str
@@ -44,35 +44,35 @@ SHOTS = (
     Shot(
         "direction_clouds",
         "The viewer",
-        "Each direction is drawn as long as the cosine lobe's density, so correct samples form small, evenly covered "
-        "spheres that rest on the surface. Below, one cloud is enlarged in its tangent frame; at the right, the angles of "
-        "all directions are compared with the density.",
+        "The length of each direction is the density of the cosine lobe, so correct directions form small, evenly covered "
+        "spheres on the surface. Below, one cloud is enlarged in its tangent frame. The charts compare the angles of all "
+        "directions with the density.",
         "viz/direction_clouds.py --screenshot FILE",
     ),
     Shot(
         "direction_clouds_wrong",
         "A wrong sampler",
-        "A ball in place of the sphere, compared with the cosine lobe, has too many directions near the normal.",
-        "viz/direction_clouds.py --distribution offset_ball --density cosine_hemisphere --screenshot FILE",
+        "Points in a ball in place of the sphere, compared with the cosine lobe: too many directions are near the normal.",
+        "viz/direction_clouds.py --distribution offset_ball --screenshot FILE",
     ),
     Shot(
         "shirley_overlay",
         "Shirley's trick, Keinert's proof",
-        "A sphere's points plus the normal, normalised, are green, and the cosine set is red. Where both are, the light "
-        "is yellow. A ball in place of the sphere does not agree.",
+        "Points on a sphere plus the normal, normalised, are green, and the cosine set is red. Directions of both sets are "
+        "yellow. Points in a ball in place of the sphere do not agree with the cosine set.",
         "viz/shirley_overlay.py --screenshot FILE",
     ),
     Shot(
         "offset_family",
         "The projected offset sets",
-        "A circle, disk, sphere or ball about the tip of the normal is projected onto the unit circle or sphere; the "
-        "angles follow the densities below. Then spheres of other radii, and the half angle of the proof.",
+        "A circle, disk, sphere or ball about the tip of the normal is projected onto the unit circle or sphere. The charts "
+        "show the angles with their densities, then spheres of other radii, and the half angle of the proof.",
         "viz/offset_family.py --screenshot FILE",
     ),
     Shot(
         "sequences",
-        "Where the points come from",
-        "The sequences on the square and on the hemisphere, and the errors of means over their directions.",
+        "Point sequences",
+        "The sequences on the unit square and on the hemisphere, and the errors of means over their directions.",
         "viz/sequences.py --screenshot FILE",
     ),
     Shot(
@@ -92,70 +92,70 @@ SHOTS = (
     Shot(
         "sun_and_sky",
         "Sun and sky",
-        "What a cloudless year in Athens brings to a courtyard's faces, what an hour of June does, and the sky above the "
-        "ground that sees least of it, with the sun's paths.",
+        "Irradiation of a courtyard in a cloudless year in Athens, its irradiance in one hour of June, and the sky "
+        "above the ground with the smallest sky view, with the paths of the sun.",
         "viz/sun_and_sky.py --screenshot FILE",
     ),
     Shot(
         "view_factors",
         "View factors of a face",
-        "What a face of a courtyard's ground, outlined in blue, sees of the others, the standard errors, "
-        "and what each face sees of the sky.",
+        "View factors from one face of a courtyard's ground, outlined in blue, to all other faces, their standard errors, "
+        "and the sky view factor of each face.",
         "viz/view_factors.py --screenshot FILE",
     ),
     Shot(
         "baked_store",
         "A store read back",
-        "The sky view of a courtyard's vertices, baked into a Zarr store by chunks, and the chunk that each vertex is in: "
-        "nothing of them is seen in the numbers.",
+        "The sky view factors of a courtyard's vertices, baked into a Zarr store by chunks, and the chunk of each vertex. "
+        "The numbers show no borders between chunks.",
         "viz/baked_store.py --screenshot FILE",
-        needs="zarr",  # there is none for Python 3.10
+        needs="zarr",  # not available for Python 3.10
     ),
     Shot(
         "maps",
         "Maps of terrain and of a city",
-        "A real hillside by lidar, the share of the sky that each of its cells sees, and what a cloudless year in Athens "
-        "would bring to the roofs and walls of real buildings.",
+        "A real hillside measured by lidar, the visible share of the sky in each cell, and the irradiation of the roofs and "
+        "walls of real buildings under the weather of a cloudless year in Athens.",
         "viz/maps.py --screenshot FILE",
         needs="rasterio",
     ),
     Shot(
         "light_between",
         "Light between faces and through them",
-        "A day in June in a courtyard of black faces and of ones that send back 0.4 of what they receive, and in the shade "
-        "of a tree whose crown lets 0.2 through.",
+        "Irradiation on a day in June of a courtyard with faces that reflect nothing or 40 % of the light, and of the "
+        "ground below a tree whose crown transmits 20 %.",
         "viz/light_between.py --screenshot FILE",
     ),
     Shot(
         "glossy_reflection",
-        "A kernel of one's own: glossy reflections",
-        "An environment map filtered for surfaces of growing roughness, as renderers do before they look it up; below, a "
-        "ball that reflects it.",
+        "User-defined kernel: glossy reflections",
+        "An environment map filtered for four roughnesses, as renderers do before lookups; below, balls with surfaces of "
+        "these roughnesses.",
         "viz/glossy_reflection.py --screenshot FILE",
     ),
     Shot(
         "direct_light",
-        "A kernel of one's own: the light of a lamp",
-        "The same number of rays, by the cosine lobe at the left and to the lamp alone at the right: where rays are sent "
-        "matters more than how many there are.",
+        "User-defined kernel: the light of a lamp",
+        "The same number of rays, with directions of the cosine lobe at the left and directions to the lamp at the right. "
+        "The errors differ by a factor of ninety.",
         "viz/direct_light.py --screenshot FILE",
     ),
     Shot(
         "bench_error",
-        "Which sequence",
-        "Root mean square error against run time.",
+        "Error by run time",
+        "Root mean square error of means over the cosine lobe by run time, for each point sequence.",
         "-m warpsample.cli bench error --plot FOLDER",
     ),
     Shot(
         "bench_rays",
         "Rays",
-        "The speed of rays beside Embree, Open3D and wp.Mesh.",
+        "Speed of rays of warpsample, Embree, Open3D and wp.Mesh.",
         "-m warpsample.cli bench rays --plot FOLDER",
     ),
     Shot(
         "bench_visibility",
         "Time to an error",
-        "The time in which ambient occlusion reaches an error, beside other tools.",
+        "Time per point to reach an error of ambient occlusion, of warpsample and other tools.",
         "-m warpsample.cli bench visibility --plot FOLDER",
     ),
 )
@@ -170,9 +170,9 @@ code { background: #f2f0ec; padding: 0.15rem 0.4rem; overflow-wrap: anywhere; } 
 </style></head><body>
 <h1>warpsample</h1>
 <p>Directions around the normals of a mesh, sampled by NVIDIA Warp kernels on the CPU.
-Below each picture stands the command that makes it.</p>
+Below each picture is the command that makes it.</p>
 $figures
-<h2>The clouds, to turn by the mouse</h2>
+<h2>The clouds as a scene: turn it with the mouse</h2>
 <figure><iframe title="clouds on the bunny" srcdoc="$scene"></iframe>
 <figcaption><code>python $scene_command</code></figcaption></figure>
 <footer>$machine</footer>
@@ -180,17 +180,17 @@ $figures
 """)
 _FIGURE = Template("""<h2>$title</h2>
 <figure><img alt="$title" src="data:image/png;base64,$data">
-<figcaption><p>$text</p><p>$said</p><code>python $command</code></figcaption></figure>""")
+<figcaption><p>$text</p><p>$summary</p><code>python $command</code></figcaption></figure>""")
 
 
 def make(command: str, file: Path) -> str:
-    """Runs a Shot's command in the folder above this one, and puts its picture into `file`.
+    """Run the command of a Shot in the root of the checkout, and write its picture to `file`.
 
     Returns:
-        What the command printed about the picture.
+        the command's line about the picture.
 
     Raises:
-        RuntimeError: it failed; the message ends with its last line on stderr.
+        RuntimeError: the command failed; the message ends with the last line of its stderr.
     """
     with TemporaryDirectory() as folder:
         words = command.replace("FILE", str(file.resolve())).replace("FOLDER", folder).split()
@@ -207,11 +207,13 @@ def make(command: str, file: Path) -> str:
 @fail_plainly()
 def main(
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="The folder for the pictures and index.html; it is made if it is missing.")
+        Path, typer.Option("--output", "-o", help="Folder for the pictures and index.html. A missing folder is created.")
     ] = Path("gallery"),
-    benchmarks: Annotated[bool, typer.Option(help="With the benchmarks' pictures, which take eleven minutes.")] = True,
+    benchmarks: Annotated[
+        bool, typer.Option(help="Run the benchmarks for their pictures, which takes eleven minutes.")
+    ] = True,
 ) -> None:
-    """Make every picture of the READMEs, and a page that shows them and needs no other file."""
+    """Make all pictures of the READMEs, and a page that shows the pictures and needs no other file."""
     check_output_folder(output, "--output")
     rendering.check_rendering()
     output.mkdir(parents=True, exist_ok=True)
@@ -219,10 +221,12 @@ def main(
     shots = [shot for shot in SHOTS if find_spec(shot.needs) and (benchmarks or "FOLDER" not in shot.command)]
     for shot in with_progress(shots, len(shots), "drawing"):
         file = output / f"{shot.name}.png"
-        said = make(shot.command, file)
+        summary = make(shot.command, file)
         data = base64.b64encode(file.read_bytes()).decode()
         command = shot.command.replace("FILE", file.name).replace("FOLDER", ".")
-        figures.append(_FIGURE.substitute(title=shot.title, text=shot.text, said=escape(said), command=command, data=data))
+        figures.append(
+            _FIGURE.substitute(title=shot.title, text=shot.text, summary=escape(summary), command=command, data=data)
+        )
     with TemporaryDirectory() as folder:
         scene = Path(folder) / "scene.html"
         make(SCENE, scene)

@@ -1,4 +1,4 @@
-"""A kernel of one's own: an environment map is filtered for surfaces of growing roughness, by the facets of the GGX lobe."""
+"""User-defined kernel: an environment map is filtered for rough surfaces with the facets of the GGX lobe."""
 
 from typing import Annotated
 
@@ -19,7 +19,7 @@ LAMPS = np.array([[-0.5, -0.75, 0.43, 14.0, 11.0, 7.0], [0.6, -0.7, 0.38, 5.0, 0
 
 @wp.func
 def radiance(picture: wp.array2d[wp.vec3], w: wp.vec3) -> wp.vec3:
-    """The pixel of an equirectangular picture in the direction w: row 0 is about +z, columns go from x towards y."""
+    """Look up the pixel of an equirectangular picture in the direction w: row 0 is at +z, columns go from x towards y."""
     row = int(wp.acos(wp.clamp(w[2], -1.0, 1.0)) / wp.pi * float(picture.shape[0]))
     column = int((wp.atan2(w[1], w[0]) / (2.0 * wp.pi) + 1.0) * float(picture.shape[1])) % picture.shape[1]
     return picture[wp.min(row, picture.shape[0] - 1), column]
@@ -27,7 +27,10 @@ def radiance(picture: wp.array2d[wp.vec3], w: wp.vec3) -> wp.vec3:
 
 @wp.kernel(enable_backward=False)
 def reflect(picture: wp.array2d[wp.vec3], normals: wp.array[wp.vec3], alpha: float, count: int, out: wp.array[wp.vec3]):
-    """Seen along its normal z, a surface's facets h reflect the light from 2 (z.h) h - z; it counts by its cosine."""
+    """Average the light that the facets of a rough surface reflect to an eye at its normal z, weighted by its cosine.
+
+    A facet with normal h reflects the light from 2 (z.h) h - z.
+    """
     p = wp.tid()
     frame = funcs.frame_about(normals[p])
     light, weight = wp.vec3(), wp.float32(0.0)
@@ -42,7 +45,7 @@ def reflect(picture: wp.array2d[wp.vec3], normals: wp.array[wp.vec3], alpha: flo
 
 
 def reflected(picture: np.ndarray, normals: np.ndarray, alpha: float, count: int) -> np.ndarray:
-    """(..., 3) radiance that surfaces with (..., 3) unit normals reflect of an (H, W, 3) picture."""
+    """Return the radiance, (..., 3), that surfaces with unit normals, (..., 3), reflect of an environment, (H, W, 3)."""
     flat = wp.array(normals.reshape(-1, 3), dtype=wp.vec3, device="cpu")
     inputs = [wp.array(picture, dtype=wp.vec3, device="cpu"), flat, alpha, count]
     out = wp.empty_like(flat)
@@ -51,20 +54,23 @@ def reflected(picture: np.ndarray, normals: np.ndarray, alpha: float, count: int
 
 
 def map_directions(height: int) -> np.ndarray:
-    """(height, 2 height, 3) unit directions of the middles of an equirectangular picture's pixels."""
+    """Return the unit directions of the pixels of an equirectangular picture, (height, 2 height, 3)."""
     theta, phi = (np.arange(height)[:, None] + 0.5) * np.pi / height, (np.arange(2 * height) + 0.5) * np.pi / height
     return np.stack(np.broadcast_arrays(np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)), axis=-1)
 
 
 def ball_directions(side: int) -> np.ndarray:
-    """(side, side, 3) unit directions that a polished ball reflects to an eye far off at -y; (0, 1, 0) beside the ball."""
+    """Return the directions from which a polished ball reflects light to a distant eye at -y, (side, side, 3).
+
+    Pixels outside the ball have (0, 1, 0).
+    """
     x, z = np.meshgrid(np.linspace(-1.0, 1.0, side), np.linspace(1.0, -1.0, side))
     y = -np.sqrt(np.maximum(1.0 - x * x - z * z, 0.0))
     return np.stack([-2.0 * y * x, 1.0 - 2.0 * y * y, -2.0 * y * z], axis=-1)
 
 
 def environment() -> np.ndarray:
-    """(256, 512, 3) float32: a sky that is bright at the horizon, a chequered floor and three lamps."""
+    """Return an environment map, (256, 512, 3) float32: a sky bright at the horizon, a chequered floor and three lamps."""
     w = map_directions(256)
     up, lamp = w[..., 2:], w @ LAMPS[:, :3].T > np.cos(0.2) * np.linalg.norm(LAMPS[:, :3], axis=1)
     dark = np.floor(1.5 * w[..., :2] / np.minimum(up, -1e-3)).sum(axis=-1, keepdims=True) % 2.0
@@ -74,25 +80,26 @@ def environment() -> np.ndarray:
 
 @fail_plainly()
 def main(
-    samples: Annotated[int, typer.Option(help="Directions of each pixel.")] = 1024,
+    samples: Annotated[int, typer.Option(help="Number of directions per pixel.")] = 1024,
     screenshot: FigureFile = None,
     size: Size = (1600, 680),
 ) -> None:
-    """Show what surfaces of growing roughness reflect of an environment: a map over their normals, and a ball."""
+    """Show the reflections of an environment for four roughnesses: a map over all normals, and a ball."""
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
     rendering.check_size(size, (600, 300))
     check_integer(samples, "--samples", 16, 100_000)
     rendering.check_rendering()
     start()
-    wp.config.log_level = wp.LOG_WARNING  # without a line for each kernel
+    wp.config.log_level = wp.LOG_WARNING  # no line for each kernel
     picture, columns, ball = environment(), {}, ball_directions(192)
     for alpha in ALPHAS:
         seen = np.where(ball[..., 1:2] < 1.0, reflected(picture, ball, alpha, samples), np.nan)
         columns[f"roughness α = {alpha:g}"] = [reflected(picture, map_directions(64), alpha, samples), seen]
-    what = f"{samples:,} directions for each pixel"
-    figure = light_sheet(columns, (1.0, 2.0), f"the filtered map, and a ball that reflects it; {what}")
+    summary = f"{samples:,} directions for each pixel"
+    rows = "map over all\ndirections", "ball with this surface"
+    figure = light_sheet(columns, rows, (1.0, 2.0), f"environment as surfaces reflect it, from smooth to rough; {summary}")
     rendering.size_figure(figure, size)
-    show_or_save(figure, screenshot, what)
+    show_or_save(figure, screenshot, summary)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Two maps as cities and terrain need them: the sky that hills see, and what the sun brings to real buildings."""
+"""Maps of terrain and of a city: heights, visible sky, and a year's irradiation of real buildings."""
 
 from pathlib import Path
 from typing import Annotated
@@ -8,19 +8,19 @@ import typer
 
 import warpsample as ws
 from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
-from warpsample.plotting import rendering
+from warpsample.plotting import rendering, style
 from warpsample.plotting.map_sheet import Map, map_sheet
 
 HERE = Path(__file__).parent
 HILLS = HERE / "data" / "tm1_564_146.tif"
 TOWN = HERE.parent / "tests" / "city" / "data" / "3dbag_901.city.jsonl"
-LEAN = 0.7  # metres to the north by which the map shows what is a metre higher, so that walls to the south are seen
-PIXELS = 1200  # along a side of the buildings' map
+LEAN = 0.7  # shift to the north per metre of height, in metres, so that walls to the south are seen
+PIXELS = 1200  # along a side of the map of buildings
 
 
 def hills(path: Path, samples: int, seed: int) -> list[Map]:
-    """The heights of a raster, and the share of the sky that is seen."""
-    from warpsample import rasters  # noqa: PLC0415  (it says which extra is missing)
+    """Return maps of the heights of a raster and of the visible sky of its cells."""
+    from warpsample import rasters  # noqa: PLC0415  (an import error names the extra)
 
     surface = rasters.surface(path)
     found = rasters.visible_sky(path, samples, seed=seed)
@@ -29,12 +29,20 @@ def hills(path: Path, samples: int, seed: int) -> list[Map]:
     span = (float(np.nanmin(height)), float(np.nanmax(height)))
     return [
         Map(height, cell, "Terrain", "height, m", "viridis", span, north),
-        Map(found.value.to_numpy(), cell, "The sky that each cell sees", "share of the sky", "gray", (low, 1.0), north),
+        Map(
+            found.value.to_numpy(),
+            cell,
+            "Visible sky of each cell",
+            "visible share of the sky",
+            style.OPENNESS,
+            (low, 1.0),
+            north,
+        ),
     ]
 
 
 def town(path: Path, weather: Path, side: float, seed: int) -> Map:
-    """What a year brings to each roof and wall, as a file with results has it, in a square about the middle building."""
+    """Return the map of a year's irradiation, the mean of each roof and wall, in a square about the middle building."""
     city = ws.load_city(path, split=True)
     points = city.points(seed=seed)
     year = ws.irradiation(city.mesh, points, weather, seed=seed)
@@ -43,14 +51,14 @@ def town(path: Path, weather: Path, side: float, seed: int) -> Map:
     shown = np.where(surface < 0, np.nan, values[surface])
     high = float(rendering.round_ticks(float(np.nanmax(values)), 5)[-1])
     title, label = (
-        "A year's sun on buildings, from the south",
-        f"mean of each roof and wall, kWh/m²; weather: {weather.stem}",
+        "Sun and sky in a year, roofs and walls",
+        f"irradiation of the year, kWh/m²; weather: {weather.stem}",
     )
-    return Map(shown, side / PIXELS, title, label, "inferno", (0.0, high))
+    return Map(shown, side / PIXELS, title, label, style.ENERGY, (0.0, high))
 
 
 def seen_from_above(mesh: ws.Mesh, part: np.ndarray, side: float) -> np.ndarray:
-    """(R, R) the part of the face that each pixel of an oblique map shows, -1 for none."""
+    """Return the part of the mesh that each pixel of an oblique map shows, (R, R); -1 where a pixel shows no face."""
     middle = np.median(mesh.vertices[mesh.faces].mean(axis=1), axis=0)
     high = mesh.vertices[:, 2].max() + 1.0
     off = side * ((np.arange(PIXELS) + 0.5) / PIXELS - 0.5)
@@ -62,24 +70,28 @@ def seen_from_above(mesh: ws.Mesh, part: np.ndarray, side: float) -> np.ndarray:
 
 @fail_plainly(count="--samples")
 def main(
-    terrain: Annotated[Path, typer.Option(help="Raster of heights; by default a hillside in Slovenia.")] = HILLS,
-    city: Annotated[Path, typer.Option(help="CityJSON file; by default 52 buildings of the Netherlands.")] = TOWN,
-    weather: Annotated[Path, typer.Option(help="A year, .epw, or athens, an example.")] = Path("athens"),
-    side: Annotated[float, typer.Option(help="Of the map of buildings, in metres.", min=1.0)] = 170.0,
-    samples: Annotated[int, typer.Option(help="Rays of each cell of the terrain.")] = 256,
+    terrain: Annotated[
+        Path, typer.Option(help="Raster of heights. Default: a hillside in Slovenia.", show_default=False)
+    ] = HILLS,
+    city: Annotated[
+        Path, typer.Option(help="CityJSON file. Default: 52 buildings in the Netherlands.", show_default=False)
+    ] = TOWN,
+    weather: Annotated[Path, typer.Option(help="Weather of a year: an .epw file, or athens, an example.")] = Path("athens"),
+    side: Annotated[float, typer.Option(help="Width of the map of buildings in metres.", min=1.0)] = 170.0,
+    samples: Annotated[int, typer.Option(help="Number of rays per cell of the terrain.")] = 256,
     seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
     screenshot: FigureFile = None,
     size: Size = (1800, 760),
 ) -> None:
-    """Show the sky that terrain sees, and what a year's sun brings to buildings, as maps."""
+    """Show maps of terrain heights, of the visible sky of the terrain, and of a year's irradiation of buildings."""
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES, terrain, city, weather)
     rendering.check_size(size, (900, 340))
     rendering.check_rendering()
     maps = [*hills(terrain, samples, seed), town(city, weather, side, seed)]
-    what = f"{terrain.name}, {samples:,} rays a cell; {city.name}; seed {seed}"
-    figure = map_sheet(maps, what)
+    summary = f"{terrain.name}, {samples:,} rays per cell; {city.name}; seed {seed}"
+    figure = map_sheet(maps, summary)
     rendering.size_figure(figure, size)
-    show_or_save(figure, screenshot, what)
+    show_or_save(figure, screenshot, summary)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The projected offset sets: a circle, disk, sphere or ball about the tip of the normal, projected onto directions."""
+"""Projected offset sets: a circle, disk, sphere or ball about the tip of the normal, projected onto directions."""
 
 from collections.abc import Callable
 from typing import Annotated
@@ -16,7 +16,7 @@ from warpsample.proof import routes
 from warpsample.statistics.charts import SPHERE, chart_of
 from warpsample.statistics.histogram import joined_test
 
-SHOWN = 400  # points of a set that are drawn
+SHOWN = 400  # drawn points per set
 CELLS = 60
 SETS = (
     ("Circle about n, in 2-D", ws.OffsetCircle(), "1/π", lambda u: routes.circle(u[:, 0])),
@@ -38,15 +38,15 @@ def panel(
     count: int,
     seed: int,
 ) -> SetPanel:
-    """Compares the angles of `count` independent directions with their density, and takes a few points of their set.
+    """Compare the angles of `count` independent directions with their density, and return the panel of their set.
 
     Args:
-        title: stands above the panel.
-        distribution: whose directions are drawn.
-        formula: of the density, for the legend.
-        points: makes points of the set, about the origin, of (N, 3) numbers in [0, 1).
-        count: the number of directions.
-        seed: of the points.
+        title: text above the panel.
+        distribution: distribution of the directions.
+        formula: formula of the density, for the legend.
+        points: function from numbers in [0, 1), (N, 3), to points of the set about the origin.
+        count: number of directions.
+        seed: seed of the points.
     """
     u = [ws.sample_square(name, 1, SHOWN, seed=seed)[0] for name in ("r2", "independent")]
     moved = points(np.concatenate(u, axis=1)[:, :3].astype(np.float64)) + np.eye(distribution.width)[-1]
@@ -72,14 +72,14 @@ def panel(
 
 @fail_plainly()
 def main(
-    samples: Annotated[int, typer.Option(help="Independent directions of each histogram.")] = 200_000,
+    samples: Annotated[int, typer.Option(help="Number of independent directions per histogram.")] = 200_000,
     seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
     screenshot: FigureFile = None,
     size: Size = (1600, 1650),
 ) -> None:
-    """Show the projected offset sets: their points, their angles with their densities, other radii, and a proof.
+    """Show the projected offset sets: points, histograms of the angles with their densities, and a proof.
 
-    A set about the tip of the normal is projected onto the unit circle or sphere. The sphere gives the cosine lobe; the
+    A set about the tip of the normal is projected onto the unit circle or sphere. The unit sphere gives the cosine lobe; the
     ball, the disk and spheres of other radii do not.
     """
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
@@ -87,11 +87,11 @@ def main(
     check_integer(samples, "--samples", 1000, 100_000_000)
     rendering.check_rendering()
     four, others = ([panel(*row, samples, seed) for row in rows] for rows in (SETS, SPHERES))
-    what = f"{samples:,} independent directions each, seed {seed}"
-    figure = family_sheet(four, others, f"{what}; {SHOWN} points of each set, seen from the side")
+    summary = f"{samples:,} independent directions per histogram, seed {seed}"
+    figure = family_sheet(four, others, f"{summary}; {SHOWN} points of each set, seen from the side")
     rendering.size_figure(figure, size)
     worst = min(each.test.p_value for each in four + others)
-    show_or_save(figure, screenshot, f"{what}; smallest p-value of {len(four + others)} tests {worst:.3f}")
+    show_or_save(figure, screenshot, f"{summary}; smallest p-value of {len(four + others)} tests {worst:.3f}")
 
 
 if __name__ == "__main__":

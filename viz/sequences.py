@@ -1,4 +1,4 @@
-"""The point sequences: on the square, on the hemisphere, and the errors of means over their directions."""
+"""Point sequences on the unit square and on the hemisphere, and the errors of means over the directions."""
 
 from typing import Annotated
 
@@ -12,18 +12,18 @@ from warpsample.host.arguments import check_integer
 from warpsample.plotting import rendering
 from warpsample.plotting.sequence_sheet import Convergence, sequence_sheet
 
-SHOWN = 256  # points of each square
+SHOWN = 256  # points per square
 COUNTS = (16, 64, 256, 1024, 4096)
 INTEGRANDS_SHOWN = ("sky gradient", "20° cap", "narrow lobe")
 
 
 def errors(names: tuple[str, ...], randomisations: int, seed: int) -> list[Convergence]:
-    """The errors of means over the cosine lobe, for each integrand and sequence, at COUNTS.
+    """Compute the errors of means over the cosine lobe for each integrand and sequence at COUNTS samples.
 
     Args:
-        names: of integrands.
-        randomisations: means over which a root mean square error is taken.
-        seed: of the points.
+        names: names of the integrands.
+        randomisations: number of means per root mean square error.
+        seed: seed of the points.
     """
     chosen = [integrand for integrand in INTEGRANDS if integrand.name in names]
     found = {integrand.name: {name: np.empty(len(COUNTS)) for name in ws.sequences.names()} for integrand in chosen}
@@ -37,18 +37,19 @@ def errors(names: tuple[str, ...], randomisations: int, seed: int) -> list[Conve
 
 
 def _rmse(integrand: KnownIntegral, w: np.ndarray) -> float:
+    """Return the root mean square error of the means over directions, (randomisations, N, 3)."""
     means = evaluate(integrand, w).mean(axis=1, dtype=np.float64)
     return float(np.sqrt(np.mean((means - integrand.mean) ** 2)))
 
 
 @fail_plainly()
 def main(
-    randomisations: Annotated[int, typer.Option(help="Estimates of each mean, over which the error is taken.")] = 256,
+    randomisations: Annotated[int, typer.Option(help="Number of estimates per root mean square error.")] = 256,
     seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
     screenshot: FigureFile = None,
     size: Size = (1600, 1100),
 ) -> None:
-    """Show the sequences on the square and on the hemisphere, and how fast means over their directions converge."""
+    """Show the sequences on the square and on the hemisphere, and the errors of means by the number of samples."""
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
     rendering.check_size(size)
     check_integer(randomisations, "--randomisations", 16, 100_000)
@@ -57,13 +58,13 @@ def main(
     squares = {name: ws.sample_square(name, 1, SHOWN, seed=seed)[0] for name in names}
     lobes = {name: ws.CosineHemisphere("concentric").sample(u) for name, u in squares.items()}
     curves = errors(INTEGRANDS_SHOWN, randomisations, seed)
-    what = f"{SHOWN} points; errors over {randomisations} randomisations; seed {seed}"
-    caption = f"{what}; directions of the cosine lobe, on the hemispheres by the concentric map"
+    summary = f"{SHOWN} points; errors over {randomisations} randomisations; seed {seed}"
+    caption = f"{summary}; directions of the cosine lobe by the concentric map"
     figure = sequence_sheet(squares, lobes, curves, caption)
     rendering.size_figure(figure, size)
     best = {curve.title: min(curve.rmse, key=lambda name, c=curve: c.rmse[name][-1]) for curve in curves}
     show_or_save(
-        figure, screenshot, f"{what}; smallest error at {COUNTS[-1]:,}: " + ", ".join(f"{k} {v}" for k, v in best.items())
+        figure, screenshot, f"{summary}; smallest error at {COUNTS[-1]:,}: " + ", ".join(f"{k} {v}" for k, v in best.items())
     )
 
 

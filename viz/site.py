@@ -1,4 +1,4 @@
-"""Build the site: `python viz/site.py`, after `pip install '.[site]'`. It needs no network."""
+"""Build the documentation: `python viz/site.py`, after `pip install '.[site]'`. No network is needed."""
 
 from pathlib import Path
 from typing import Annotated
@@ -14,10 +14,10 @@ SOURCES = Path(__file__).parent / "site"
 @fail_plainly()
 def main(
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="The folder of the pages; it is made if it is missing.")
+        Path, typer.Option("--output", "-o", help="Folder for the pages. A missing folder is created.")
     ] = Path("site"),
 ) -> None:
-    """Build the pages of this documentation, with a search that works without a network."""
+    """Build the pages of the documentation, with a search that works without a network."""
     check_output_folder(output, "--output")
     try:
         from sphinx.cmd.build import build_main  # noqa: PLC0415
@@ -25,7 +25,7 @@ def main(
         raise ModuleNotFoundError(f"the site needs {error.name}: pip install '.[site]'") from error
     status = build_main(["--quiet", "--fail-on-warning", "--keep-going", "-j", "auto", str(SOURCES), str(output)])
     if status:
-        raise RuntimeError(f"--output: {output} is not complete; Sphinx says above what is wrong")
+        raise RuntimeError(f"--output: {output} is not complete; the messages of Sphinx above name the reason")
     print(f"{output / 'index.html'}: {len(list(output.rglob('*.html')))} pages")
 
 

@@ -1,4 +1,4 @@
-"""What one face of a mesh sees: its row of the view factors over the mesh, their standard errors, and everyone's sky."""
+"""View factors from one face of a mesh, their standard errors, and the sky view factor of each face."""
 
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -9,86 +9,88 @@ import typer
 import warpsample as ws
 from warpsample.cli.terminal import Size, fail_plainly, show_or_save
 from warpsample.host.arguments import check_integer
-from warpsample.mesh.polydata import surface
-from warpsample.plotting import rendering
-from warpsample.plotting.scenes import Panel, look_from, meshes_side_by_side
+from warpsample.plotting import rendering, style
+from warpsample.plotting.panels import Panel, draw_edges, fit_view, meshes_side_by_side
 
-MARK, EDGES = "#00c8ff", "#8a8a8a"
+MARK = "#0077ff"
+ABOVE = 2.0  # height of the camera: walls do not hide the ground
 
 
-def panels_of(found: ws.ViewFactors, face: int) -> list[Panel]:
-    """What is shown of the row of a face: numbers of the corners of all faces, each face's own three times."""
-    row, error = (matrix[[face]].toarray()[0] for matrix in (found.matrix, found.standard_error))
+def make_panels(factors: ws.ViewFactors, face: int) -> list[Panel]:
+    """Return panels with numbers at the corners of the faces, (3 F,): view factors from `face`, errors, and sky view.
+
+    Faces that `face` does not see have NaN. The last colours are round numbers above nine of ten numbers.
+    """
+    row, error = (matrix[[face]].toarray()[0] for matrix in (factors.matrix, factors.standard_error))
+    hidden = row <= 0.0
     panels = [
-        Panel(row, f"View factors from face {face:,}", "magma", _above(row)),
-        Panel(error, "Standard error", "viridis", _above(error)),
-        Panel(found.sky, "What each face sees of the sky", "gray", 1.0),
-    ]
-    return [Panel(np.repeat(panel.value, 3), panel.title, panel.colours, panel.high) for panel in panels]
+        Panel(np.where(hidden, np.nan, row), "View factors from the blue face", style.AMOUNT, _round_above(row),
+              "share of its radiation that arrives (grey: none)"),
+        Panel(np.where(hidden, np.nan, error), "Standard errors of the view factors", style.ERROR, _round_above(error),
+              "standard error (grey: not seen)"),
+        Panel(factors.sky, "Sky view factor of each face", style.OPENNESS, 1.0, "0: no sky, 1: the whole sky"),
+    ]  # fmt: skip
+    return [Panel(np.repeat(each.value, 3), each.title, each.colours, each.high, each.label) for each in panels]
 
 
-def default_face(mesh: ws.Mesh, found: ws.ViewFactors, up: str) -> int:
-    """The face that sees the most others, of those that look up where there are any: the ground between walls."""
-    seen = np.diff(found.matrix.indptr)
+def choose_face(mesh: ws.Mesh, factors: ws.ViewFactors, up: str) -> int:
+    """Return the number of the upward-facing face that sees most faces, or of any face if none faces up."""
+    seen = np.diff(factors.matrix.indptr)
     level = mesh.face_normals.astype(np.float64) @ rendering.AXES[up] > 0.9
     return int(np.argmax(np.where(level, seen, -1) if level.any() else seen))
 
 
 def outline(plotter: Any, mesh: ws.Mesh, face: int, up: str, panels: int) -> None:
-    """Draws a face's sides and the mesh's edges in all panels, which look down so far that walls do not hide the ground."""
+    """Draw the sharp edges of a mesh and the outline of one face in each panel, seen from above."""
     import pyvista as pv  # noqa: PLC0415
 
-    edges = surface(mesh.vertices, mesh.faces).extract_feature_edges(30.0)
-    sides = pv.lines_from_points(mesh.vertices[mesh.faces[face]], close=True)
     for column in range(panels):
         plotter.subplot(0, column)
-        plotter.add_mesh(edges, color=EDGES, line_width=1)
-        plotter.add_mesh(sides, color=MARK, line_width=4)
-        look_from(plotter, up, 1.0)
-        plotter.camera.elevation = 40.0
+        draw_edges(plotter, mesh.vertices, mesh.faces)
+        sides = pv.lines_from_points(mesh.vertices[mesh.faces[face]], close=True)
+        plotter.add_mesh(sides, color=MARK, line_width=5, lighting=False)
+        fit_view(plotter, mesh.vertices, up, ABOVE)
 
 
-def _above(values: np.ndarray) -> float:
-    """A round number above 9 in 10 of those that are not 0, so that a few do not darken the rest."""
-    some = values[values > 0.0]
-    return rendering.round_ticks(float(np.quantile(some, 0.9)) if some.size else 1.0, 5)[-1]
+def _round_above(values: np.ndarray) -> float:
+    """Return a round number above nine of ten positive values, so that the largest do not darken the picture."""
+    positive = values[values > 0.0]
+    return rendering.round_ticks(float(np.quantile(positive, 0.9)) if positive.size else 1.0, 5)[-1]
 
 
 @fail_plainly()
 def main(
-    mesh: Annotated[Path, typer.Argument(help="Mesh file; or courtyard, an example.")] = Path("courtyard"),
+    mesh: Annotated[Path, typer.Argument(help="Mesh file, or courtyard, an example.")] = Path("courtyard"),
     face: Annotated[
         int | None,
-        typer.Option(
-            help="Number of the face; by default that which sees most others, of those that look up.",
-            show_default=False,
-        ),
+        typer.Option(help="Number of the face. Default: the upward-facing face that sees most faces.", show_default=False),
     ] = None,
-    count: Annotated[int, typer.Option(help="Rays of each face.")] = 4096,
+    count: Annotated[int, typer.Option(help="Number of rays per face.")] = 4096,
     seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
-    up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up.")] = "z",
+    up: Annotated[Literal["x", "y", "z"], typer.Option(help="Axis of the mesh that points up.")] = "z",
     screenshot: Annotated[
-        Path | None, typer.Option(help="No window, but a file: .png, or .html to turn in a browser.", show_default=False)
+        Path | None, typer.Option(help="Save to this file, .png or .html, in place of a window.", show_default=False)
     ] = None,
     size: Size = (1800, 680),
 ) -> None:
-    """Show the view factors from one face to all others of a mesh, their standard errors, and the sky of each face."""
+    """Show the view factors from one face of a mesh, their standard errors, and the sky view factor of each face."""
     rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh)
     rendering.check_size(size, (900, 340))
     rendering.check_rendering()
-    of = ws.load_mesh(mesh)
+    surface = ws.load_mesh(mesh)
     if face is not None:
-        check_integer(face, "face", 0, len(of.faces) - 1)
-    found = ws.view_factors(of, count, seed=seed, up=np.eye(3)["xyz".index(up)])
-    face = default_face(of, found, up) if face is None else face
-    place = ", ".join(f"{x:g}" for x in of.vertices[of.faces[face]].mean(axis=0).round(3))
-    what = f"face {face:,} at ({place}); {count:,} rays of each of {len(of.faces):,} faces; seed {seed}"
-    corners = of.vertices[of.faces].reshape(-1, 3)
+        check_integer(face, "face", 0, len(surface.faces) - 1)
+    factors = ws.view_factors(surface, count, seed=seed, up=np.eye(3)["xyz".index(up)])
+    face = choose_face(surface, factors, up) if face is None else face
+    place = ", ".join(f"{x:g}" for x in surface.vertices[surface.faces[face]].mean(axis=0).round(3))
+    summary = f"{mesh.name}: from face {face:,} at ({place}); {len(surface.faces):,} faces, {count:,} rays each; seed {seed}"
+    corners = surface.vertices[surface.faces].reshape(-1, 3)
     faces = np.arange(len(corners), dtype=np.int32).reshape(-1, 3)
-    panels = panels_of(found, face)
-    plotter = meshes_side_by_side(corners, faces, panels, caption=what, up=up, off_screen=screenshot is not None, size=size)
-    outline(plotter, of, face, up, len(panels))
-    show_or_save(plotter, screenshot, what)
+    panels = make_panels(factors, face)
+    off_screen = screenshot is not None
+    plotter = meshes_side_by_side(corners, faces, panels, caption=summary, up=up, off_screen=off_screen, size=size)
+    outline(plotter, surface, face, up, len(panels))
+    show_or_save(plotter, screenshot, summary)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import pytest
 
 from warpsample.plotting.angle_histogram import AngleHistogram
 from warpsample.plotting.charts import LobeCharts
-from warpsample.plotting.rendering import LOBE
+from warpsample.plotting.style import LOBE
 from warpsample.statistics.histogram import HistogramTest, joined_test
 
 
@@ -34,10 +34,10 @@ def histogram(p_value, independent=True):
     [
         (0.3, True, "agrees with the density\nχ² = 12.5, dof = 5, p = 0.300"),
         (1e-9, True, "does NOT agree with the density\nχ² = 12.5, dof = 5, p < 10⁻⁶"),
-        (1.0, True, "agrees more evenly than chance with the density\nχ² = 12.5, dof = 5, p = 1.000"),
-        (0.3, False, "agrees (evenly spread points)\nlargest residual 30.0 σ"),
-        (1.0, False, "agrees (evenly spread points)\nlargest residual 30.0 σ"),
-        (1e-9, False, "does NOT agree (evenly spread points)\nlargest residual 30.0 σ"),
+        (1.0, True, "agrees with the density\nχ² = 12.5, dof = 5, p = 1.000 (too even)"),
+        (0.3, False, "agrees with the density\nevenly spread: residuals up to 30.0 σ"),
+        (1.0, False, "agrees with the density\nevenly spread: residuals up to 30.0 σ"),
+        (1e-9, False, "does NOT agree with the density\nevenly spread: residuals up to 30.0 σ"),
         (None, True, "cannot be judged\ntoo few directions"),
         (None, False, "cannot be judged\ntoo few directions"),
     ],
@@ -73,7 +73,7 @@ def test_the_longest_verdict_stays_clear_of_the_disk(p_value):
     charts = LobeCharts((740, 900))
     for independent in (True, False):
         test = replace(histogram(p_value).test, chi_square=22_326_467.8, residuals=np.full(6, 12_345.6))
-        seen = replace(histogram(p_value, independent), test=test)
+        seen = replace(histogram(p_value, independent), test=test, claim="its own density")
         charts.draw(seen, seen, np.zeros((4096, 2)))
         verdict, words = charts.azimuth.moving[2][1], charts.disk.moving[2][1]
         assert verdict.get_window_extent().x1 < words.get_window_extent().x0

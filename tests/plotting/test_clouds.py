@@ -45,10 +45,10 @@ def test_the_cosine_lobe_is_drawn_as_a_sphere_of_diameter_one():
     assert np.ptp(surface[..., 2]) == pytest.approx(1.0, abs=1e-6)
 
 
-@pytest.mark.parametrize("name", mostly_slow(controls.spatial()))
+@pytest.mark.parametrize("name", mostly_slow(controls.spatial_names()))
 def test_right_directions_agree_and_wrong_ones_do_not(name, plausible):
     """Those of the menu's entry with its own density; and with that of the next value of its slider, or the next entry."""
-    right = controls.made(name)
+    right = controls.make_distribution(name)
     lobe = lobes.lobe_of(right)
     assert (lobe.theta.sum(), lobe.azimuth.sum()) == (pytest.approx(1.0), pytest.approx(1.0))
     # The chart's line has the mass of what it shows.
@@ -74,16 +74,16 @@ def test_every_sequence_tells_right_from_wrong(sequence, points):
     independent = ws.sequences.get(sequence).random
     right = clouds.all_clouds(Choice(ws.OffsetSphere(), COSINE, sequence), few, 1.0)
     for seen in (right.theta, right.azimuth):
-        assert not seen.wrong
+        assert not seen.is_wrong
         assert seen.verdict().startswith("agrees")
         assert ("p = " in seen.verdict(), "χ²" in seen.verdict()) == (independent, independent)
-        assert ("largest residual " in seen.verdict()) == (not independent)
+        assert ("residuals up to " in seen.verdict()) == (not independent)
     if not independent:
         # Stratified points have 0.65 times those of independent ones: the largest of 45 is above 3 once in 10^4.
         assert right.theta.test.largest_residual < 3.0
     for wrong in (ws.OffsetSphere(0.9), ws.OffsetSphere(0.98), ws.OffsetSphere(1.02), ws.OffsetBall(), ws.PowerCosine(1.1)):
         seen = clouds.all_clouds(Choice(wrong, COSINE, sequence), few, 1.0).theta
-        assert seen.wrong
+        assert seen.is_wrong
         assert seen.verdict().startswith("does NOT agree")
         assert seen.test.largest_residual > 4.0
 
@@ -97,7 +97,7 @@ def test_the_first_picture_is_judged_on_independent_points():
 @pytest.mark.slow
 def test_azimuth_is_judged_about_the_tangent_that_the_kernels_take(points):
     """Visible normals lean towards their view: with another frame they would not."""
-    leaning = controls.tilted(ws.VisibleGGX(0.5), 70.0)
+    leaning = controls.with_view(ws.VisibleGGX(0.5), 70.0)
     seen = clouds.all_clouds(Choice(leaning, sequence="independent", samples=100), points, 1.0)
     assert seen.azimuth.test.p_value >= ALPHA
     turned = replace(leaning, view=(leaning.view[1], leaning.view[0], leaning.view[2]))
@@ -131,9 +131,33 @@ def test_what_is_too_narrow_to_be_seen_is_refused():
 @pytest.mark.slow
 def test_every_slider_goes_from_end_to_end():
     """Every distribution can be made, drawn and judged at both ends of what its slider shows."""
-    for name in controls.spatial():
-        kind = type(controls.made(name))
+    for name in controls.spatial_names():
+        kind = type(controls.make_distribution(name))
         for value in kind.shown or ():
-            lobe = lobes.lobe_of(controls.with_scalar(controls.made(name), exp(log(value))))
+            lobe = lobes.lobe_of(controls.with_scalar(controls.make_distribution(name), exp(log(value))))
             assert np.isfinite(lobe.surface).all()
             assert 0.5 < np.linalg.norm(lobe.surface, axis=-1).max() <= 1.0 + 1e-6
+
+
+@pytest.mark.parametrize(
+    ("distribution", "density", "claim", "name"),
+    [
+        (None, None, COSINE, "the cosine lobe"),
+        ("offset_sphere(rho=1.3)", None, COSINE, "the cosine lobe"),
+        ("offset_ball", None, COSINE, "the cosine lobe"),
+        ("offset_sphere(rho=1.3)", "offset_sphere(rho=1.3)", ws.OffsetSphere(1.3), "its own density"),
+        ("cosine_hemisphere", None, COSINE, "its own density"),
+        ("ggx(alpha=0.3)", None, ws.GGX(0.3), "its own density"),
+        ("ggx(alpha=0.3)", "beckmann(alpha=0.3)", ws.Beckmann(0.3), "beckmann"),
+    ],
+)
+def test_offset_sets_are_compared_with_the_cosine_lobe_and_others_with_themselves(distribution, density, claim, name):
+    chosen = start.choice(distribution, density, "independent", 64, 0)
+    assert (chosen.claim, chosen.claim_name) == (claim, name)
+
+
+def test_the_start_agrees_and_another_radius_does_not(points):
+    """What the README promises: a sphere of radius 1 gives the cosine lobe, another radius does not."""
+    for distribution, agrees in ((None, True), ("offset_sphere(rho=1.3)", False), ("offset_sphere(rho=0.8)", False)):
+        seen = clouds.all_clouds(start.choice(distribution, None, "independent", 64, 0), points, 1.0).theta
+        assert seen.verdict().startswith("agrees with the cosine lobe" if agrees else "does NOT agree with the cosine lobe")

@@ -81,7 +81,7 @@ def test_the_picture_of_a_raster_and_of_a_city(can_render, script, tmp_path, cap
     assert sky.value[:, 10:].min() > 0.99
     assert sky.north[0] < 0.0 < sky.north[1]  # the place is east of the map's middle meridian
     maps.main(terrain=path, city=Path("courtyard"), samples=16, side=100.0, screenshot=file, size=(900, 340))
-    assert capsys.readouterr().out == f"{file}: step.tif, 16 rays a cell; courtyard; seed 0\n"
+    assert capsys.readouterr().out == f"{file}: step.tif, 16 rays per cell; courtyard; seed 0\n"
     picture = matplotlib.image.imread(file)
     assert picture.shape[:2] == (340, 900)
     assert (np.ptp(picture[..., :3], axis=-1) > 0.3).mean() > 0.05  # viridis and inferno, which no text has

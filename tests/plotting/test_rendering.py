@@ -14,9 +14,9 @@ from warpsample.plotting import rendering, scenes
     ("points", "count", "shown"), [(10, 64, (10, 64)), (10_000, 1024, (10_000, 100)), (2_000_000, 4, (1_000_000, 1))]
 )
 def test_budget_bounds_what_is_drawn(points, count, shown):
-    assert rendering.budgeted(points, count) == shown
-    said = rendering.extent_of(shown, (points, count))
-    assert ("asked for" in said) == (shown != (points, count))
+    assert rendering.limit_counts(points, count) == shown
+    said = rendering.describe_counts(shown, (points, count))
+    assert ("requested" in said) == (shown != (points, count))
 
 
 @pytest.mark.parametrize(
@@ -33,7 +33,9 @@ def test_the_readme_picture(can_render, call, tmp_path):
     file = tmp_path / "clouds.png"
     status, out, err = call("view", "--points", 30, "--samples", 100, "--size", 1200, 675, "--screenshot", file)
     assert (status, err) == (0, "")
-    assert out.startswith(f"{file}: 30 points x 100 directions of offset_sphere(rho=1); θ agrees")
+    assert out.startswith(
+        f"{file}: 30 points x 100 directions of offset_sphere(rho=1); θ agrees with the cosine lobe: χ² = "
+    )
     image = matplotlib.image.imread(file)[..., :3]
     assert image.shape == (675, 1200, 3)
     for part in (image[:, :200], image[:360, 204:640], image[370:, 204:640], image[:330, 660:], image[340:, 660:]):
@@ -48,7 +50,7 @@ def test_a_scene_to_turn_in_a_browser(can_render, call, tmp_path):
     assert (status, err) == (0, "")
     page = file.read_text()
     assert len(page) > 100_000
-    assert 'content:"10 points x 64 directions of offset_ball; θ agrees' in page
+    assert 'content:"10 points x 64 directions of offset_ball; θ does NOT agree with the cosine lobe' in page
     elsewhere = re.compile(r"<(?:script|link|img)[^>]*(?:src|href)=.?(?:https?:)?//")
     assert elsewhere.findall(f'{page}<script src="https://x/y.js">') == ['<script src="https://']  # the planted one alone
 

@@ -15,9 +15,9 @@ import warpsample as ws
 from warpsample.plotting import rendering
 from warpsample.plotting.family_sheet import family_sheet
 from warpsample.plotting.overlay_sheet import overlay
-from warpsample.plotting.scenes import Panel
+from warpsample.plotting.panels import Panel, fit_view
 from warpsample.plotting.sequence_sheet import Convergence, sequence_sheet
-from warpsample.plotting.sky_scene import on_map, patches_on_map
+from warpsample.plotting.sky_scene import map_patches, map_positions
 from warpsample.proof.defects import Wrong
 
 PNG_SCRIPTS = ("shirley_overlay", "offset_family", "sequences", "glossy_reflection", "direct_light")
@@ -118,7 +118,7 @@ def test_the_overlay_is_drawn(can_render, script, tmp_path, capsys):
     file = tmp_path / "overlay.png"
     script("shirley_overlay").main(samples=300, screenshot=file, size=(800, 640))
     assert re.match(
-        r".*overlay.png: 300 points each, .* yellow: sphere (100.0|99.\d)%, ball \d.\d%\n$", capsys.readouterr().out
+        r".*overlay.png: 300 points per set, .* yellow: sphere (100.0|99.\d)%, ball \d.\d%\n$", capsys.readouterr().out
     )
     left, right = np.split(picture(file), 2, axis=1)
     yellow, red = ((half[..., 0] > 0.9) & (half[..., 1] > 0.9) for half in (left, right))
@@ -170,8 +170,12 @@ def test_a_baked_texture_is_drawn_by_its_own_images(can_render, script, bunny, t
     """The colours of errors end where they are told to, and the picture is not blank."""
     module = script("baked_texture")
     pytest.importorskip("xatlas")
-    assert module.coloured(np.array([[0.0, 0.5, 2.0]]), 0.5)[0].tolist() == [[68, 1, 84], [253, 231, 37], [253, 231, 37]]
-    uv, occlusion, error = module.images_of(bunny, 128, 32, 0)
+    assert module.color_image(np.array([[0.0, 0.5, 2.0]]), "viridis", 0.5)[0].tolist() == [
+        [68, 1, 84],
+        [253, 231, 37],
+        [253, 231, 37],
+    ]
+    uv, occlusion, error = module.bake_images(bunny, 128, 32, 0)
     assert (uv.shape, occlusion.shape, error.shape) == ((len(bunny.faces), 3, 2), (128, 128), (128, 128))
     right = ws.ambient_occlusion(bunny, ws.face_centers(bunny), 256).value
     at = np.clip((128 * uv.mean(axis=1)).astype(int), 0, 127)
@@ -184,7 +188,7 @@ def test_a_baked_texture_is_drawn_by_its_own_images(can_render, script, bunny, t
 
 def test_occlusion_is_drawn_as_estimated(script, bunny):
     found = ws.ambient_occlusion(bunny, ws.vertex_points(bunny), 32)
-    panels = script("occlusion").panels_of(found, 32)
+    panels = script("occlusion").make_panels(found, 32)
     error = np.quantile(found.standard_error.astype(np.float64), 0.99)
     assert [panel.high for panel in panels] == [1.0, pytest.approx(panels[1].high), 32.0]
     assert error <= panels[1].high <= 2.5 * error
@@ -194,16 +198,18 @@ def test_occlusion_is_drawn_as_estimated(script, bunny):
 
 
 def test_the_sky_is_mapped_with_north_up_and_every_patch_once():
-    positions = on_map(np.array([90.0, 0.0, 0.0, 45.0]), np.array([0.0, 0.0, 90.0, 180.0]))
+    positions = map_positions(np.array([90.0, 0.0, 0.0, 45.0]), np.array([0.0, 0.0, 90.0, 180.0]))
     assert np.allclose(positions, [[0, 0, 0], [0, 1, 0], [1, 0, 0], [0, -0.5, 0]], atol=1e-12)
     patches = ws.sky_patches("tregenza")
-    corners, quads = patches_on_map(patches.altitudes, patches.azimuths)
+    corners, quads = map_patches(patches.altitudes, patches.azimuths)
     x, y = np.moveaxis(corners[quads, :2], -1, 0)
     area = 0.5 * np.abs((x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1))
     assert area.sum() == pytest.approx(np.pi, rel=0.02)  # chords for arcs
     middle = corners[quads].mean(axis=1).reshape(145, -1, 3).mean(axis=1)[:-1]
     sine = np.arcsin(patches.directions[:-1, 2])
-    assert np.abs(middle - on_map(np.degrees(sine), np.degrees(np.arctan2(*patches.directions[:-1, :2].T)))).max() < 0.02
+    assert (
+        np.abs(middle - map_positions(np.degrees(sine), np.degrees(np.arctan2(*patches.directions[:-1, :2].T)))).max() < 0.02
+    )
 
 
 def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it_and_the_slider_turns_the_hour(script, can_render, monkeypatch):
@@ -211,7 +217,7 @@ def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it_and_the_slider_tur
     mesh = ws.load_mesh("courtyard")
     points = ws.face_centers(mesh)
     matrix = ws.sky_matrix(mesh, points, 16)
-    row = module.closed_in(points, matrix.value, np.array([0.0, 0.0, 1.0]))
+    row = module.find_enclosed(points, matrix.value, np.array([0.0, 0.0, 1.0]))
     shares = matrix.value.sum(axis=1, dtype=np.float64)
     assert points.normal[row].tolist() == [0.0, 0.0, 1.0]
     assert shares[row] == shares[points.normal[:, 2] == 1.0].min() < 0.3
@@ -226,11 +232,12 @@ def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it_and_the_slider_tur
     given = {"hours": hours, "hour": 9, "sky": sky, "point": points.position[row], "captions": captions, "up": "z"}
     drawn = module.sun_and_sky((mesh.vertices, mesh.faces), left, **given, off_screen=False, size=(900, 340))
     year, hour, shown = (next(iter(drawn.renderers[i].actors.values())).mapper.dataset for i in range(3))
-    assert (set(year["year"]), set(hour["W/m2"])) == ({5.0}, {9.0})
-    assert np.array_equal(shown.active_scalars, np.repeat(matrix.value[row], 8))
+    assert (set(year["year"]), set(hour["hour"])) == ({5.0}, {9.0})
+    shares = np.repeat(matrix.value[row].astype(float), 8)
+    assert np.array_equal(np.nan_to_num(shown.active_scalars), shares)  # patches that are hidden have no number
     before = drawn.screenshot(return_img=True)
     turn[0](14.8)
-    assert (set(year["year"]), set(hour["W/m2"])) == ({5.0}, {15.0})
+    assert (set(year["year"]), set(hour["hour"])) == ({5.0}, {15.0})
     assert differing(before / 255.0, drawn.screenshot(return_img=True) / 255.0) > 0.01
 
 
@@ -255,3 +262,20 @@ def test_scripts_say_what_is_wrong(name, script, tmp_path, monkeypatch, capsys):
         main(screenshot=tmp_path / "x.png", size=(100_000, 100_000))
     assert capsys.readouterr().err.startswith("error: --size: got 100000 x 100000, want at most 16,384")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_fitted_view_shows_all_points_between_title_and_bar(can_render):
+    """In each of the three directions, of a mesh that is wide, tall or far from the origin."""
+    for up, above in (("y", 0.0), ("z", 0.0), ("z", 2.0), ("x", 0.5)):
+        for points in (np.diag([30.0, 1.0, 2.0]), np.diag([1.0, 1.0, 50.0]) + 1e6):
+            plotter = pv.Plotter(off_screen=True, window_size=(300, 340))
+            fit_view(plotter, points, up, above)
+            window = []
+            for point in points:
+                plotter.renderer.SetWorldPoint(*point, 1.0)
+                plotter.renderer.WorldToDisplay()
+                window.append(plotter.renderer.GetDisplayPoint()[:2])
+            x, y = np.array(window).T / [[300], [340]]
+            assert (x.min() > 0.02, x.max() < 0.98, y.min() > 0.16, y.max() < 0.90) == (True,) * 4
+            assert max(np.ptp(x) / 0.94, np.ptp(y) / 0.72) == pytest.approx(1.0, abs=0.02)  # it fills the space
+            plotter.close()

@@ -1,5 +1,6 @@
 """What the viewer shows of a file: the occlusion of all its materials on one picture."""
 
+import matplotlib.image
 import numpy as np
 import pytest
 from lookups import lookup, on_surface
@@ -72,3 +73,22 @@ def test_the_viewer_is_given_it(can_render, baked):
     assert np.allclose(drawn.active_texture_coordinates[drawn.regular_faces] * (1, -1) + (0, 1), shown.uv, atol=1e-6)
     assert np.array_equal(actor.texture.to_array()[..., 0], shown.picture)
     plotter.close()
+
+
+def test_the_view_of_a_baked_file_is_about_its_occlusion(can_render, call, baked, tmp_path):
+    """The line on stdout has the values of the pictures; with a distribution the clouds are shown as before."""
+    file, mesh, shown = tmp_path / "view.png", ws.load_mesh(baked), read_occlusion(baked)
+    status, out, err = call("view", baked, "--size", 1200, 675, "--screenshot", file)
+    assert (status, err) == (0, "")
+    assert out.startswith(f"{file}: baked occlusion on {len(mesh.faces)} of {len(mesh.faces)} faces; mean 0.")
+    assert "χ²" not in out
+    _, at = on_surface(mesh, shown.uv, 20_000)
+    mean = (lookup(shown.picture[..., None] / 255, at)[:, 0]).mean()
+    # Two means over 20,000 random points of values from 0.5 to 1, rounded to 0.01.
+    assert float(out.split("mean ")[1].split()[0]) == pytest.approx(mean, abs=0.015)
+    pixels = matplotlib.image.imread(file)[..., :3]
+    assert pixels.shape == (675, 1200, 3)
+    left, right = np.split(pixels, 2, axis=1)
+    assert (np.abs(left - right).max(axis=-1) > 0.05).mean() > 0.02
+    status, out, _ = call("view", baked, "--points", 3, "--size", 1200, 675, "--screenshot", file)
+    assert out.startswith(f"{file}: 3 points x 1,024 directions")

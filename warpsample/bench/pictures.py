@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from warpsample import sequences
 from warpsample.bench.rows import Spread, format_field, get_columns
+from warpsample.bench.running.picture_parts import LABELS, TITLES, draw_bars
 from warpsample.bench.tables import format_named, group_rows
 from warpsample.host.extras import missing
 from warpsample.host.files import write_bytes
@@ -90,15 +91,16 @@ def draw_figure(picture: Picture, rows: list[Any], caption: str) -> "Figure":
         axes.set_title(", ".join(_list_titles(picture, group)), fontsize=10)
         _draw_curves(axes, picture, group, y)
         if i % across == 0:
-            axes.set_ylabel(_get_label(rows, y))
+            axes.set_ylabel(_get_label(picture, rows, y))
     for axes, *_ in grid:
         if isinstance(getattr(rows[0], plots[0][0]), str):
             axes.invert_yaxis()  # the first name on top
         elif "y" not in picture.log:
             axes.set_ylim(bottom=0.0)
-    _draw_legend(figure, grid)
-    x = _get_label(rows, picture.x) if isinstance(picture.x, str) else ""
-    figure.supxlabel("\n".join(filter(None, [x, fill(caption, int(14 * figure.get_figwidth()))])), fontsize=9)
+    _draw_legend(figure, grid, LABELS.get((picture.name, picture.series)))
+    figure.suptitle(TITLES.get(picture.name), fontsize=12)
+    x = _get_label(picture, rows, picture.x) if isinstance(picture.x, str) else ""
+    figure.supxlabel("\n".join(filter(None, [x, fill(caption, int(14 * figure.get_figwidth()))])), fontsize=10)
     return figure
 
 
@@ -113,19 +115,26 @@ def _list_titles(picture: Picture, rows: list[Any]) -> list[str]:
     return [title for row in rows[:1] for name in names if (title := format_named(row, name))]
 
 
-def _get_label(rows: list[Any], name: str) -> str:
+def _get_label(picture: Picture, rows: list[Any], name: str) -> str:
+    """Return the label of a field: from LABELS, or the heading of its column."""
+    if (picture.name, name) in LABELS:
+        return LABELS[picture.name, name]
     columns = get_columns(type(rows[0]))
     return columns[name].metadata["heading"] if name in columns else name.replace("_", " ")
 
 
 def _draw_curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> None:
-    """Draw a curve through the medians of each series, with whiskers from quartile to quartile."""
+    """Draw a curve through the medians of each series, with whiskers where there is a spread; bars over an x of texts."""
+    if isinstance(_get_values(picture, rows[0])[0], str) and isinstance(getattr(rows[0], name), Spread):
+        bars = {LABELS.get((picture.name, of), of): mine for (of,), mine in group_rows(rows, picture.series).items()}
+        draw_bars(axes, {of: {getattr(row, picture.x): getattr(row, name) for row in mine} for of, mine in bars.items()})
+        return
     for i, group in enumerate(group_rows(rows, picture.series).values()):
         label = ", ".join(format_field(group[0], field) for field in picture.series.split())
         x = [getattr(v, "median", v) for v in (_get_values(picture, row)[0] for row in group)]
         y = [getattr(v, "median", v) for v in (getattr(row, name) for row in group)]
         width = 0 if isinstance(y[0], str) else 1
-        style = {"marker": _MARKERS[i % len(_MARKERS)], "markersize": 4, "linewidth": width, "label": label}
+        style = {"marker": _choose_marker(label, i), "markersize": 4, "linewidth": width, "label": label}
         (line,) = axes.plot(x, y, color=_choose_colour(label), fillstyle="none" if i >= len(_MARKERS) else "full", **style)
         for at, row in zip(x, group, strict=True):
             if isinstance(spread := getattr(row, name), Spread):
@@ -136,13 +145,18 @@ def _draw_curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> 
     axes.grid(alpha=0.3)
 
 
+def _choose_marker(label: str, number: int) -> str:
+    """Return the marker of a sequence, the same in all pictures; for other labels one by the number of the series."""
+    return sequences.get(label).marker if label in sequences.names() else _MARKERS[number % len(_MARKERS)]
+
+
 def _choose_colour(label: str) -> str | None:
     """Return the colour of a sequence, the same in all pictures; None for other labels."""
     return sequences.get(label).colour if label in sequences.names() else None
 
 
-def _draw_legend(figure: "Figure", grid: Any) -> None:
+def _draw_legend(figure: "Figure", grid: Any, title: str | None) -> None:
     """Draw one legend for all plots if there is more than one curve."""
     named = {label: handle for axes in grid.ravel() for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)}
     if len(named) > 1:
-        figure.legend(named.values(), named, loc="outside right center", frameon=False, fontsize=8)
+        figure.legend(named.values(), named, loc="outside right center", frameon=False, fontsize=10, title=title)

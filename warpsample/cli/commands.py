@@ -118,13 +118,18 @@ def view(
     *,
     points: Annotated[
         int | None,
-        typer.Option(help="How many surface points; by default 100, or 1 where an occlusion is shown.", min=1),
+        typer.Option(
+            help="Number of points with clouds, placed uniformly by area. Default: 100.", min=1, show_default=False
+        ),
     ] = None,
     samples: Annotated[int, typer.Option(help="Directions at each point.", min=1)] = 1024,
     distribution: Annotated[str | None, option(f"{DISTRIBUTION_HELP} By default offset_sphere(rho=1.0).")] = None,
     density: Annotated[
         str | None,
-        option("What the directions are held against; by default their own, or a cosine lobe."),
+        option(
+            "Distribution whose density the directions are compared with. Default: the cosine lobe for offset_sphere and"
+            " offset_ball, the distribution itself for others."
+        ),
     ] = None,
     sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "independent",
     seed: Annotated[int, typer.Option(help="Of points and directions.")] = 0,
@@ -134,15 +139,21 @@ def view(
     ] = None,
     size: Size = (1600, 900),
 ) -> None:
-    """See directions on a mesh: clouds around points, one of them enlarged, and how well they keep to a density.
+    """Show clouds of directions at points of a mesh, and compare the directions with a density.
 
-    It starts with sphere + normal, normalised, held against the cosine lobe: turn rho, and see when it is right.
+    The window starts with points on a sphere plus the normal, normalised, compared with the cosine lobe. They agree for a
+    sphere of radius rho = 1; turn rho away from 1, and the charts report that they do not agree.
+
+    For a .glb or .gltf with baked occlusion the window shows the occlusion instead, unless --points, --distribution or
+    --density is given.
     """
     from warpsample.mesh.files.beside import files_beside
     from warpsample.plotting import rendering
     from warpsample.viewer import start
+    from warpsample.viewer.baked import show_occlusion
 
     rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh, *files_beside(mesh))
+    chosen = any(each is not None for each in (points, distribution, density))
     choice = start.choice(distribution, density, sequence, samples, seed)
     rendering.check_size(size, start.LEAST_SIZE)
     with working("trying whether pictures can be drawn here"):
@@ -150,14 +161,19 @@ def view(
     path = mesh or start.bunny()
     with working(f"reading {path}"):
         surface, occlusion = load_mesh(path), read_occlusion(path)
-    points = points or (100 if occlusion is None else 1)  # clouds would hide it
+    if occlusion is not None and not chosen:
+        with signals.at_once() if screenshot is None else working(f"drawing {screenshot}"):
+            summary = show_occlusion(surface, occlusion, up=up, size=size, path=screenshot)
+        print(f"{screenshot or path}: {summary}")
+        return
+    points = points or (100 if occlusion is None else 1)  # more clouds would hide the occlusion
     if screenshot is None:
         with signals.at_once():
             start.window(surface, points, choice, up=up, size=size, occlusion=occlusion)
         return
     with working(f"drawing {screenshot}; kernels are compiled when first used, for about 10 s"):
-        seen = start.save(surface, points, choice, up=up, size=size, path=screenshot, occlusion=occlusion)
-    print(f"{screenshot}: {seen}")
+        summary = start.save(surface, points, choice, up=up, size=size, path=screenshot, occlusion=occlusion)
+    print(f"{screenshot}: {summary}")
 
 
 app.command("verify")(verify_command)

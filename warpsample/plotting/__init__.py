@@ -1,1 +1,1 @@
-"""Arrays as PyVista plotters and matplotlib figures. Draws what it is given, computes nothing else, and shows nothing."""
+"""Functions that draw arrays as PyVista scenes and matplotlib figures; showing or saving is left to the caller."""

@@ -1,6 +1,6 @@
-"""Parts of a PyVista scene whose contents can be replaced: clouds, lobes, pins, a sheet of pixels, and the mouse.
+"""Parts of a PyVista scene with replaceable contents: clouds, lobes, pins, sheets of pixels and mouse picking.
 
-Each adds itself to the current renderer of its plotter.
+The constructor of each class adds the part to the current renderer of the plotter.
 """
 
 from collections.abc import Callable
@@ -9,22 +9,24 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from warpsample.mesh.polydata import surface
-from warpsample.plotting.rendering import INK, LOBE, round_ticks
+from warpsample.plotting.rendering import round_ticks
+from warpsample.plotting.style import INK, LOBE, font_file
 
 if TYPE_CHECKING:
     import pyvista
 
 OUTSIDE = "#e8871e"
-"""The colour of directions at which the density is 0."""
+"""Colour of directions with a density of 0."""
 
 _TITLE = "density [1/sr]"
 _BAR = {"title": _TITLE, "fmt": "%.4g", "color": INK, "title_font_size": 1, "label_font_size": 15}
 _BAR |= {"position_x": 0.2, "position_y": 0.02, "height": 0.1, "width": 0.6}
-_MOST_STEPS = 5  # of a colour bar's ticks
+_FONT_OF_A_FILE = 4  # VTK_FONT_FILE in vtkTextProperty.h, which vtkmodules does not have
+_MOST_STEPS = 5  # between ticks of a colour bar
 
 
 class CloudActor:
-    """Points of so many pixels, coloured by density, as one actor; a colour bar may stand below them."""
+    """Points of a given size in pixels, coloured by density, with an optional colour bar below."""
 
     def __init__(self, plotter: "pyvista.Plotter", point_size: int, bar: bool):
         import pyvista as pv
@@ -48,11 +50,11 @@ class CloudActor:
             self._bar.SetBelowRangeAnnotation("")
 
     def show(self, position: np.ndarray, pdf: np.ndarray, peak: float) -> None:
-        """Replaces the points, (N, 3), and their densities per steradian, (N,); `peak` is what has the last colour."""
+        """Replace the points, (N, 3), and the densities per steradian, (N,); the density `peak` has the last colour."""
         import pyvista as pv
 
         cloud = pv.PolyData(position)
-        cloud["pdf"] = np.where(pdf > 0.0, pdf, np.float32(-1.0))  # -1 is below the range and so has the colour OUTSIDE
+        cloud["pdf"] = np.where(pdf > 0.0, pdf, np.float32(-1.0))  # -1 is below the range: colour OUTSIDE
         self.actor.mapper.dataset = cloud
         self.actor.mapper.scalar_range = (0.0, peak)
         if self._bar is not None:
@@ -61,9 +63,9 @@ class CloudActor:
 
 
 def label_bar(bar: Any, high: float) -> None:
-    """Labels a VTK scalar bar, from 0 to `high`, at round numbers.
+    """Set the labels of a VTK scalar bar to round numbers from 0 to `high`, and hide the title of the bar.
 
-    Its title is hidden: only a browser draws it clear of the labels.
+    VTK draws the title over the labels; only a browser draws the title next to them.
     """
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
@@ -71,10 +73,12 @@ def label_bar(bar: Any, high: float) -> None:
     bar.SetCustomLabels(numpy_to_vtk(ticks[ticks <= high * (1.0 + 1e-6)], deep=True))
     bar.SetUseCustomLabels(True)
     bar.GetTitleTextProperty().SetOpacity(0.0)
+    bar.GetLabelTextProperty().SetFontFamily(_FONT_OF_A_FILE)
+    bar.GetLabelTextProperty().SetFontFile(font_file())
 
 
 class LobeActor:
-    """A density as a translucent surface over the tangent plane."""
+    """Density of directions as a translucent surface over the tangent plane."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
         import pyvista as pv
@@ -83,7 +87,7 @@ class LobeActor:
         self.actor = plotter.add_mesh(pv.Plane(i_resolution=1, j_resolution=1), **style)
 
     def show(self, grid: np.ndarray) -> None:
-        """Replaces the surface by (I, J, 3) points of I rings with J spokes."""
+        """Replace the surface with (I, J, 3) points on I rings and J spokes."""
         rings, spokes = grid.shape[:2]
         first = (np.arange(rings - 1)[:, None] * spokes + np.arange(spokes - 1)).ravel()
         quads = np.stack([first, first + 1, first + spokes + 1, first + spokes], axis=1)
@@ -91,7 +95,7 @@ class LobeActor:
 
 
 class Sheet:
-    """Pixels that fill a renderer, whatever its camera does."""
+    """Pixels that fill a renderer for every camera position."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
         import pyvista as pv
@@ -107,14 +111,14 @@ class Sheet:
         plotter.add_actor(self._actor, pickable=False)
 
     def show(self, pixels: np.ndarray) -> None:
-        """Replaces the pixels, (H, W, 3) uint8."""
+        """Replace the pixels with (H, W, 3) uint8."""
         import pyvista as pv
 
         self._actor.SetTexture(pv.Texture(pixels))
 
 
 class Pin:
-    """A pin that stands on a point."""
+    """Line with a round head that marks a point."""
 
     def __init__(self, plotter: "pyvista.Plotter", colour: str):
         import pyvista as pv
@@ -124,7 +128,7 @@ class Pin:
         self._head = plotter.add_mesh(pv.PolyData(np.zeros((1, 3))), point_size=13, render_points_as_spheres=True, **style)
 
     def show(self, start: np.ndarray, end: np.ndarray) -> None:
-        """Moves the pin: it stands on `start`, (3,), and its head is at `end`, (3,)."""
+        """Move the pin: its foot to `start`, (3,), and its head to `end`, (3,)."""
         import pyvista as pv
 
         self._shaft.mapper.dataset = pv.Line(start, end)
@@ -132,22 +136,22 @@ class Pin:
 
 
 class MeshPicker:
-    """Finds the point of a mesh that is under the mouse."""
+    """Selection of a point of a mesh, and of its face, by a double click."""
 
-    def __init__(self, plotter: "pyvista.Plotter", actor: Any, picked: Callable[[np.ndarray, int], None]):
-        """Calls `picked` with the point, (3,), and its face at a double click on an actor of the current renderer.
+    def __init__(self, plotter: "pyvista.Plotter", actor: Any, choose: Callable[[np.ndarray, int], None]):
+        """Call `choose` with the point, (3,), and its face at each double click on an actor of the current renderer.
 
-        The faces of the drawn surface are in the mesh's order, whether its edges are split or not (a test sees to it).
+        The drawn surface has the faces in the order of the mesh, also where its sharp edges are split (a test checks this).
         """
         from vtkmodules.vtkRenderingCore import vtkCellPicker
 
-        self._renderer, self._picked, self._picker = plotter.renderer, picked, vtkCellPicker()
+        self._renderer, self._choose, self._picker = plotter.renderer, choose, vtkCellPicker()
         self._picker.PickFromListOn()
         self._picker.AddPickList(actor)
         iren = plotter.iren
         iren.track_click_position(lambda _: self.click(iren.get_event_position()), side="left", double=True, viewport=True)
 
     def click(self, at: tuple[int, int]) -> None:
-        """Does what a double click does, at pixels from the window's lower left corner."""
+        """Act as a double click at a pixel, (x, y) from the lower left corner of the window, would."""
         if self._renderer.IsInViewport(*at) and self._picker.Pick(*at, 0, self._renderer) and self._picker.GetCellId() >= 0:
-            self._picked(np.array(self._picker.GetPickPosition()), self._picker.GetCellId())
+            self._choose(np.array(self._picker.GetPickPosition()), self._picker.GetCellId())

@@ -1,6 +1,6 @@
-"""The viewer's charts: histograms of angles against their densities, with residuals, and the projected disk.
+"""Charts of the viewer: histograms of angles with densities and residuals, and the projected disk.
 
-They stand on one sheet that is redrawn fast: what does not change between two drawings is drawn once.
+All charts are on one sheet. Parts that do not change between two drawings are drawn once, so that a knob responds fast.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -8,28 +8,28 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from warpsample.plotting.angle_histogram import AngleHistogram
-from warpsample.plotting.rendering import BARS, DOTS, INK, LOBE
+from warpsample.plotting.style import BARS, DOTS, INK, LOBE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _STEPS = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 _TEXT, _SMALL = 11, 10
-_WIDTH = 7.4  # inches of the sheet, for which its text is sized
+_WIDTH = 7.4  # width of the sheet in inches, for which the text is sized
 _MOST_SIGMA = 6.0
-_MOST_WRONG = 3.0  # times the density: what is taller is cut
-_MOST_STILLS = 64  # sheets of 3 MB that are kept
+_MOST_WRONG = 3.0  # times the density: taller bars are cut
+_MOST_STILLS = 64  # cached sheets of 3 MB
 _BAND = 2.0  # standard deviations
 
 
 class LobeCharts:
-    """A sheet of `size` pixels, width and height, with charts of theta and azimuth, and the projected disk.
+    """Sheet with charts of theta and azimuth and with the projected disk; `size` is its width and height in pixels.
 
-    What stays is drawn once (blitting): Matplotlib takes 2 to 6 ms for a text, and a knob would respond half as fast.
+    Fixed parts are drawn once (blitting): matplotlib takes 2 to 6 ms for a text, and a knob would respond half as fast.
     """
 
     def __init__(self, size: tuple[int, int]):
-        """Lays out a sheet of that width and height in pixels."""
+        """Lay out a sheet with a width and height in pixels."""
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
 
@@ -50,10 +50,12 @@ class LobeCharts:
         self._stills: dict[tuple[Any, ...], Any] = {}
 
     def draw(self, theta: AngleHistogram, azimuth: AngleHistogram, disk: np.ndarray) -> np.ndarray:
-        """The sheet's pixels, (H, W, 3) uint8, for new data.
+        """Draw new data and return the pixels of the sheet, (H, W, 3) uint8.
 
-        The angles are to the normal, in [0, 180] degrees, and about it, in [0, 360]; `disk`: (N, 2), the tangent components
-        of unit directions.
+        Args:
+            theta: angles to the normal, 0 to 180 degrees.
+            azimuth: angles about the normal, 0 to 360 degrees.
+            disk: (N, 2) components of unit directions along the tangent and the bitangent.
         """
         self.theta.show(theta)
         self.azimuth.show(azimuth)
@@ -65,7 +67,7 @@ class LobeCharts:
         return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
 
     def _draw_still(self) -> None:
-        """Draws the axes; those whose span has not changed are copied, and animated artists are left out."""
+        """Draw all axes without their moving artists; axes with an unchanged range are copied from a cached sheet."""
         frames = tuple(part.frame for part in self._parts)
         if frames in self._stills:
             self._canvas.restore_region(self._stills[frames])
@@ -84,23 +86,29 @@ class LobeCharts:
 
 
 class HistogramChart:
-    """A histogram as bars, its density as a line, the verdict above, and the residuals below.
+    """Histogram as bars, density as a line, verdict above and residuals below.
 
-    Each drawing replaces these, which `moving` holds as (axes, artist); `handles` are the bars and the line, for a legend.
+    Attributes:
+        moving: (axes, artist) of each artist that every drawing replaces.
+        handles: bars and line, for a legend.
     """
 
     def __init__(self, figure: Any, *, above: tuple[float, ...], below: tuple[float, ...], name: str, label: str):
-        """Adds it to a figure, with the angle's letter, and what it is measured from.
+        """Add the chart to a figure.
 
-        `above` and `below` are left, bottom, width and height of the histogram and of the residuals, as shares of the
-        figure.
+        Args:
+            figure: figure to draw into.
+            above: left, bottom, width and height of the histogram, as shares of the figure.
+            below: left, bottom, width and height of the residuals, as shares of the figure.
+            name: letter of the angle.
+            label: origin of the angle, in words.
         """
         self._name = name
         self._box = (above[0] - 0.1, below[1] - 0.075, above[0] + above[2] + 0.02, above[1] + above[3] + 0.012)
         self._above, self._below = figure.add_axes(above), figure.add_axes(below)
         one, unit = np.zeros(1), np.array([0.0, 1.0])
         bars = self._above.stairs(one, unit, fill=True, color=BARS, label="directions", animated=True)
-        (curve,) = self._above.plot([], [], color=LOBE, linewidth=2, label="density", animated=True)
+        (curve,) = self._above.plot([], [], color=LOBE, linewidth=2, label="compared density", animated=True)
         verdict = self._above.text(0.0, 1.03, "", transform=self._above.transAxes, fontsize=_TEXT, color=INK, animated=True)
         residuals = self._below.stairs(one, unit, fill=True, color=BARS, animated=True)
         self.moving = ((self._above, bars), (self._above, curve), (self._above, verdict), (self._below, residuals))
@@ -108,7 +116,7 @@ class HistogramChart:
         self._lay_out(f"{name} {label} [degrees]")
 
     def _lay_out(self, label: str) -> None:
-        """Draws what stays: labels, ticks and the band of two standard deviations."""
+        """Draw the fixed parts: labels, ticks and the band of two standard deviations."""
         self._above.set_ylabel("density [1/rad]", fontsize=_TEXT)
         self._above.set_xticklabels([])
         self._above.locator_params(axis="y", nbins=5)
@@ -122,11 +130,11 @@ class HistogramChart:
 
     @property
     def frame(self) -> tuple[float, ...]:
-        """The span of the histogram's axes: left, right, bottom, top."""
+        """Range of the histogram's axes: left, right, bottom, top."""
         return (*self._above.get_xlim(), *self._above.get_ylim())
 
     def draw_still(self, canvas: Any) -> None:
-        """Draws the axes anew, with the labels around them."""
+        """Redraw the axes and the labels around the axes."""
         pixels = np.asarray(canvas.buffer_rgba())
         height, width = pixels.shape[:2]
         left, bottom, right, top = self._box
@@ -136,12 +144,15 @@ class HistogramChart:
             axes.draw(canvas.get_renderer())
 
     def show(self, seen: AngleHistogram) -> None:
-        """Takes new data; the axes change in steps only, so that most drawings can keep them."""
+        """Replace the histogram, the density and the verdict.
+
+        The range of the axes changes in steps, so that most drawings need no new axes.
+        """
         bars, curve, verdict, residuals = (artist for _, artist in self.moving)
         bars.set_data(seen.observed, seen.edges)
         curve.set_data(seen.angles, seen.density)
         verdict.set_text(f"{self._name} {seen.verdict()}")
-        verdict.set_color(LOBE if seen.wrong else INK)
+        verdict.set_color(LOBE if seen.is_wrong else INK)
         residuals.set_data(np.clip(seen.residuals, -_MOST_SIGMA, _MOST_SIGMA), seen.edges)
         self._span(float(seen.edges[0]), float(seen.edges[-1]))
         tallest = float(seen.expected.max(initial=1e-9))
@@ -150,7 +161,7 @@ class HistogramChart:
             self._above.set_ylim(0.0, top)
 
     def _span(self, low: float, high: float) -> None:
-        """Lets the horizontal axes reach from `low` to `high` degrees."""
+        """Set the range of the horizontal axes, in degrees."""
         if self._below.get_xlim() == (low, high):
             return
         ticks = np.linspace(low, high, 4)
@@ -161,13 +172,13 @@ class HistogramChart:
 
 
 class DiskChart:
-    """Directions seen along the normal: the projected hemisphere, which a cosine lobe fills evenly (Nusselt).
+    """Directions seen along the normal: the projected hemisphere, which a cosine lobe fills uniformly (Nusselt).
 
-    `moving` is as in `HistogramChart`; the axes span the same in all drawings, so `frame` is empty.
+    `moving` has the meaning of `HistogramChart.moving`. The range of the axes never changes, so `frame` is empty.
     """
 
     def __init__(self, figure: Any, box: tuple[float, ...]):
-        """Adds it to a figure; `box` is its left, bottom, width and height, as shares of the figure."""
+        """Add the chart to a figure; `box` is left, bottom, width and height as shares of the figure."""
         axes: Axes = figure.add_axes(box)
         (points,) = axes.plot([], [], "o", markersize=2.2, color=DOTS, markeredgewidth=0, animated=True)
         turn = np.linspace(0.0, 2.0 * np.pi, 181)
@@ -177,17 +188,17 @@ class DiskChart:
         self.frame = ()
         axes.set(aspect="equal", xlim=(-1.03, 1.03), ylim=(-1.03, 1.03), xticks=(-1, 0, 1), yticks=(-1, 0, 1))
         axes.tick_params(labelsize=_SMALL)
-        axes.set_xlabel("ω·t", fontsize=_TEXT)
-        axes.set_ylabel("ω·b", fontsize=_TEXT, labelpad=-6)
+        axes.set_xlabel("ω·t, along the tangent", fontsize=_TEXT)
+        axes.set_ylabel("ω·b, along the bitangent", fontsize=_TEXT, labelpad=-6)
 
     def show(self, disk: np.ndarray) -> None:
-        """Takes new points, (N, 2)."""
+        """Replace the points, (N, 2)."""
         points, _, words = (artist for _, artist in self.moving)
         points.set_data(disk[:, 0], disk[:, 1])
         words.set_text(f"{len(disk):,} directions of the\npinned point, seen along n")
 
 
 def _round_up(x: float) -> float:
-    """The next of some steps times a power of ten."""
+    """Return the smallest number at or above x that is one of _STEPS times a power of ten."""
     scale = 10.0 ** np.floor(np.log10(x))
     return float(next(step * scale for step in _STEPS if step * scale >= x * (1 - 1e-9)))

@@ -1,28 +1,35 @@
-"""The projected offset sets as a figure: their points, their angles, and the half angle that explains the cosine lobe."""
+"""Figure of the projected offset sets: points, angles, and the half angle that explains the cosine lobe."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.plotting.rendering import BARS, DOTS, INK, LOBE
+from warpsample.plotting.style import BARS, DOTS, INK, LOBE
 from warpsample.statistics.histogram import HistogramTest
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-_TITLE, _TEXT, _TICKS = 17, 14, 12
+_TITLE, _TEXT, _TICKS = 18, 15, 13
 _SYMBOL = 22
 
 
 @dataclass(frozen=True, eq=False)
 class SetPanel:
-    """A set about the tip of the normal, seen from the side, and the angles of its projection.
+    """Set about the tip of the normal, seen from the side, and the angles of its projection.
 
-    The points of the set, with the normal up, are (N, 2), and so are the directions, the same points projected onto the unit
-    circle or sphere. Of the histogram `edges` are (K + 1,) degrees, and `observed` (K,) per radian; the density that is
-    claimed at (M,) angles, in degrees, is per radian too. The formula is for the legend.
+    Attributes:
+        title: text above the panel.
+        points: (N, 2) points of the set, with the normal up.
+        directions: (N, 2) the same points projected onto the unit circle or sphere.
+        edges: (K + 1,) edges of the histogram's bins, degrees.
+        observed: (K,) density of the directions, per radian.
+        angles: (M,) angles of `density`, degrees.
+        density: (M,) density of the distribution, per radian.
+        formula: formula of the density, for the legend.
+        test: chi-square test of the histogram against the density.
     """
 
     title: str
@@ -37,7 +44,7 @@ class SetPanel:
 
 
 def family_sheet(sets: list[SetPanel], spheres: list[SetPanel], caption: str) -> "Figure":
-    """Draws four projected offset sets, spheres of three radii, and the half angle that proves the cosine lobe."""
+    """Draw four projected offset sets, spheres of three radii, and the half angle that proves the cosine lobe."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(16.0, 16.5), layout="constrained", dpi=100)
@@ -52,21 +59,25 @@ def family_sheet(sets: list[SetPanel], spheres: list[SetPanel], caption: str) ->
 
 
 def _draw_set(axes: "Axes", panel: SetPanel) -> None:
+    """Draw the points of a set and their projection, seen from the side."""
     turn = np.linspace(-np.pi / 2, np.pi / 2, 91)
     axes.plot(np.sin(turn), np.cos(turn), color="0.75", linewidth=1)
     axes.plot(*panel.points.T, ".", color=BARS, markersize=4, label="n + point")
-    axes.plot(*panel.directions.T, ".", color=LOBE, markersize=4, label="projected: ω")
+    axes.plot(*panel.directions.T, ".", color=LOBE, markersize=4, label="direction ω")
     _arrow(axes, (0, 1), (0, 0), INK)
     reach = max(1.0, float(np.abs(panel.points - [0.0, 1.0]).max()))
     axes.set(aspect="equal", xlim=(-1.3 * reach, 1.3 * reach), ylim=(min(-0.12, 0.95 - reach), 1.0 + 1.5 * reach))
     axes.locator_params(nbins=6)
     axes.tick_params(labelsize=_TICKS)
     axes.set_title(panel.title, fontsize=_TITLE)
+    axes.set_xlabel("across the normal", fontsize=_TEXT)
+    axes.set_ylabel("along the normal", fontsize=_TEXT)
     style = {"frameon": False, "handletextpad": 0.1, "columnspacing": 0.8, "markerscale": 2}
     axes.legend(loc="upper center", ncols=2, fontsize=_TICKS, **style)
 
 
 def _draw_density(axes: "Axes", panel: SetPanel) -> None:
+    """Draw the histogram of the angles with the density and the result of the chi-square test."""
     axes.stairs(panel.observed, panel.edges, fill=True, color=BARS, label="directions")
     axes.plot(panel.angles, panel.density, color=LOBE, linewidth=2, label=panel.formula)
     axes.set(xlim=(panel.edges[0], panel.edges[-1]), ylim=(0, 1.4 * max(panel.observed)))
@@ -82,7 +93,7 @@ def _draw_density(axes: "Axes", panel: SetPanel) -> None:
 
 
 def _draw_half_angle(axes: "Axes", theta: float = 1.15) -> None:
-    """Draws figure 1 (b) of the Shirley trick's proof: n, a sphere point ω_temp, their sum ω, and θ = 2θ′."""
+    """Draw figure 1 (b) of the proof of Shirley's trick: n, a sphere point ω_temp, the sum ω, and θ = 2θ′."""
     turn = np.linspace(0.0, 2.0 * np.pi, 181)
     axes.plot(np.sin(turn), 1.0 + np.cos(turn), color="0.7", linewidth=1)
     point = np.array([np.sin(theta), 1.0 + np.cos(theta)])
@@ -103,5 +114,6 @@ def _draw_half_angle(axes: "Axes", theta: float = 1.15) -> None:
 
 
 def _arrow(axes: "Axes", end: tuple[float, float], start: tuple[float, float], colour: str) -> None:
+    """Draw an arrow."""
     style = {"arrowstyle": "-|>", "color": colour, "linewidth": 2, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", end, start, arrowprops=style)

@@ -1,11 +1,11 @@
-"""Maps side by side, each with its colours, a scale bar and an arrow to the north."""
+"""Figure of maps side by side, each with a colour bar, a scale bar and an arrow to the north."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.plotting.rendering import INK, SKY
+from warpsample.plotting.style import INK, SKY
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,13 +21,13 @@ class Map:
     """Numbers seen from above.
 
     Attributes:
-        value: (R, C), the first row in the north; NaN shows the background.
-        cell: the side of one of them, in metres.
-        title: stands above the map.
-        label: says below its colours what they are, with the unit.
-        colours: the name of a colour map.
-        span: the numbers that have its first and its last colour; lower ones have the first, too, and none is higher.
-        north: (2,) the direction of true north, to the right and up.
+        value: (R, C) numbers, the first row in the north; NaN shows the background.
+        cell: side of a cell in metres.
+        title: text above the map.
+        label: text below the colour bar: quantity and unit.
+        colours: name of a colour map.
+        span: numbers with the first and with the last colour. Lower numbers have the first colour; no number is higher.
+        north: (2,) direction of true north, to the right and up.
     """
 
     value: np.ndarray
@@ -40,7 +40,7 @@ class Map:
 
 
 def map_sheet(maps: list[Map], caption: str) -> "Figure":
-    """Draws maps side by side, equally high, and a caption below all of them."""
+    """Draw maps of equal height side by side, with a caption below."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(_WIDTH, _HEIGHT), layout="compressed", dpi=100)
@@ -53,6 +53,7 @@ def map_sheet(maps: list[Map], caption: str) -> "Figure":
 
 
 def _draw_map(axes: "Axes", each: Map) -> None:
+    """Draw a map with its title, colour bar, scale bar and arrow to the north."""
     rows, columns = np.multiply(each.value.shape, each.cell)
     low, high = each.span
     shown = axes.imshow(each.value, cmap=each.colours, vmin=low, vmax=high, extent=(0.0, columns, 0.0, rows))
@@ -68,13 +69,13 @@ def _draw_map(axes: "Axes", each: Map) -> None:
 
 
 def scale_length(width: float) -> float:
-    """The longest of 1, 2 and 5 times a power of ten that is no more than a third of a map's width."""
+    """Return the longest length of 1, 2 or 5 times a power of ten that is at most a third of a map's width."""
     power = 10.0 ** np.floor(np.log10(width / 3.0))
     return float(max(step * power for step in (1.0, 2.0, 5.0) if step * power <= width / 3.0))
 
 
 def _draw_scale(axes: "Axes", width: float, edge: float) -> None:
-    """Draws a bar of a round length in the lower left corner."""
+    """Draw a bar of a round length in the lower left corner."""
     length = scale_length(width)
     _fill(axes, (0.5 * edge, 0.5 * edge), length + edge, 2.3 * edge, color="white", alpha=0.85)
     _fill(axes, (edge, edge), length, 0.25 * edge, color=INK)
@@ -82,7 +83,7 @@ def _draw_scale(axes: "Axes", width: float, edge: float) -> None:
 
 
 def _draw_north(axes: "Axes", at: np.ndarray, edge: float, north: tuple[float, float]) -> None:
-    """Draws an arrow through a place to the north, above an N."""
+    """Draw an arrow to the north through the position `at`, above an N."""
     _fill(axes, at + edge * np.array([-1.0, -2.4]), 2.0 * edge, 4.0 * edge, color="white", alpha=0.85)
     along = edge * np.array(north)
     style = {"arrowstyle": "-|>", "mutation_scale": 22, "linewidth": 2.5, "color": INK, "shrinkA": 0, "shrinkB": 0}
@@ -91,6 +92,7 @@ def _draw_north(axes: "Axes", at: np.ndarray, edge: float, north: tuple[float, f
 
 
 def _fill(axes: "Axes", corner: Any, width: float, height: float, **style: Any) -> None:
+    """Draw a filled rectangle."""
     from matplotlib.patches import Rectangle
 
     axes.add_patch(Rectangle(corner, width, height, linewidth=0.0, **style))

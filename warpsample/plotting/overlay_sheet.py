@@ -1,4 +1,4 @@
-"""Keinert's experiment as a figure: two sets of directions are added as light, and where they agree it is yellow."""
+"""Figure of Keinert's experiment: a red and a green set of directions are added as light; equal directions are yellow."""
 
 from typing import TYPE_CHECKING
 
@@ -15,9 +15,10 @@ _TITLE, _TEXT = 19, 15
 
 
 def overlay(red: np.ndarray, green: np.ndarray, size: int) -> tuple[np.ndarray, float]:
-    """Two sets of unit directions, (N, 3), seen along the normal, +z, as light: where both are, it is yellow.
+    """Draw two sets of unit directions, (N, 3), seen along the normal, +z, as red and green light; the sum is yellow.
 
-    Gives the picture, (size, size, 3) float in [0, 1] with +y up, and the share of the lit area that is yellow.
+    Returns:
+        picture, (size, size, 3) float in [0, 1] with +y up, and the share of the lit area that is yellow.
     """
     fine = size * _FINER
     lit = np.zeros((fine, fine, 2), bool)
@@ -35,9 +36,12 @@ def overlay(red: np.ndarray, green: np.ndarray, size: int) -> tuple[np.ndarray, 
 
 
 def overlay_sheet(panels: list[tuple[str, str, np.ndarray, float]], caption: str) -> "Figure":
-    """Overlays side by side on black, each with a part of it enlarged.
+    """Draw overlays side by side on black, each with an enlarged part.
 
-    A panel is what is red, what is green, the picture, and the share of it that is yellow.
+    Args:
+        panels: of each overlay the name of the red set, the name of the green set, the picture, and the yellow share of the
+            lit area.
+        caption: text below the overlays.
     """
     from matplotlib.figure import Figure
 
@@ -60,7 +64,7 @@ def overlay_sheet(panels: list[tuple[str, str, np.ndarray, float]], caption: str
 
 
 def _draw_enlarged(figure: "Figure", picture: np.ndarray, left: float) -> None:
-    """Adds a part of the picture at twice its size; `left` is a share of the figure's width."""
+    """Draw a part of the picture at twice its size; `left` is a share of the figure's width."""
     size = len(picture)
     window = (slice(int(0.60 * size), int(0.76 * size)), slice(int(0.42 * size), int(0.58 * size)))
     axes = figure.add_axes((left, 0.10, 0.11, 0.11 * _WIDTH / _HEIGHT))

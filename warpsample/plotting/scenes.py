@@ -1,35 +1,32 @@
-"""PyVista scenes: meshes with normals, clouds of directions, and numbers at their vertices."""
+"""PyVista scenes of meshes with normals and clouds of directions."""
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from warpsample.mesh.polydata import surface
-from warpsample.plotting.actors import CloudActor, Sheet, label_bar
-from warpsample.plotting.rendering import AXES, BARS, INK, MOST_NORMALS, MOST_SMOOTH_FACES, SKY, SURFACE, VIEW, pixels_of
+from warpsample.plotting.actors import CloudActor, Sheet
+from warpsample.plotting.rendering import AXES, MOST_NORMALS, MOST_SMOOTH_FACES, VIEW, pixels_of
+from warpsample.plotting.style import BARS, INK, SURFACE
 
 if TYPE_CHECKING:
     import pyvista
     from matplotlib.figure import Figure
 
-ZOOM = 1.08
-"""How much a mesh is enlarged in a panel: it leaves space for the panel's title and colour bar."""
-# A bar's title takes no space: only a browser draws it, which does not show the texts above the panels.
-BAR: dict[str, Any] = {"title_font_size": 1, "label_font_size": 18, "color": "black", "fmt": "%.4g"}
-BAR |= {"height": 0.06, "width": 0.7, "position_x": 0.15, "position_y": 0.01}
-"""The look of a panel's colour bar."""
-
-_TEXT = {"font_size": 11, "color": "black"}
-_ROWS = (0.91, 0.09)  # the panels' share of the height, and the caption's
-
 
 def draw_mesh(
     plotter: "pyvista.Plotter", vertices: np.ndarray, faces: np.ndarray, texture: tuple[np.ndarray, np.ndarray] | None = None
 ) -> Any:
-    """Adds a mesh, (V, 3) and (F, 3), to the current renderer, shaded smoothly if it is not too large; its actor.
+    """Draw a mesh into the current renderer and return the actor.
 
-    A texture, a picture (H, W) or (H, W, 3) of uint8 and (F, 3, 2) coordinates of corners, v down, is shown without shading.
+    Meshes of at most MOST_SMOOTH_FACES faces are shaded smoothly.
+
+    Args:
+        plotter: plotter to draw into.
+        vertices: (V, 3) positions.
+        faces: (F, 3) rows of `vertices`.
+        texture: picture, (H, W) or (H, W, 3) uint8, and coordinates of the corners of faces, (F, 3, 2) with v down. A mesh
+            with a texture is drawn without shading.
     """
     if texture is not None:
         return _draw_textured(plotter, vertices[faces], *texture)
@@ -38,7 +35,7 @@ def draw_mesh(
 
 
 def _draw_textured(plotter: "pyvista.Plotter", corners: np.ndarray, picture: np.ndarray, uv: np.ndarray) -> Any:
-    """Adds faces by their corners, (F, 3, 3), with a texture; its actor."""
+    """Draw faces with corners (F, 3, 3) and a texture, and return the actor."""
     import pyvista as pv
 
     mesh = surface(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3))
@@ -50,7 +47,7 @@ def _draw_textured(plotter: "pyvista.Plotter", corners: np.ndarray, picture: np.
 
 
 def draw_normals(plotter: "pyvista.Plotter", position: np.ndarray, normal: np.ndarray, scale: float) -> None:
-    """Adds points, (P, 3), and unit normals, `scale` long in world units; of more than MOST_NORMALS, the first ones."""
+    """Draw points, (P, 3), and unit normals as lines of length `scale` in world units; at most the first MOST_NORMALS."""
     import pyvista as pv
 
     position, normal = position[:MOST_NORMALS], normal[:MOST_NORMALS]
@@ -61,7 +58,7 @@ def draw_normals(plotter: "pyvista.Plotter", position: np.ndarray, normal: np.nd
 
 
 def draw_frame(plotter: "pyvista.Plotter") -> None:
-    """Adds the tangent plane, as a unit disk, and the frame t, b, n about the origin, and looks at them from above."""
+    """Draw the tangent plane as a unit disk, and the frame t, b, n at the origin, seen from above."""
     import pyvista as pv
 
     plotter.add_mesh(pv.Disc(inner=0.0, outer=1.0, c_res=72), color=SURFACE, opacity=0.5, lighting=False, pickable=False)
@@ -77,7 +74,7 @@ def draw_frame(plotter: "pyvista.Plotter") -> None:
 
 
 def look_from(plotter: "pyvista.Plotter", up: str, zoom: float = 1.2) -> None:
-    """Turns the current renderer's camera so that the axis "x", "y" or "z" points up, and enlarges by `zoom`."""
+    """Turn the camera of the current renderer so that the axis "x", "y" or "z" points up, and enlarge by `zoom`."""
     plotter.view_vector(VIEW[up], viewup=AXES[up])
     plotter.camera.zoom(zoom)
 
@@ -94,10 +91,18 @@ def clouds_on_mesh(
     size: tuple[int, int],
     off_screen: bool = True,
 ) -> "pyvista.Plotter":
-    """A plotter with a mesh, points with their normals, and all clouds as one set of points.
+    """Return a plotter with a mesh, points with normals, and clouds of directions.
 
-    Normals are `scale` long, in world units; `clouds` are (N, 3) points, (N,) densities per steradian, and the density that
-    has the last colour; `up` is the axis that points up, "x", "y" or "z", and `size` in pixels.
+    Args:
+        vertices: (V, 3) positions.
+        faces: (F, 3) rows of `vertices`.
+        position: (P, 3) points.
+        normal: (P, 3) unit normals.
+        scale: length of a drawn normal in world units.
+        clouds: positions of the directions, (N, 3), densities per steradian, (N,), and the density with the last colour.
+        up: name of the axis that points up: "x", "y" or "z".
+        size: width and height of the picture in pixels.
+        off_screen: whether no window is opened.
     """
     import pyvista as pv
 
@@ -110,77 +115,8 @@ def clouds_on_mesh(
     return plotter
 
 
-@dataclass(frozen=True, eq=False)
-class Panel:
-    """A number at each vertex, (V,), or face, (F,), of a mesh, and its colours: 0 has the first, `high` the last.
-
-    The title stands above the mesh; `colours` names a colour map.
-    """
-
-    value: np.ndarray
-    title: str
-    colours: str
-    high: float
-
-
-def meshes_side_by_side(
-    vertices: np.ndarray,
-    faces: np.ndarray,
-    panels: list[Panel],
-    *,
-    caption: str,
-    up: str,
-    off_screen: bool,
-    size: tuple[int, int],
-) -> "pyvista.Plotter":
-    """A plotter with the mesh in the colours of each panel; one camera turns them all.
-
-    `up` is the axis that points up, "x", "y" or "z", and `size` that of all panels together, in pixels.
-    """
-    plotter = columns_over_caption(len(panels), caption, off_screen, size)
-    for column, panel in enumerate(panels):
-        plotter.subplot(0, column)
-        draw_panel(plotter, surface(vertices, faces), panel, panel.title)
-        look_from(plotter, up, ZOOM)
-    plotter.link_views()
-    return plotter
-
-
-def columns_over_caption(columns: int, caption: str, off_screen: bool, size: tuple[int, int]) -> "pyvista.Plotter":
-    """A plotter with empty renderers side by side, `subplot(0, column)`, and a caption below all of them."""
-    import pyvista as pv
-
-    style = {"off_screen": off_screen, "window_size": size, "border": False}
-    plotter = pv.Plotter(shape=(2, columns), row_weights=_ROWS, groups=[(1, np.s_[:])], **style)
-    plotter.set_background(SKY, all_renderers=True)
-    plotter.subplot(1, 0)
-    plotter.add_text(caption, position="lower_edge", **_TEXT)
-    plotter.enable_anti_aliasing("ssaa", all_renderers=True)
-    return plotter
-
-
-def add_title(plotter: "pyvista.Plotter", title: str, name: str | None = None) -> None:
-    """Writes a title above the plotter's current renderer; one with the same name replaces it."""
-    plotter.add_text(title, position="upper_edge", name=name, **_TEXT)
-
-
-def draw_panel(plotter: "pyvista.Plotter", mesh: "pyvista.PolyData", panel: Panel, title: str) -> None:
-    """Draws a mesh in the colours of a panel into the plotter's current renderer, with a title above it."""
-    mesh[panel.title] = panel.value
-    plotter.add_mesh(
-        mesh,
-        scalars=panel.title,
-        cmap=panel.colours,
-        clim=(0.0, panel.high),
-        lighting=False,
-        scalar_bar_args={**BAR, "title": panel.title},
-    )
-    label_bar(plotter.scalar_bars[panel.title], panel.high)
-    add_title(plotter, title)
-
-
 def figure_in_window(figure: "Figure") -> "pyvista.Plotter":
-    """A plotter of the figure's size that shows it, for those who have no other window for figures."""
+    """Return a plotter that shows a figure in a window with the size of the figure; matplotlib then opens no window."""
     import pyvista as pv
 
     pixels = pixels_of(figure)

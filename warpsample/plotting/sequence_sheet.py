@@ -1,4 +1,4 @@
-"""The point sequences as a figure: on the square, on the hemisphere, and the errors of means over their directions."""
+"""Figure of the point sequences: on the unit square, on the hemisphere, and the errors of means over the directions."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -6,20 +6,26 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from warpsample import sequences
-from warpsample.plotting.rendering import INK
+from warpsample.plotting.style import INK
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _TITLE, _TEXT, _TICKS = 17, 14, 12
-_TILT = np.radians(35.0)  # from how far above the tangent plane a hemisphere is seen
+_TILT = np.radians(35.0)  # angle of the view above the tangent plane
 _SLOPES = ((-0.5, "--", "$N^{-1/2}$"), (-1.0, ":", "$N^{-1}$"))
 
 
 @dataclass(frozen=True, eq=False)
 class Convergence:
-    """Root mean square errors, (C,), of each sequence, by its name, on one integrand, at (C,) numbers of samples."""
+    """Root mean square errors of one integrand.
+
+    Attributes:
+        title: name of the integrand.
+        counts: (C,) numbers of samples per estimate.
+        rmse: (C,) root mean square errors, keyed by the name of the sequence.
+    """
 
     title: str
     counts: np.ndarray
@@ -29,9 +35,13 @@ class Convergence:
 def sequence_sheet(
     squares: dict[str, np.ndarray], lobes: dict[str, np.ndarray], curves: list[Convergence], caption: str
 ) -> "Figure":
-    """Draws the sequences on the square and on the hemisphere, and how fast their errors fall.
+    """Draw the sequences on the square and on the hemisphere, and their errors by the number of samples.
 
-    Each has (N, 2) points of the unit square, and (N, 3) directions that a map makes of them; each integrand has its curves.
+    Args:
+        squares: (N, 2) points of the unit square, keyed by the name of the sequence.
+        lobes: (N, 3) directions that belong to the points, keyed in the same way.
+        curves: errors of each integrand.
+        caption: text below the charts.
     """
     from matplotlib.figure import Figure
 
@@ -57,24 +67,25 @@ def sequence_sheet(
 
 
 def _draw_hemisphere(axes: "Axes", w: np.ndarray, colour: str) -> None:
-    """Draws directions with the rim of the hemisphere and the normal."""
+    """Draw directions with the rim of the hemisphere and the normal."""
     turn = np.linspace(0.0, 2.0 * np.pi, 181)
     rim = np.stack([np.cos(turn), np.sin(turn), 0.0 * turn], axis=1)
     arch = np.stack([np.cos(turn[:91]), 0.0 * turn[:91], np.sin(turn[:91])], axis=1)
     up = np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 1.15]])
     for line, shade in ((rim, "0.7"), (arch, "0.88"), (up, INK)):
-        axes.plot(*_seen(line), color=shade, linewidth=1)
-    axes.plot(*_seen(w), ".", color=colour, markersize=4)
+        axes.plot(*_project(line), color=shade, linewidth=1)
+    axes.plot(*_project(w), ".", color=colour, markersize=4)
     axes.set(aspect="equal", xlim=(-1.08, 1.08), ylim=(-0.68, 1.08))
     axes.axis("off")
 
 
-def _seen(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _project(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the two drawn coordinates of points, (N, 3), seen from 35 degrees above the tangent plane."""
     return points[:, 0], points[:, 1] * np.sin(_TILT) + points[:, 2] * np.cos(_TILT)
 
 
 def _draw_convergence(axes: "Axes", curve: Convergence) -> None:
-    """Draws a dot for each error, the dots of a sequence joined, and two slopes to compare them with."""
+    """Draw the errors of each sequence as a line with dots, and the slopes N^(-1/2) and N^(-1)."""
     for name, rmse in curve.rmse.items():
         record = sequences.get(name)
         axes.loglog(curve.counts, rmse, label=name, color=record.colour, marker=record.marker, markersize=7, linewidth=1)
@@ -83,6 +94,6 @@ def _draw_convergence(axes: "Axes", curve: Convergence) -> None:
         falling = first * np.float_power(curve.counts / curve.counts[0], power)
         axes.loglog(curve.counts, falling, dashes, color="0.5", linewidth=1.2, label=label)
     axes.set_title(curve.title, fontsize=_TITLE)
-    axes.set_xlabel("samples N of an estimate", fontsize=_TEXT)
+    axes.set_xlabel("samples per estimate, N", fontsize=_TEXT)
     axes.tick_params(labelsize=_TICKS)
     axes.grid(alpha=0.3)

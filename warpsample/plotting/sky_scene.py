@@ -1,4 +1,4 @@
-"""A scene of what sun and sky bring: a mesh in colours, and the sky above a point of it as a map."""
+"""Scene of irradiation on a mesh in a year and in an hour, and a map of the sky above one point."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -7,23 +7,32 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from warpsample.mesh.polydata import surface
-from warpsample.plotting.rendering import INK, LOBE, round_ticks
-from warpsample.plotting.scenes import ZOOM, Panel, add_title, columns_over_caption, draw_panel, look_from
+from warpsample.plotting.panels import Panel, add_title, columns_over_caption, draw_edges, draw_panel, fit_view
+from warpsample.plotting.rendering import AXES, round_ticks
+from warpsample.plotting.style import AMOUNT, INK, font_file
 
 if TYPE_CHECKING:
     import pyvista
 
 SUN = "#ffd23f"
+_PATH, _PIN = "#1f4e79", "#00a2ff"
 _QUADS = 8  # of each patch: its sides are arcs
-_TITLE = "Share of each sky patch"
+_HOUR, _IRRADIANCE = "hour", "mean irradiance of the hour, W/m²"
+_SKY = "Sky above the blue pin, with the sun"
+_SHARE = "share of the view per sky patch (grey: hidden)"
+_ABOVE = 0.9  # height of the camera: the ground between the walls is seen
 
 
 @dataclass(frozen=True, eq=False)
 class SkyMap:
-    """The sky of a point: K patches, the sun's paths on some days, by their names, and where it is in T hours; in degrees.
+    """Sky above a point, in degrees: K patches, the paths of the sun on some days, and the sun in T hours.
 
-    Patches have lower and upper edges, (K, 2), two sides, (K, 2), clockwise from north, and the share of the point's lobe
-    that each lights, (K,). Paths and suns are altitude and azimuth, (N, 2) and (T, 2); the slider goes through the hours.
+    Attributes:
+        altitudes: (K, 2) altitude of the lower and upper edge of each patch.
+        azimuths: (K, 2) azimuth of the two sides of each patch, clockwise from north.
+        shares: (K,) share of the point's cosine lobe that each patch fills.
+        paths: (N, 2) altitude and azimuth of the sun along a day, keyed by the name of the day.
+        sun: (T, 2) altitude and azimuth of the sun in the hours of the slider.
     """
 
     altitudes: np.ndarray
@@ -33,20 +42,21 @@ class SkyMap:
     sun: np.ndarray
 
 
-def on_map(altitude: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
-    """(..., 3) positions on a map of the sky, from degrees: the zenith at the origin, the horizon a circle of radius 1.
+def map_positions(altitude: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
+    """Return positions, (..., 3), on a map of the sky for altitudes and azimuths in degrees.
 
-    North is up (+y) and east at the right (+x), as on a map of the ground; a photograph of the sky mirrors this.
+    The zenith is the origin and the horizon a circle of radius 1. North is up (+y) and east at the right (+x), as on a map
+    of the ground; a photograph of the sky is its mirror image.
     """
     radius, angle = 1.0 - np.asarray(altitude) / 90.0, np.radians(azimuth)
     return np.stack([radius * np.sin(angle), radius * np.cos(angle), np.zeros_like(radius + angle)], axis=-1)
 
 
-def patches_on_map(altitudes: np.ndarray, azimuths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Points (N, 3) and quads (K * 8, 4) of sky patches on a map; eight quads of each patch, one patch after the other."""
+def map_patches(altitudes: np.ndarray, azimuths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return points, (N, 3), and quads, (K * 8, 4), of sky patches on a map: eight quads for each patch, in order."""
     share = np.linspace(0.0, 1.0, _QUADS + 1)
     azimuth = azimuths[:, :1] + share * np.diff(azimuths, axis=1)
-    lower, upper = (on_map(altitudes[:, [side]], azimuth) for side in (0, 1))
+    lower, upper = (map_positions(altitudes[:, [side]], azimuth) for side in (0, 1))
     first = np.arange(len(altitudes))[:, None] * 2 * (_QUADS + 1) + np.arange(_QUADS)
     quads = np.stack([first, first + 1, first + _QUADS + 2, first + _QUADS + 1], axis=-1)
     return np.stack([lower, upper], axis=1).reshape(-1, 3), quads.reshape(-1, 4)
@@ -65,61 +75,85 @@ def sun_and_sky(
     off_screen: bool,
     size: tuple[int, int],
 ) -> "pyvista.Plotter":
-    """A plotter with the mesh by a sum, the mesh in an hour, and the sky of a point; in a window a slider turns the hour.
+    """Return a plotter with the mesh in colours of a year and of an hour, and with a map of the sky above a point.
 
-    `mesh` is (V, 3) and (F, 3), `hours` (T, F) the year's sum in each hour, `point` (3,) marked on both meshes, `captions`
-    one below all and a function of the hour for its title, `up` the axis that points up, "x", "y" or "z", and `size` in
-    pixels.
+    In a window a slider chooses the hour.
+
+    Args:
+        mesh: (V, 3) vertices and (F, 3) faces.
+        year: numbers of the year at the faces, and their colours.
+        hours: (T, F) mean irradiance in each hour, W/m².
+        hour: hour that is shown first, a row of `hours`.
+        sky: sky above `point`.
+        point: (3,) position that a blue pin marks on both meshes.
+        captions: text below the scene, and a function that returns the title for an hour.
+        up: name of the axis that points up: "x", "y" or "z".
+        off_screen: whether no window is opened.
+        size: width and height of the picture in pixels.
     """
-    import pyvista as pv
-
     plotter = columns_over_caption(3, captions[0], off_screen, size)
     high = round_ticks(float(max(hours.max(), 1.0)), 5)[-1]
-    shown = Panel(hours[hour], "W/m2", year.colours, high)
-    made = [surface(*mesh) for _ in range(2)]
-    for column, (drawn, panel) in enumerate(zip(made, (year, shown), strict=True)):
+    shown = Panel(hours[hour], _HOUR, year.colours, high, _IRRADIANCE)
+    surfaces = [surface(*mesh) for _ in range(2)]
+    rise = max(float(np.ptp(mesh[0] @ AXES[up])), 1e-6)  # the pin ends above the roofs
+    tip = point + 1.2 * rise * np.array(AXES[up])
+    for column, (colored, panel) in enumerate(zip(surfaces, (year, shown), strict=True)):
         plotter.subplot(0, column)
-        draw_panel(plotter, drawn, panel, "" if column else panel.title)
-        plotter.add_mesh(pv.PolyData(point[None]), color=LOBE, point_size=14, render_points_as_spheres=True)
-        look_from(plotter, up, ZOOM)
+        draw_panel(plotter, colored, panel)
+        draw_edges(plotter, *mesh)
+        _draw_pin(plotter, point, tip)
+        fit_view(plotter, mesh[0], up, _ABOVE)
     plotter.subplot(0, 2)
-    dot = _draw_sky(plotter, sky)
+    sun = _draw_sky(plotter, sky)
     plotter.subplot(0, 1)
 
     def show(value: float) -> None:
         now = round(value)
-        made[1]["W/m2"] = hours[now]
-        dot.points = on_map(*sky.sun[now].T)[None]
+        surfaces[1][_HOUR] = hours[now]
+        sun.points = map_positions(*sky.sun[now].T)[None]
         plotter.subplot(0, 1)
-        add_title(plotter, captions[1](now), "hour")
+        add_title(plotter, captions[1](now), f"title {_HOUR}")
 
     show(hour)
     if not off_screen:
-        slider = {"fmt": "%.0f h", "pointa": (0.15, 0.17), "pointb": (0.85, 0.17), "color": INK}
+        slider = {"fmt": "%.0f h", "pointa": (0.15, 0.2), "pointb": (0.85, 0.2), "color": INK}
         plotter.add_slider_widget(show, (0, len(hours) - 1), value=hour, **slider)
     plotter.link_views([0, 1])
     return plotter
 
 
+def _draw_pin(plotter: "pyvista.Plotter", start: np.ndarray, end: np.ndarray) -> None:
+    """Draw a line with a round head from `start`, (3,), to `end`, (3,), into the current renderer."""
+    import pyvista as pv
+
+    style = {"color": _PIN, "lighting": False, "show_scalar_bar": False}
+    plotter.add_mesh(pv.Line(start, end), line_width=8, **style)
+    plotter.add_mesh(pv.PolyData(end[None]), point_size=32, render_points_as_spheres=True, **style)
+
+
 def _draw_sky(plotter: "pyvista.Plotter", sky: SkyMap) -> Any:
-    """Draws the map into the current renderer; the dot of the sun."""
+    """Draw the map into the current renderer, and return the dot of the sun."""
     import pyvista as pv
 
     high = round_ticks(float(max(sky.shares.max(), 1e-6)), 5)[-1]
-    shares = Panel(np.repeat(sky.shares, _QUADS), _TITLE, "gray", high)
-    draw_panel(plotter, surface(*patches_on_map(sky.altitudes, sky.azimuths)), shares, _TITLE)
-    ends = {}
+    shares = np.repeat(np.where(sky.shares > 0.0, sky.shares, np.nan), _QUADS)
+    points, quads = map_patches(sky.altitudes, sky.azimuths)
+    draw_panel(plotter, surface(points, quads), Panel(shares, _SKY, AMOUNT, high, _SHARE))
+    labels = {"N": 0.0, "E": 90.0, "S": 180.0, "W": 270.0}
+    places = {name: 1.1 * map_positions(0.0, azimuth) for name, azimuth in labels.items()}
     for day, path in sky.paths.items():
         if len(path) > 1:
-            line = on_map(*path.T)
-            plotter.add_mesh(pv.lines_from_points(line), color=SUN, line_width=3)
-            ends[day] = line[len(line) // 2]
-    ends |= {name: 1.08 * on_map(0.0, azimuth) for name, azimuth in zip("NESW", (0.0, 90.0, 180.0, 270.0), strict=True)}
-    style = {"font_size": 16, "shape": None, "show_points": False, "always_visible": True, "text_color": LOBE}
-    plotter.add_point_labels(np.array(list(ends.values())), list(ends), **style)
+            line = map_positions(*path.T) + np.array([0.0, 0.0, 0.01])
+            plotter.add_mesh(pv.lines_from_points(line), color=_PATH, line_width=3, lighting=False)
+            places[f"sun's path on {day}"] = line[np.argmax(path[:, 0])] - [0.0, 0.09, 0.0]
+    style = {"font_size": 17, "shape": None, "show_points": False, "always_visible": True, "text_color": INK}
+    style |= {"justification_horizontal": "center", "justification_vertical": "center", "font_file": font_file()}
+    plotter.add_point_labels(np.array(list(places.values())), list(places), **style)
     dot = pv.PolyData(np.zeros((1, 3)))
     plotter.add_mesh(dot, color=SUN, point_size=22, render_points_as_spheres=True)
     plotter.view_xy()
     plotter.enable_parallel_projection()
-    plotter.camera.parallel_scale = 1.35
+    plotter.camera.parallel_scale = 1.5
+    plotter.camera.focal_point = (0.0, -0.08, 0.0)
+    plotter.camera.position = (0.0, -0.08, 5.0)
     return dot

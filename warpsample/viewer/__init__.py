@@ -1,1 +1,1 @@
-"""The viewer: choice (what is asked for), lobes and clouds (what is drawn), controls (the knobs), window (where)."""
+"""Viewer of directions on a mesh: settings, lobes, clouds, knobs and window; and the PyVista accessor `mesh.warpsample`."""

@@ -1,4 +1,4 @@
-"""`mesh.warpsample` on every pyvista.PolyData; PyVista finds this file by the entry point `pyvista.accessors`."""
+"""Accessor `mesh.warpsample` of pyvista.PolyData; PyVista finds this file by the entry point `pyvista.accessors`."""
 
 from collections.abc import Callable
 from typing import Any, Literal, get_args
@@ -23,9 +23,9 @@ At = Literal["vertices", "faces"]
 
 @pv.register_dataset_accessor("warpsample", pv.PolyData)
 class WarpsampleAccessor:
-    """Directions and numbers per point for a PolyData, which stays as it is; other polygons are cut into triangles.
+    """Directions and quantities per point for a PolyData, which does not change; polygons are split into triangles.
 
-    It has a method for each quantity that has `in_stores` in its record.
+    The accessor has a method for each quantity with `in_stores` in its record.
     """
 
     def __init__(self, dataset: pv.PolyData):
@@ -33,7 +33,7 @@ class WarpsampleAccessor:
 
     @property
     def mesh(self) -> Mesh:
-        """The triangles as a warpsample.Mesh, kept with its search tree until the dataset changes."""
+        """Triangles as a warpsample.Mesh, cached with its search tree until the dataset changes."""
         if self._mesh is None or self._dataset.GetMTime() != self._time:
             self._mesh, self._time = as_mesh(self._dataset), self._dataset.GetMTime()
         return self._mesh
@@ -62,7 +62,7 @@ class WarpsampleAccessor:
             points at position + scale * direction, with "Normals" (the direction), "point" (the row) and with `pdf` "pdf".
 
         Raises:
-            TypeError, ValueError: an argument that cannot be used; names it.
+            TypeError, ValueError: an argument is invalid; the message names the argument.
 
         Example:
             >>> surface = ws.load_mesh("courtyard").to_polydata()
@@ -78,30 +78,32 @@ class WarpsampleAccessor:
         return sample_directions(at, count, distribution=distribution, seed=seed, **options).to_polydata(at, length)
 
     def _points(self, at: At) -> SurfacePoints:
+        """Return the vertices or the face centres of the mesh as surface points."""
         return PLACES[check_choice(at, "at", get_args(At))](self.mesh)
 
-    def _with(self, name: str, at: At, found: Estimate) -> pv.PolyData:
+    def _copy_with(self, name: str, at: At, found: Estimate) -> pv.PolyData:
+        """Return a copy of the dataset, in triangles for numbers at faces, with the arrays of an estimate."""
         numbers = found.to_polydata(self.mesh, at)
-        made = self._dataset.copy() if at == "vertices" or self._dataset.is_all_triangles else self._dataset.triangulate()
-        source, target = (d.cell_data if at == "faces" else d.point_data for d in (numbers, made))
+        copy = self._dataset.copy() if at == "vertices" or self._dataset.is_all_triangles else self._dataset.triangulate()
+        source, target = (d.cell_data if at == "faces" else d.point_data for d in (numbers, copy))
         for key in source:
             target[name if key == "value" else key] = source[key]
-        return made
+        return copy
 
 
-_DOCUMENTATION = """The {title} at the vertices or the faces, on a copy of the dataset.
+_DOCUMENTATION = """Compute the {title} at the vertices or the faces, and return a copy of the dataset with the numbers.
 
         Args:
-            count: rays of each point.
-            at: "vertices" gives point data, "faces" cell data; faces are those of `mesh`.
-            **options: as `warpsample.{name}` takes them.
+            count: number of rays per point.
+            at: "vertices" for point data, "faces" for cell data at the faces of `mesh`.
+            **options: further arguments of `warpsample.{name}`.
 
         Returns:
-            "{name}" ({value}), "standard_error", "rays", "status" and what else the result of the function has, as point or
-            cell data.
+            copy of the dataset with "{name}" ({value}), "standard_error", "rays", "status" and the other fields of the
+            function's result as point or cell data.
 
         Raises:
-            TypeError, ValueError: an argument that cannot be used; names it.
+            TypeError, ValueError: an argument is invalid; the message names the argument.
 
         Example:
             >>> made = ws.load_mesh("courtyard").to_polydata().warpsample.{name}(64, at="faces"{example})
@@ -111,16 +113,16 @@ _DOCUMENTATION = """The {title} at the vertices or the faces, on a copy of the d
 
 
 def _method(quantity: Quantity) -> Callable[..., pv.PolyData]:
-    """The accessor's method for a quantity."""
+    """Return the accessor's method for a quantity."""
     name = quantity.call.__name__
 
     def method(self: WarpsampleAccessor, count: int = 256, *, at: At = "vertices", **options: Any) -> pv.PolyData:
-        return self._with(name, at, quantity.call(self.mesh, self._points(at), count=count, **options))
+        return self._copy_with(name, at, quantity.call(self.mesh, self._points(at), count=count, **options))
 
-    told = {"title": quantity.title, "value": quantity.value, "name": name}
+    words = {"title": quantity.title, "value": quantity.value, "name": name}
     example = f", {quantity.example}" if quantity.example else ""
     method.__name__, method.__qualname__ = name, f"{WarpsampleAccessor.__qualname__}.{name}"
-    method.__doc__ = _DOCUMENTATION.format(**told, example=example)
+    method.__doc__ = _DOCUMENTATION.format(**words, example=example)
     return method
 
 

@@ -1,16 +1,26 @@
-"""What the viewer is asked to show, and its names in words."""
+"""Settings of the viewer, and their description in words."""
 
 from dataclasses import dataclass, fields
 
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.offset_ball import OffsetBall
+from warpsample.distributions.offset_sphere import OffsetSphere
 from warpsample.distributions.record import Distribution
+
+OWN, COSINE = "its own density", "the cosine lobe"
+"""Names of the densities that the menu "Compared with" offers."""
 
 
 @dataclass(frozen=True)
 class Choice:
-    """What the knobs are set to.
+    """Settings of all knobs of the viewer.
 
-    A density of None is the distribution's own. The viewer starts with independent points, for which chi-square's test is
-    made; the samples are at each point, and the seed is of the directions.
+    Attributes:
+        distribution: distribution of the directions.
+        density: distribution whose density the directions are compared with; None is `distribution` itself.
+        sequence: name of the point sequence. The default is independent points, which the chi-square test requires.
+        samples: number of directions at each point.
+        seed: seed of the directions.
     """
 
     distribution: Distribution
@@ -21,18 +31,35 @@ class Choice:
 
     @property
     def claim(self) -> Distribution:
-        """The distribution with whose density the directions are compared."""
+        """Distribution whose density the directions are compared with."""
         return self.density or self.distribution
 
+    @property
+    def claim_name(self) -> str:
+        """Name of the compared density, for captions and verdicts."""
+        if self.density is None:
+            return OWN
+        return COSINE if isinstance(self.density, CosineHemisphere) else self.density.name
 
-def spelt(distribution: Distribution) -> str:
-    """A distribution as the command line takes it, with numbers of three digits: "ggx(alpha=0.1)"."""
+
+def default_density(distribution: Distribution) -> Distribution | None:
+    """Return the distribution to compare with by default; None is the distribution itself.
+
+    An offset sphere or an offset ball is compared with the cosine lobe: the viewer then shows that only the sphere of
+    radius 1 gives a cosine lobe.
+    """
+    return CosineHemisphere() if isinstance(distribution, OffsetSphere | OffsetBall) else None
+
+
+def format_distribution(distribution: Distribution) -> str:
+    """Return a distribution as the command line takes it, with numbers of three digits: "ggx(alpha=0.1)"."""
     names = type(distribution).parameters or [item.name for item in fields(distribution)]
-    values = (f"{name}={_rounded(getattr(distribution, name))}" for name in names)
+    values = (f"{name}={_format_value(getattr(distribution, name))}" for name in names)
     return f"{distribution.name}({', '.join(values)})".replace("()", "")
 
 
-def _rounded(value: float | str | tuple[float, ...]) -> str:
+def _format_value(value: float | str | tuple[float, ...]) -> str:
+    """Return a parameter of a distribution as text, with numbers of three digits."""
     if isinstance(value, str):
         return repr(value)
-    return f"({', '.join(_rounded(v) for v in value)})" if isinstance(value, tuple) else f"{value:.3g}"
+    return f"({', '.join(_format_value(v) for v in value)})" if isinstance(value, tuple) else f"{value:.3g}"

@@ -1,6 +1,7 @@
-"""What the viewer draws of a choice: clouds of directions, and the histograms of their angles."""
+"""Clouds of directions for the viewer, and histograms of the angles of these directions."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -15,15 +16,18 @@ from warpsample.viewer.choice import Choice
 from warpsample.viewer.lobes import CELLS, SECTORS, LobeShape, lobe_of
 
 OUTSIDE = 0.5
-"""Where directions of density 0 are drawn, as a share of the lobe's length."""
+"""Distance of drawn directions with a density of 0 from their point, as a share of the lobe's length."""
 
 
 @dataclass(frozen=True, eq=False)
 class Clouds:
-    """Directions at all points, drawn as points of their lobes' surfaces, and their angles to and about the normals.
+    """Directions at all points, drawn on the surfaces of the lobes, and histograms of their angles.
 
-    `position`: (N, 3) float32, in the coordinates of the points; `pdf`: (N,) float32, the claimed density per steradian, 0
-    outside its support. Azimuths are from each point's tangent.
+    Attributes:
+        position: (N, 3) float32, drawn positions in the coordinates of the points.
+        pdf: (N,) float32, compared density per steradian; 0 outside its support.
+        theta: histogram of the angles to the normals.
+        azimuth: histogram of the angles about the normals, from the tangent of each point.
     """
 
     position: np.ndarray
@@ -33,16 +37,18 @@ class Clouds:
 
     @property
     def outside(self) -> int:
-        """The number of directions with a claimed density of 0."""
+        """Number of directions with a compared density of 0."""
         return int(np.count_nonzero(self.pdf == 0.0))
 
 
 @dataclass(frozen=True, eq=False)
-class Chosen:
-    """Directions at one point, in its tangent frame: `disk` has their tangent components, (n, 2).
+class NearCloud:
+    """Directions at one point, in the tangent frame of the point.
 
-    `position`: (n, 3) float32, of the lobe's surface, at most 1 from the origin; `pdf`: (n,), the claimed density per
-    steradian.
+    Attributes:
+        position: (n, 3) float32, positions on the surface of the lobe, at most 1 from the origin.
+        pdf: (n,) compared density per steradian.
+        disk: (n, 2) components of the directions along the tangent and the bitangent.
     """
 
     position: np.ndarray
@@ -51,41 +57,51 @@ class Chosen:
 
 
 def all_clouds(choice: Choice, points: SurfacePoints, scale: float) -> Clouds:
-    """The clouds at all points; `scale` is the length of a lobe in the unit of their positions."""
+    """Return the clouds at all points; `scale` is the length of a lobe in the unit of the points."""
     lobe = lobe_of(choice.claim)
     world, local, pdf = _directions(choice, points, 0)
     length = (np.float32(scale) * _lengths(pdf, lobe.peak))[..., None]
     position = points.position[:, None].astype(np.float32) + length * world
-    return Clouds(
-        position.reshape(-1, 3), pdf.ravel(), *histograms(local.reshape(-1, 3), lobe, sequences.get(choice.sequence).random)
-    )
+    independent = sequences.get(choice.sequence).random
+    theta, azimuth = histograms(local.reshape(-1, 3), lobe, independent, choice.claim_name)
+    return Clouds(position.reshape(-1, 3), pdf.ravel(), theta, azimuth)
 
 
-def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> Chosen:
-    """The cloud at one point, whose global id is `first`."""
+def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> NearCloud:
+    """Return the cloud at one point; `first` is the global id of the point."""
     _, local, pdf = _directions(choice, point, first)
     length = _lengths(pdf[0], lobe_of(choice.claim).peak)[:, None]
-    return Chosen(length * local[0], pdf[0], local[0, :, :2])
+    return NearCloud(length * local[0], pdf[0], local[0, :, :2])
 
 
-def histograms(local: np.ndarray, lobe: LobeShape, independent: bool) -> tuple[AngleHistogram, AngleHistogram]:
-    """The angles of unit directions, (N, 3) with +z the normal, to it and about it, each with what the lobe predicts."""
+def histograms(
+    local: np.ndarray, lobe: LobeShape, independent: bool, claim: str = "the density"
+) -> tuple[AngleHistogram, AngleHistogram]:
+    """Return histograms of the angles to the normal and about the normal, compared with the predictions of a lobe.
+
+    Args:
+        local: (N, 3) unit directions with the normal along +z.
+        lobe: compared lobe.
+        independent: whether the directions are independent of each other.
+        claim: name of the compared density.
+    """
     cell = np.minimum((SPHERE.polar(local) * (CELLS / lobe.edges[-2])).astype(np.intp), CELLS)
     sector = np.minimum((SPHERE.azimuth(local) * SECTORS).astype(np.intp), SECTORS - 1)
     around = np.linspace(0.0, 2.0 * np.pi, SECTORS + 1)
     middle = 0.5 * (around[1:] + around[:-1])
     density = lobe.azimuth * SECTORS / (2.0 * np.pi)
     theta, azimuth = np.bincount(cell, minlength=CELLS + 1), np.bincount(sector, minlength=SECTORS)
+    names = {"independent": independent, "claim": claim}
     return (
-        _histogram(theta, lobe.theta, lobe.edges, angles=lobe.angles, line=lobe.line, independent=independent),
-        _histogram(azimuth, lobe.azimuth, around, angles=middle, line=density, independent=independent),
+        _histogram(theta, lobe.theta, lobe.edges, angles=lobe.angles, line=lobe.line, **names),
+        _histogram(azimuth, lobe.azimuth, around, angles=middle, line=density, **names),
     )
 
 
 def _histogram(
-    observed: np.ndarray, masses: np.ndarray, edges: np.ndarray, *, angles: np.ndarray, line: np.ndarray, independent: bool
+    observed: np.ndarray, masses: np.ndarray, edges: np.ndarray, *, angles: np.ndarray, line: np.ndarray, **names: Any
 ) -> AngleHistogram:
-    """The bins that the chart shows; the test is over all bins, also those beyond the chart."""
+    """Return the histogram over the bins of the chart; its test is over all bins, including those outside the chart."""
     total = observed.sum()
     shown = min(len(masses), CELLS)
     expected = total * masses
@@ -99,12 +115,12 @@ def _histogram(
         density=line,
         residuals=residuals,
         test=joined_test(observed, expected),
-        independent=independent,
+        **names,
     )
 
 
 def _directions(choice: Choice, points: SurfacePoints, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Directions (P, n, 3) in the world, the same in the tangent frames, and (P, n) claimed densities."""
+    """Return directions in the world and in the tangent frames, each (P, n, 3), and compared densities, (P, n)."""
     own = choice.claim == choice.distribution
     found = sample_directions(
         points.normal,

@@ -1,4 +1,4 @@
-"""The knobs: menus and sliders that turn one choice into another."""
+"""Menus and sliders that change the settings of the viewer."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -8,72 +8,69 @@ from typing import TYPE_CHECKING, Any, get_args
 from warpsample import distributions, sequences
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere, Method
 from warpsample.distributions.record import Distribution
-from warpsample.viewer.choice import Choice
+from warpsample.viewer.choice import COSINE, OWN, Choice, default_density
 from warpsample.viewer.widgets import ROW, Menu, Slider, fit_texts
 
 if TYPE_CHECKING:
     import pyvista
 
-OWN, COSINE = "its own density", "the cosine lobe"
-"""What a distribution can be compared with."""
-
 _CLAIMS = {OWN: None, COSINE: CosineHemisphere()}
 _MOST_SAMPLES, _MOST_SEED = 4096, 99
 
 
-def spatial() -> list[str]:
-    """The names of the distributions that can be drawn on a mesh."""
+def spatial_names() -> list[str]:
+    """Return the names of the distributions of 3-D directions, which can be drawn on a mesh."""
     return [name for name in distributions.names() if distributions.get(name).width == 3]
 
 
-def made(name: str) -> Distribution:
-    """The distribution of that name, with the middle of its slider's span."""
+def make_distribution(name: str) -> Distribution:
+    """Return the distribution with a name; its first parameter is the geometric mean of the ends of the slider."""
     kind = distributions.get(name)
     low, high = kind.shown or (1.0, 1.0)
-    found = kind(**{kind.parameters[0]: (low * high) ** 0.5}) if kind.shown else kind()
-    return tilted(found, 45.0) if "view" in kind.parameters else found
+    distribution = kind(**{kind.parameters[0]: (low * high) ** 0.5}) if kind.shown else kind()
+    return with_view(distribution, 45.0) if "view" in kind.parameters else distribution
 
 
-def tilted(distribution: Distribution, angle: float) -> Distribution:
-    """A distribution whose view is moved to `angle` degrees off the normal."""
+def with_view(distribution: Distribution, angle: float) -> Distribution:
+    """Return the distribution with its view direction at `angle` degrees from the normal."""
     return replace(distribution, view=(sin(radians(angle)), 0.0, cos(radians(angle))))
 
 
 def with_scalar(distribution: Distribution, value: float) -> Distribution:
-    """A distribution whose first parameter is given another value."""
+    """Return the distribution with another value of its first parameter."""
     kind = type(distribution)
-    kept = {name: getattr(distribution, name) for name in kind.parameters[1:]}
-    return kind(**{kind.parameters[0]: value}, **kept)
+    others = {name: getattr(distribution, name) for name in kind.parameters[1:]}
+    return kind(**{kind.parameters[0]: value}, **others)
 
 
 class Controls:
-    """All knobs, set to a choice; one that is turned calls back with another choice."""
+    """Menus and sliders of the viewer; each change calls a function with the new settings."""
 
     def __init__(self, plotter: "pyvista.Plotter", choice: Choice, changed: Callable[[Choice], None]):
-        """Adds them to the plotter's current renderer, which is at the left of the window."""
+        """Add the menus and sliders to the plotter's current renderer, which is at the left of the window."""
         self.choice, self._changed, self._plotter = choice, changed, plotter
         top, self.menus = 1.0 - 1.5 * ROW, {}
-        for name, title, entries, chosen in (
-            ("distribution", "Distribution", spatial(), self._choose_distribution),
+        for name, title, entries, choose in (
+            ("distribution", "Distribution", spatial_names(), self._choose_distribution),
             ("method", "Method", list(get_args(Method)), lambda to: self._change(distribution=CosineHemisphere(to))),
             ("density", "Compared with", [OWN, COSINE], lambda to: self._change(density=_CLAIMS[to])),
             ("sequence", "Point sequence", sequences.names(), lambda to: self._change(sequence=to)),
         ):
-            self.menus[name] = Menu(plotter, title, entries, top=top, choose=chosen)
+            self.menus[name] = Menu(plotter, title, entries, top=top, choose=choose)
             top -= (len(entries) + 1.5) * ROW
         self.sliders = {}
-        for name, high, words, turned in (
+        for name, high, words, change in (
             ("scalar", 1.0, str, self._turn_scalar),
             ("view", 89.0, "view at {:.0f}° from the normal".format, self._turn_view),
             ("samples", log2(_MOST_SAMPLES), lambda v: f"{round(2**v):,} directions per point", self._turn_samples),
             ("seed", float(_MOST_SEED), "seed: {:.0f}".format, lambda to: self._change(seed=round(to))),
         ):
-            self.sliders[name] = Slider(plotter, top, turned, name=words, low=0.0, high=high)
+            self.sliders[name] = Slider(plotter, top, change, name=words, low=0.0, high=high)
             top -= 2.0 * ROW
         self.show(choice)
 
     def show(self, choice: Choice) -> None:
-        """Sets every knob to a choice."""
+        """Set every menu and slider to the settings of a choice."""
         self.choice, distribution = choice, choice.distribution
         kind = type(distribution)
         self.menus["distribution"].set(kind.name)
@@ -93,7 +90,7 @@ class Controls:
         self.sliders["seed"].set(float(choice.seed))
 
     def lay_out(self, *_: Any) -> None:
-        """Sizes the texts and puts the buttons beside their texts, whatever size the window has."""
+        """Fit texts and buttons to the size of the window."""
         fit_texts(self._plotter)
         for menu in self.menus.values():
             menu.lay_out()
@@ -103,7 +100,8 @@ class Controls:
         self._changed(self.choice)
 
     def _choose_distribution(self, name: str) -> None:
-        self.show(replace(self.choice, distribution=made(name), density=None))
+        distribution = make_distribution(name)
+        self.show(replace(self.choice, distribution=distribution, density=default_density(distribution)))
         self._changed(self.choice)
 
     def _turn_scalar(self, value: float) -> None:
@@ -111,7 +109,7 @@ class Controls:
         self._change(distribution=with_scalar(self.choice.distribution, min(max(exp(value), low), high)))
 
     def _turn_view(self, value: float) -> None:
-        self._change(distribution=tilted(self.choice.distribution, value))
+        self._change(distribution=with_view(self.choice.distribution, value))
 
     def _turn_samples(self, value: float) -> None:
         self._change(samples=round(2**value))

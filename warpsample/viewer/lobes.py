@@ -1,4 +1,4 @@
-"""The density of a distribution as a surface over the tangent plane, and the chance of each bin of its angles."""
+"""Density of a distribution as a surface over the tangent plane, and the probability of each bin of its angles."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -11,31 +11,31 @@ from warpsample.statistics.charts import SPHERE
 from warpsample.statistics.quadrature import cell_masses
 
 CELLS = 45
-"""The number of bins of the angle to the normal, within the chart."""
+"""Number of bins of the angle to the normal inside the chart."""
 SECTORS = 24
-"""The number of bins of the angle about the normal."""
+"""Number of bins of the angle about the normal."""
 
 _FINE = 8  # points of the density's line in a bin
 _RINGS, _SPOKES = 96, 72
 _PILOT = 4096
 _ALMOST_ALL = 0.998
-_TALLEST = 8.0  # times the median density: what rises higher (an offset sphere's edge) is cut
+_TALLEST = 8.0  # times the median density; higher values, as at the edge of an offset sphere, are cut
 _NARROWEST = 1e-2  # degrees
 _ROUND = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 3, 6, 12, 18, 24, 30, 45, 60, 90, 120, 180)  # degrees
 
 
 @dataclass(frozen=True, eq=False)
 class LobeShape:
-    """A density as a surface over the tangent plane, and the chances of its angles.
+    """Density as a surface over the tangent plane, and probabilities of the bins of its angles.
 
     Attributes:
-        surface: (I, J, 3) local coordinates: directions, each as long as its density over `peak`, at most 1.
-        peak: the density per steradian at which the surface has length 1.
-        edges: (CELLS + 2,) radians, of the bins of theta; the last bin reaches from the end of the chart to pi.
-        theta: (CELLS + 1,) the chance of each bin of theta.
-        azimuth: (SECTORS,) the chance of each bin of the azimuth.
-        angles: (M,) radians, at which `line` is given.
-        line: (M,) the density of theta per radian.
+        surface: (I, J, 3) local coordinates: directions with length density / `peak`, at most 1.
+        peak: density per steradian with length 1.
+        edges: (CELLS + 2,) edges of the bins of theta, radians. The last bin reaches from the end of the chart to pi.
+        theta: (CELLS + 1,) probability of each bin of theta.
+        azimuth: (SECTORS,) probability of each bin of the azimuth.
+        angles: (M,) angles of `line`, radians.
+        line: (M,) density of theta per radian.
     """
 
     surface: np.ndarray
@@ -49,7 +49,11 @@ class LobeShape:
 
 @lru_cache(maxsize=256)
 def lobe_of(claim: Distribution) -> LobeShape:
-    """The lobe that a distribution claims; a ValueError if float32 directions about a normal do not resolve it."""
+    """Return the lobe of a distribution.
+
+    Raises:
+        ValueError: the lobe is too narrow for float32 directions about a normal.
+    """
     pilot = claim.sample(sample_square("fibonacci", 1, _PILOT)[0])
     high = _reach(claim, pilot)
     edges = np.append(np.linspace(0.0, high, CELLS + 1), max(np.pi, high + 1e-9))
@@ -64,7 +68,7 @@ def lobe_of(claim: Distribution) -> LobeShape:
 
 
 def _reach(claim: Distribution, pilot: np.ndarray) -> float:
-    """The angle, a round number of degrees, within which almost all directions are."""
+    """Return an angle to the normal that contains 99.8 % of the directions, a round number of degrees in radians."""
     reach = float(np.degrees(np.quantile(SPHERE.polar(pilot), _ALMOST_ALL)))
     if reach < _NARROWEST:
         raise ValueError(
@@ -74,7 +78,7 @@ def _reach(claim: Distribution, pilot: np.ndarray) -> float:
 
 
 def _masses(claim: Distribution, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The chances of the bins of theta, and of those of the azimuth."""
+    """Return the probabilities of the bins of theta and of the bins of the azimuth."""
     if claim.symmetric:
         return np.diff(claim.cdf(edges)), np.full(SECTORS, 1.0 / SECTORS)
     masses = cell_masses(claim, edges, SECTORS)

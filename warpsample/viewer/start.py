@@ -1,4 +1,4 @@
-"""What `warpsample view` calls: from the command line's words to a window or a file."""
+"""Functions of `warpsample view`: from the options of the command to a window or a file."""
 
 from pathlib import Path
 
@@ -6,7 +6,6 @@ import warp as wp
 
 from warpsample import sequences
 from warpsample.distributions import as_spatial
-from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.offset_sphere import OffsetSphere
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_integer, check_seed
@@ -14,35 +13,43 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.plotting.rendering import save_scene
 from warpsample.plotting.scenes import clouds_on_mesh
 from warpsample.texture.shown import ShownOcclusion
-from warpsample.viewer.choice import Choice
+from warpsample.viewer.choice import Choice, default_density
 from warpsample.viewer.lobes import lobe_of
 from warpsample.viewer.window import Viewer
 
 LEAST_SIZE = (1200, 675)
-"""The smallest window, in pixels, in which knobs and charts can be read."""
+"""Smallest width and height of the window in pixels for legible knobs and charts."""
 
 
 def bunny() -> Path:
-    """The path of the mesh that comes with warp-lang."""
+    """Return the path of the bunny in warp-lang."""
     return Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd"
 
 
 def choice(distribution: str | None, density: str | None, sequence: str, samples: int, seed: int) -> Choice:
-    """A choice from the command line's words; by default Shirley's trick, compared with the cosine lobe.
+    """Return the settings that the options of the command specify.
 
-    A distribution that is named is compared with its own density, unless another one is. Unknown names and values out of
-    range are a ValueError, values of a wrong type a TypeError.
+    Args:
+        distribution: name of the distribution, with parameters. Default: points on the sphere plus the normal, normalised.
+        density: name of the distribution to compare with. Default: the cosine lobe for offset spheres and offset balls, the
+            distribution itself for others.
+        sequence: name of the point sequence.
+        samples: number of directions at each point.
+        seed: seed of the directions.
+
+    Raises:
+        TypeError, ValueError: a name is unknown, or a value has a wrong type or is out of range.
     """
     sequences.get(sequence)
     check_integer(samples, "--samples", 1, 2**31 - 1)
     check_seed(seed)
-    if distribution is None:
-        claimed = CosineHemisphere() if density is None else _density(density)
-        return Choice(OffsetSphere(), claimed, sequence, samples, seed)
-    return Choice(as_spatial(distribution), None if density is None else _density(density), sequence, samples, seed)
+    sampled = OffsetSphere() if distribution is None else as_spatial(distribution)
+    compared = default_density(sampled) if density is None else _parse_density(density)
+    return Choice(sampled, None if compared == sampled else compared, sequence, samples, seed)
 
 
-def _density(name: str) -> Distribution:
+def _parse_density(name: str) -> Distribution:
+    """Return the distribution that --density names; an error names this option."""
     try:
         return as_spatial(name)
     except (TypeError, ValueError) as error:
@@ -52,7 +59,7 @@ def _density(name: str) -> Distribution:
 def window(
     mesh: Mesh, points: int, chosen: Choice, *, up: str, size: tuple[int, int], occlusion: ShownOcclusion | None
 ) -> None:
-    """Opens the viewer, and returns when it is closed."""
+    """Open the viewer, and return when its window is closed."""
     Viewer(mesh, points, chosen, up=up, size=size, occlusion=occlusion).plotter.show(title="warpsample")
 
 
@@ -66,7 +73,7 @@ def save(
     path: Path,
     occlusion: ShownOcclusion | None = None,
 ) -> str:
-    """Writes a .png of the viewer, or an .html of its clouds on the mesh; gives a line about what the picture shows."""
+    """Write a .png of the viewer, or an .html of its clouds on the mesh, and return a line about the picture."""
     viewer = Viewer(mesh, points, chosen, up=up, size=size, off_screen=True, occlusion=occlusion)
     if path.suffix == ".png":
         viewer.plotter.enable_anti_aliasing("msaa", multi_samples=8, all_renderers=True)
@@ -74,9 +81,9 @@ def save(
     else:
         at, clouds = viewer.points, viewer.clouds
         viewer.plotter.close()
-        seen = (clouds.position, clouds.pdf, lobe_of(chosen.claim).peak)
+        colored = (clouds.position, clouds.pdf, lobe_of(chosen.claim).peak)
         scene = clouds_on_mesh(
-            viewer.vertices, mesh.faces, at.position, at.normal, scale=viewer.scale, clouds=seen, up=up, size=size
+            viewer.vertices, mesh.faces, at.position, at.normal, scale=viewer.scale, clouds=colored, up=up, size=size
         )
         save_scene(scene, path, viewer.summary())
     return viewer.summary()

@@ -3,15 +3,15 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from warpsample.plotting.rendering import DOTS, INK
+from warpsample.plotting.style import DOTS, INK, font_file
 
 if TYPE_CHECKING:
     import pyvista
 
 WIDTH = 0.17
-"""The width of the panel with menus and sliders, as a share of the window's."""
+"""Width of the panel with menus and sliders, as a share of the window's width."""
 ROW = 1.0 / 42.0
-"""The height of a row of the panel, as a share of the window's."""
+"""Height of a row of the panel, as a share of the window's height."""
 
 _LEFT = 0.06  # of the panel
 _BUTTON = 0.65  # of a row
@@ -20,7 +20,7 @@ _ASPECT = 16.0 / 9.0
 
 
 def fit_texts(plotter: "pyvista.Plotter") -> None:
-    """Sizes all texts in a window so that they keep their share of its height, or of its width if it is narrow."""
+    """Set the size of all texts in a window to a fixed share of its height, or of its width if the window is narrow."""
     import pyvista as pv
 
     width, height = plotter.window_size
@@ -31,12 +31,20 @@ def fit_texts(plotter: "pyvista.Plotter") -> None:
 
 
 class Menu:
-    """A title and radio buttons, of which that of one entry is on."""
+    """Title and radio buttons, one of which is on."""
 
     def __init__(
         self, plotter: "pyvista.Plotter", title: str, entries: list[str], *, top: float, choose: Callable[[str], None]
     ):
-        """Adds it to the current renderer, its title at a share of the height; `choose` hears what entry is pressed."""
+        """Add a menu to the current renderer.
+
+        Args:
+            plotter: plotter with the renderer.
+            title: text above the buttons.
+            entries: texts of the buttons.
+            top: height of the title, as a share of the renderer's height.
+            choose: function that is called with the text of a button that was pressed.
+        """
         self._plotter = plotter
         self._texts = [_text(plotter, title, _LEFT, top, bold=True)]
         self._tops = [top - (i + 1) * ROW for i in range(len(entries))]
@@ -56,7 +64,7 @@ class Menu:
         self.lay_out()
 
     def lay_out(self) -> None:
-        """Puts the buttons beside their texts, whatever size the window has."""
+        """Place each button next to its text, for the present size of the window."""
         width, height = self._plotter.window_size
         side = _BUTTON * ROW * height
         for button, low in zip(self.buttons.values(), self._tops, strict=True):
@@ -64,7 +72,7 @@ class Menu:
             button.GetRepresentation().PlaceWidget((x, x + side, y, y + side, 0.0, 0.0))
 
     def set(self, entry: str | None) -> None:
-        """Turns one button on and the others off; None hides the menu."""
+        """Turn the button of one entry on and all other buttons off; None hides the menu."""
         for text in self._texts:
             text.SetVisibility(entry is not None)
         for name, button in self.buttons.items():
@@ -73,7 +81,7 @@ class Menu:
 
 
 class Slider:
-    """A slider with its name and value above it."""
+    """Slider with its name and value above."""
 
     def __init__(
         self,
@@ -85,11 +93,20 @@ class Slider:
         low: float,
         high: float,
     ):
-        """Adds it to the plotter's current renderer, at a share of the height; `name` makes the text above of its value."""
+        """Add a slider to the plotter's current renderer.
+
+        Args:
+            plotter: plotter with the renderer.
+            top: height of the text above the slider, as a share of the renderer's height.
+            turn: function that is called with each new value.
+            name: function from a value to the text above the slider.
+            low: smallest value.
+            high: largest value.
+        """
         self._name, self._ready = name, False
         self.title = _text(plotter, "", _LEFT, top)
         self.widget = plotter.add_slider_widget(
-            lambda value: self._turned(value, turn),
+            lambda value: self._update(value, turn),
             (low, high),
             value=low,
             pointa=(_LEFT, top - 0.6 * ROW),
@@ -105,15 +122,16 @@ class Slider:
         slider.GetSliderProperty().SetColor(*_rgb(DOTS))
         self._ready = True
 
-    def _turned(self, value: float, turn: Callable[[float], None]) -> None:
-        if self._ready:  # PyVista calls it once while it makes the slider
+    def _update(self, value: float, turn: Callable[[float], None]) -> None:
+        """Write the new value above the slider, and call `turn` with this value."""
+        if self._ready:  # PyVista calls this function once while it makes the slider
             self.title.input = self._name(value)
             turn(value)
 
     def set(
         self, value: float | None, span: tuple[float, float] | None = None, name: Callable[[float], str] | None = None
     ) -> None:
-        """Moves the slider without calling anyone, and changes its span and its name if they are given; None hides it."""
+        """Move the slider without a call of `turn`, and replace its range and name where given; a value of None hides it."""
         self.title.SetVisibility(value is not None)
         _reveal(self.widget, value is not None)
         if value is None:
@@ -128,17 +146,16 @@ class Slider:
 
 
 def _text(plotter: "pyvista.Plotter", words: str, x: float, y: float, bold: bool = False) -> Any:
-    """Adds a text at a share of the panel."""
-    text = plotter.add_text(words, position=(x, y), viewport=True, color=INK)
-    text.prop.bold = bold
-    return text
+    """Add a text at shares of the panel's width and height, and return the actor."""
+    return plotter.add_text(words, position=(x, y), viewport=True, color=INK, font_file=font_file(bold))
 
 
 def _reveal(widget: Any, visible: bool) -> None:
-    """Shows or hides a widget; SetEnabled would move it to the renderer that the mouse is in."""
+    """Show or hide a widget. SetEnabled would move the widget to the renderer under the mouse."""
     widget.GetRepresentation().SetVisibility(visible)
     widget.SetProcessEvents(visible)
 
 
 def _rgb(colour: str) -> tuple[float, ...]:
+    """Return a colour such as "#2f6690" as red, green and blue from 0 to 1."""
     return tuple(int(colour[i : i + 2], 16) / 255.0 for i in (1, 3, 5))

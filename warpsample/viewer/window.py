@@ -1,4 +1,4 @@
-"""The window: knobs at the left, mesh and one chosen cloud in the middle, charts at the right."""
+"""Window of the viewer: knobs at the left, mesh and one enlarged cloud in the middle, charts at the right."""
 
 from dataclasses import replace
 from textwrap import wrap
@@ -11,30 +11,38 @@ from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.plotting.actors import CloudActor, LobeActor, MeshPicker, Pin, Sheet
 from warpsample.plotting.charts import LobeCharts
-from warpsample.plotting.rendering import INK, LOBE, MOST_NORMALS, VIEW, budgeted, extent_of
+from warpsample.plotting.rendering import MOST_NORMALS, VIEW, describe_counts, limit_counts
 from warpsample.plotting.scenes import draw_frame, draw_mesh, draw_normals, look_from
+from warpsample.plotting.style import INK, LOBE, font_file
 from warpsample.texture.shown import ShownOcclusion
 from warpsample.viewer import widgets
-from warpsample.viewer.choice import Choice, spelt
+from warpsample.viewer.choice import Choice, format_distribution
 from warpsample.viewer.clouds import all_clouds, one_cloud
 from warpsample.viewer.controls import Controls
 from warpsample.viewer.lobes import lobe_of
 
 LENGTH = 0.06
-"""The length of a lobe on the mesh, as a share of the diagonal of the mesh's box."""
+"""Length of a lobe on the mesh, as a share of the diagonal of the mesh's bounding box."""
 
 _MOST_NEAR = 10_000  # directions of the enlarged cloud
-_MOST_LETTERS = 66  # of a line above the mesh
+_MOST_LETTERS = 62  # of a line above the mesh
 _COLUMNS = (widgets.WIDTH, 0.37, 0.46)  # of the window's width
 _ROWS = (0.54, 0.46)
 _KNOBS, _MESH, _CLOUD, _CHARTS = (0, 0), (0, 1), (1, 1), (0, 2)
 
 
 class Viewer:
-    """Clouds on a mesh, one of them enlarged, and charts of all; redrawn at each turn of a knob.
+    """Clouds of directions on a mesh, one enlarged cloud, and charts of all directions; every change of a knob redraws all.
 
-    Drawn coordinates, those of `vertices`, `points` and `chosen`, are about the middle of the mesh, where float32 is finest.
-    `near` is the enlarged cloud, that of the pinned point `chosen`, and `scale` the length of a lobe, in the mesh's unit.
+    Coordinates are relative to the middle of the mesh, where float32 is most precise.
+
+    Attributes:
+        vertices: (V, 3) vertices of the mesh.
+        points: points with clouds.
+        scale: length of a lobe in the unit of the mesh.
+        chosen: pinned point, whose cloud is enlarged.
+        near: enlarged cloud.
+        clouds: clouds at all points.
     """
 
     def __init__(
@@ -48,18 +56,27 @@ class Viewer:
         off_screen: bool = False,
         occlusion: ShownOcclusion | None = None,
     ):
-        """Draws everything once, with clouds at so many points, uniform by area; at most MOST_POINTS are drawn.
+        """Draw the mesh, the clouds and the charts.
 
-        `up` is the mesh's axis that points up, "x", "y" or "z", and `size` in pixels. Off screen no window is opened; the
-        widgets work all the same. An `occlusion` is shown on the mesh. A lobe that is too narrow to be seen is a ValueError.
+        Args:
+            mesh: mesh that carries the points.
+            points: number of points, placed uniformly by area; at most MOST_POINTS are drawn.
+            choice: settings at the start.
+            up: name of the mesh's axis that points up: "x", "y" or "z".
+            size: width and height of the window in pixels.
+            off_screen: whether no window is opened. The widgets work without a window too.
+            occlusion: picture of baked occlusion, shown on the mesh.
+
+        Raises:
+            ValueError: the lobe of the compared density is too narrow to draw.
         """
         import pyvista as pv
 
         lobe_of(choice.claim)
-        self._asked, self._normals, self._kinds = points, mesh.face_normals, set()
+        self._requested, self._normals, self._kinds = points, mesh.face_normals, set()
         self._middle = 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
         self.scale, self.vertices = LENGTH * mesh.diagonal, mesh.vertices - self._middle
-        at = sample_surface(mesh, budgeted(points, 1)[0], seed=choice.seed)
+        at = sample_surface(mesh, limit_counts(points, 1)[0], seed=choice.seed)
         self.points: SurfacePoints = replace(at, position=at.position - self._middle)
         self.plotter = pv.Plotter(
             shape=(2, 3),
@@ -83,34 +100,35 @@ class Viewer:
         self.show(choice)
 
     def show(self, choice: Choice) -> None:
-        """Draws a choice; the first of its kind compiles its kernels, and the caption says so."""
+        """Draw a choice. If its kernels must be compiled first, the caption reports this."""
         kind = (choice.sequence, type(choice.distribution), getattr(choice.distribution, "method", None), type(choice.claim))
         if self._kinds and kind not in self._kinds:
             self.caption.input = "Compiling the kernels of this choice, once ..."
             self.plotter.render()
         self._kinds.add(kind)
-        _, shown = budgeted(len(self.points), choice.samples)
+        _, shown = limit_counts(len(self.points), choice.samples)
         self.clouds = all_clouds(replace(choice, samples=shown), self.points, self.scale)
         self.cloud_actor.show(self.clouds.position, self.clouds.pdf, lobe_of(choice.claim).peak)
         self.caption.input = self._describe(choice, shown)
         self._show_near(choice)
 
     def summary(self) -> str:
-        """What the window shows, in a line."""
+        """Return a line about the contents of the window: counts, distribution, compared density and verdicts."""
         choice = self.controls.choice
-        _, shown = budgeted(len(self.points), choice.samples)
-        judged = (f"{name} {part.verdict()}" for name, part in (("θ", self.clouds.theta), ("φ", self.clouds.azimuth)))
-        what = extent_of((len(self.points), shown), (self._asked, choice.samples))
-        return f"{what} of {spelt(choice.distribution)}; " + "; ".join(judged).replace("\n", ": ")
+        _, shown = limit_counts(len(self.points), choice.samples)
+        verdicts = (f"{name} {part.verdict()}" for name, part in (("θ", self.clouds.theta), ("φ", self.clouds.azimuth)))
+        counts = describe_counts((len(self.points), shown), (self._requested, choice.samples))
+        return f"{counts} of {format_distribution(choice.distribution)}; " + "; ".join(verdicts).replace("\n", ": ")
 
     def pick(self, position: np.ndarray, face: int) -> None:
-        """Enlarges the cloud of another point, (3,) in drawn coordinates, unless the face that it is on is degenerate."""
+        """Enlarge the cloud of another point, (3,) in drawn coordinates; a point on a degenerate face changes nothing."""
         if not self._normals[face].any():
             return
         self._choose(len(self.points), SurfacePoints(position[None], self._normals[face][None], np.array([face])))
         self._show_near(self.controls.choice)
 
     def _show_near(self, choice: Choice) -> None:
+        """Draw the enlarged cloud, its lobe and the charts."""
         drawn = replace(choice, samples=min(choice.samples, _MOST_NEAR))
         self.near = one_cloud(drawn, self.chosen, self._chosen_id)
         lobe = lobe_of(choice.claim)
@@ -124,21 +142,21 @@ class Viewer:
         self.plotter.render()
 
     def _choose(self, point: int, at: SurfacePoints | None = None) -> None:
-        """Pins the point with a global id; it is that row of `points`, unless it is given."""
+        """Pin a point: `at`, or row `point` of `points`. `point` is the global id of the pinned point."""
         self.chosen: SurfacePoints = at or self.points.take(slice(point, point + 1))
         self._chosen_id = point
         start = self.chosen.position[0]
         self._pin.show(start, start + 1.4 * self.scale * self.chosen.normal[0])
 
     def _describe(self, choice: Choice, shown: int) -> str:
-        """The caption above the mesh."""
-        density = "their own density"
-        if choice.density is not None:
-            density = f"density of {spelt(choice.density) if choice.density.parameters else choice.density.name}"
+        """Return the caption above the mesh."""
+        claim = choice.density if choice.density is not None and choice.density.parameters else None
+        density = format_distribution(claim) if claim else choice.claim_name
+        counts = describe_counts((len(self.points), shown), (self._requested, choice.samples))
         lines = [
-            extent_of((len(self.points), shown), (self._asked, choice.samples)),
-            f"of {spelt(choice.distribution)}, {choice.sequence} points, seed {choice.seed};",
-            f"length and colour: {density} [1/sr]",
+            f"{counts} of {format_distribution(choice.distribution)}",
+            f"{choice.sequence} points, seed {choice.seed}; compared with {density}",
+            "length and colour: compared density [1/sr]",
         ]
         if len(self.points) > MOST_NORMALS:
             lines.append(f"normals of the first {MOST_NORMALS:,} points only")
@@ -147,17 +165,20 @@ class Viewer:
         return "\n".join(piece for line in lines for piece in wrap(line, _MOST_LETTERS))
 
     def _draw_charts(self) -> None:
+        """Add an empty sheet for the charts."""
         self.plotter.subplot(*_CHARTS)
         self.charts, self._sheet = None, Sheet(self.plotter)
 
     def _draw_cloud(self) -> None:
+        """Add the parts of the enlarged cloud: points, lobe, tangent frame and texts."""
         self.plotter.subplot(*_CLOUD)
         self.near_actor, self.lobe_actor = CloudActor(self.plotter, point_size=4, bar=False), LobeActor(self.plotter)
         draw_frame(self.plotter)
-        self._add_text("The pinned point's cloud and its density as a surface", 0.98, "top")
+        self._add_text("Directions at the pinned point; surface: the compared density", 0.98, "top")
         self._add_text("Double-click on the mesh to pin another point.", 0.02, "bottom")
 
     def _draw_mesh(self, mesh: Mesh, up: str, occlusion: ShownOcclusion | None) -> None:
+        """Add the mesh with normals, clouds, pin and caption, and mouse picking."""
         self.plotter.subplot(*_MESH)
         texture = None if occlusion is None else (occlusion.picture, occlusion.uv)
         actor = draw_mesh(self.plotter, self.vertices, mesh.faces, texture)
@@ -169,7 +190,7 @@ class Viewer:
         look_from(self.plotter, up, 1.0)
 
     def _add_text(self, words: str, height: float, edge: str) -> Any:
-        """Adds a text whose top or bottom edge is at a share of the renderer's height."""
-        text = self.plotter.add_text(words, position=(0.02, height), viewport=True, color=INK)
+        """Add a text with its top or bottom edge at a share of the renderer's height, and return the actor."""
+        text = self.plotter.add_text(words, position=(0.02, height), viewport=True, color=INK, font_file=font_file())
         text.prop.justification_vertical = edge
         return text

@@ -1,4 +1,4 @@
-"""What Sphinx does not know of this package: links of READMEs, commands, kernels' functions, examples, keys of sources."""
+"""Sphinx extension for this package: links of READMEs, commands, functions for kernels, examples, and keys of sources."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ from extension import commands, kernels, links, names, sources
 
 
 def setup(app: Any) -> dict[str, bool]:
-    """Connects to Sphinx's events."""
+    """Connect the functions of the extension to Sphinx's events."""
     app.add_directive("command", commands.Command)
     app.connect("builder-inited", links.find_homes)
     app.connect("include-read", links.rewrite)

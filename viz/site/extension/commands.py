@@ -1,4 +1,4 @@
-"""Commands of the shell, with what each takes: `.. command:: bake`."""
+"""Directive `.. command:: bake`: description, arguments and options of a command."""
 
 import re
 from typing import Any, Literal, get_args, get_origin
@@ -14,28 +14,28 @@ _CODE = re.compile(r"(--[a-z][a-z-]*|tcp://\.*)")
 
 
 def commands() -> dict[str, Any]:
-    """All commands by name."""
+    """Return all commands, keyed by name."""
     return dict(typer.main.get_command(app).commands)
 
 
 class Command(Directive):
-    """What a command does, its arguments and its options, as its help says it."""
+    """Description, arguments and options of a command, from its help."""
 
     required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        """The text, and the options as what can be linked and searched."""
+        """Return the nodes of a command: its text, and its options as targets of links and of the search."""
         command = commands()[self.arguments[0]]
         lines = [*(command.help or "").splitlines(), "", f".. program:: warpsample {self.arguments[0]}", ""]
         for parameter in command.params:
-            lines += [f".. option:: {', '.join(parameter.opts)}", "", f"   {_said(parameter)}", ""]
+            lines += [f".. option:: {', '.join(parameter.opts)}", "", f"   {_describe_parameter(parameter)}", ""]
         made = nodes.container()
         self.state.nested_parse(StringList(lines, source=self.arguments[0]), self.content_offset, made)
         return made.children
 
 
-def _said(parameter: Any) -> str:
-    """What a parameter is, the words that it may be, and its default."""
+def _describe_parameter(parameter: Any) -> str:
+    """Return the help of a parameter with its choices and its default."""
     words = get_args(parameter.type_descriptor.annotation) if _is_choice(parameter) else ()
     default = parameter.default
     parts = [_CODE.sub(r"``\1``", " ".join((parameter.help or "").replace("*", r"\*").replace("`", "").split()))]

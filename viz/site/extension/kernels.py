@@ -1,4 +1,4 @@
-"""The functions for kernels: their signatures in Warp's types, and a kernel that calls each."""
+"""Functions for kernels: signatures in Warp's types, and example kernels."""
 
 import inspect
 import re
@@ -35,33 +35,33 @@ _ARGUMENTS = {
 }
 _ARRAY = re.compile(r"(?:~?numpy\.)?ndarray\[tuple\[(?:~?typing\.)?Any, \.\.\.\], (?:~?numpy\.)?dtype\[([^]]+)\]\]")
 KERNEL = "tree: funcs.Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3]"
-"""The arguments of the kernel whose lines examples are."""
+"""Arguments of the kernel that contains the lines of an example."""
 
 
 def home(item: Any) -> str | None:
-    """The module of a wp.func or of a wp.struct; None of anything else."""
+    """Return the module of a wp.func or of a wp.struct; None for other objects."""
     if isinstance(item, wp.Function):
         return item.func.__module__
     return item.cls.__module__ if hasattr(item, "cls") else None
 
 
-def shown(kind: Any) -> str:
-    """A type as a kernel's author writes it."""
+def format_type(kind: Any) -> str:
+    """Return a type as it is written in a kernel."""
     return getattr(kind, "key", None) or _SHOWN.get(kind) or str(getattr(kind, "__name__", kind))
 
 
 def signature(app: Any, what: str, name: str, item: Any, options: Any, text: str, returned: str) -> tuple[str, str] | None:  # noqa: ARG001
-    """The signature of a wp.func in Warp's types, and of all else with arrays as they are written."""
+    """Return the signature of a wp.func in Warp's types, or of another function with readable array types."""
     if not isinstance(item, wp.Function):
         return tuple(part and _ARRAY.sub(r"NDArray[\1]", part) for part in (text, returned))
     found = inspect.signature(item.func)
-    taken = ", ".join(f"{key}: {shown(parameter.annotation)}" for key, parameter in found.parameters.items())
+    taken = ", ".join(f"{key}: {format_type(parameter.annotation)}" for key, parameter in found.parameters.items())
     given = found.return_annotation
-    return f"({taken})", "" if given is inspect.Signature.empty else shown(given)
+    return f"({taken})", "" if given is inspect.Signature.empty else format_type(given)
 
 
 def example(item: Any) -> str:
-    """Lines of a kernel that calls a function."""
+    """Return lines of a kernel that calls a function."""
     if not isinstance(item, wp.Function):
         return _STRUCTS[item.key]
     taken = set(inspect.signature(item.func).parameters)
@@ -81,7 +81,7 @@ _STRUCTS = {
 
 
 def _map_of(key: str) -> Any:
-    """The map to directions that a density or an inverse goes with; the cosine lobe's for all else."""
+    """Return the map to directions of a density or an inverse; for other functions the map of the cosine lobe."""
     if key.endswith("_pdf"):
         return getattr(funcs, key.removesuffix("_pdf"))
     shape, inverse, variant = key.partition("_to_square")

@@ -1,4 +1,4 @@
-"""Links of the papers that pages include: READMEs link to each other by their places in the repository."""
+"""Links of included READMEs, which link to each other by their paths in the repository."""
 
 import os
 import re
@@ -13,7 +13,7 @@ _homes: dict[Path, str] = {}
 
 
 def find_homes(app: Any = None) -> dict[Path, str]:  # noqa: ARG001
-    """Which page includes each paper; of several the first that includes nothing else."""
+    """Return the page that includes each README; if there are several, the first page that includes nothing else."""
     found = [(page, _INCLUDED.findall(page.read_text())) for page in sorted(PAGES.rglob("*.md"))]
     for page, papers in sorted(found, key=lambda item: -len(item[1])):
         for paper in papers:
@@ -22,12 +22,12 @@ def find_homes(app: Any = None) -> dict[Path, str]:  # noqa: ARG001
 
 
 def rewrite(app: Any, path: Path, parent: str, content: list[str]) -> None:  # noqa: ARG001
-    """Makes the links of a paper lead to pages of the site and to pictures of the repository."""
+    """Replace the links of a README with links to pages of the site and to pictures of the repository."""
     folder = (PAGES / path).resolve().parent
-    content[0] = _LINK.sub(lambda link: _led(folder, link), content[0])
+    content[0] = _LINK.sub(lambda link: _resolve_link(folder, link), content[0])
 
 
-def _led(folder: Path, link: re.Match[str]) -> str:
+def _resolve_link(folder: Path, link: re.Match[str]) -> str:
     label, path, heading = link.groups(default="")
     target = (folder / path).resolve()
     if target.suffix == ".png" and target.exists():

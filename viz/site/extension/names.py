@@ -1,4 +1,4 @@
-"""Public names: where each is defined, and its example, from its docstring or from the call that makes it."""
+"""Public names: the module that defines each, and its example, from its docstring or from the call that returns it."""
 
 import inspect
 import re
@@ -24,7 +24,7 @@ _CODE_IN_WORD = re.compile(r"(`[^`]+`)(?=\w)")
 
 @cache
 def public() -> dict[str, Any]:
-    """All public names of `warpsample`, `funcs`, `rasters` and `cluster`, but modules, as "warpsample.rasters.surface"."""
+    """Return the public names of `warpsample`, `funcs`, `rasters` and `cluster`, as "warpsample.rasters.surface"."""
     calls = [quantity.call.__name__ for quantity in quantities().values() if quantity.in_stores]
     found = [("warpsample", ws, ws.__all__), ("warpsample.funcs", funcs, funcs.__all__)]
     found += [
@@ -43,7 +43,7 @@ def _is_own(item: Any, module: ModuleType) -> bool:
 
 
 def module_of(app: Any, module: str, name: str) -> str | None:  # noqa: ARG001
-    """The module in which a public name, or a method of one, is defined: where "[source]" leads."""
+    """Return the module that defines a public name or a method, the target of "[source]"."""
     first, *rest = name.split(".")
     item = public().get(f"{module}.{first}")
     if item is None:
@@ -54,7 +54,7 @@ def module_of(app: Any, module: str, name: str) -> str | None:  # noqa: ARG001
 
 
 def polish(app: Any, doctree: Any) -> None:  # noqa: ARG001
-    """Calls attributes so; and lets "warpsample.sobol" lead to "warpsample.funcs.sobol", as the pages of code call it."""
+    """Rename the field "Variables" to "Attributes", and link "warpsample.sobol" to "warpsample.funcs.sobol"."""
     for signature in doctree.findall(addnodes.desc_signature):
         signature["ids"] += [name.replace(".funcs.", ".") for name in signature["ids"] if ".funcs." in name]
     for name in doctree.findall(nodes.field_name):
@@ -63,9 +63,9 @@ def polish(app: Any, doctree: Any) -> None:  # noqa: ARG001
 
 
 def complete(app: Any, what: str, name: str, item: Any, options: Any, lines: list[str]) -> None:  # noqa: ARG001
-    """Gives a docstring that napoleon has read an example, and mends what it takes for types: ours have none.
+    """Add an example to a docstring after napoleon, and restore texts that napoleon takes for types: ours have none.
 
-    docutils wants a gap after the code in "`wp.func`s".
+    docutils requires a gap after the code in "`wp.func`s".
     """
     text = "\n".join(_CODE_IN_WORD.sub(r"\1\\ ", line) for line in lines)
     for kind, field in ((":rtype:", ":returns: "), (":type:", "")):
@@ -80,7 +80,7 @@ def complete(app: Any, what: str, name: str, item: Any, options: Any, lines: lis
 
 @cache
 def example(name: str) -> str:
-    """An example of a public name: its own, or of what makes it; "" if there is none."""
+    """Return the example of a public name, or of the function that returns it; "" if there is none."""
     item = public()[name]
     if name.startswith("warpsample.funcs."):
         return kernels.example(item)
@@ -97,7 +97,7 @@ def _own(item: Any) -> str:
 
 
 def _of_lobe(kind: type[Distribution]) -> str:
-    """What a distribution is for, as all of them are used."""
+    """Return an example for a distribution: directions and densities."""
     case = kind.cases()[0]
     return (
         f">>> lobe = ws.{case!r}\n>>> w = lobe.sample(ws.sample_square('sobol', points=1, count=64)[0])\n>>> p = lobe.pdf(w)"
@@ -105,7 +105,7 @@ def _of_lobe(kind: type[Distribution]) -> str:
 
 
 def _makers(kind: Any) -> Iterator[Any]:
-    """Calls and methods that return a class, and classes that have one in a field or a property."""
+    """Return the functions and methods that return a class, and the classes with a field or property of this class."""
     calls = [call for call in public().values() if inspect.isfunction(call)]
     classes = [owner for owner in public().values() if inspect.isclass(owner) and owner is not kind]
     calls += [member for owner in classes for member in _members(owner)]
@@ -117,7 +117,7 @@ def _makers(kind: Any) -> Iterator[Any]:
 
 
 def _members(owner: type) -> list[Any]:
-    """Public methods of a class, and the functions behind its properties."""
+    """Return the public methods of a class, and the functions of its properties."""
     items = [getattr(owner, key) for key in dir(owner) if not key.startswith("_")]
     return [getattr(item, "fget", getattr(item, "make", item)) for item in items]
 

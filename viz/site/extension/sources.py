@@ -1,4 +1,4 @@
-"""Keys of sources, as Walter2007: each leads to its row on the page of sources."""
+"""Links from keys of sources, such as Walter2007, to their rows on the page of sources."""
 
 import re
 from typing import Any
@@ -10,7 +10,7 @@ _KEY = re.compile(r"\b([A-Z][A-Za-z]+(?:1[89]|20)\d\d|ShirleyTrick)\b")
 
 
 def link(app: Any, doctree: nodes.document, page: str) -> None:
-    """Gives rows of the page of sources their anchors, and links keys to them on all others."""
+    """Add anchors to the rows of the page of sources, and link keys on other pages to these anchors."""
     if page == PAGE:
         for row in doctree.findall(nodes.row):
             row["ids"].append(row[0].astext().lower())
