@@ -1,6 +1,7 @@
 """CityJSON in feet, or with heights in another unit, has the numbers of the same city in metres; degrees are refused."""
 
 import json
+from contextlib import nullcontext
 
 import city_files as cases
 import numpy as np
@@ -172,9 +173,23 @@ def test_terrain_stands_where_it_is_whatever_its_unit(tmp_path):
     ):
         document, each = house(system, across, up), np.array([across, across, up])
         for context in (in_metres, in_feet, ws.Mesh(expected / each, in_metres.mesh.faces)):
-            city = load(tmp_path, document, context=context)
+            guessed = system is None and not isinstance(context, ws.Mesh)
+            with pytest.warns(match="the city is taken to be in metres on the same map") if guessed else nullcontext():
+                city = load(tmp_path, document, context=context)
             assert city.mesh.vertices[-len(expected) :] == pytest.approx(expected, rel=1e-9)
             assert (city.surface >= 0).sum() == len(city.surface) - len(in_metres.mesh.faces)
+
+
+def test_terrain_far_from_the_city_is_refused(tmp_path):
+    """Of a city in feet without a system and terrain in metres: rays would start metres off the walls."""
+    with (
+        pytest.warns(match="the city is taken to be in metres on the same map"),
+        pytest.raises(ValueError, match=r"^context: got one that is 698 km away from the city, want terrain around it"),
+    ):
+        load(tmp_path, house(None, FOOT, FOOT), context=raster("EPSG:32118", 1.0))
+    near = np.add(raster("EPSG:32118", 1.0).mesh.vertices, (20_000.0, 0.0, 0.0))
+    beside = ws.Mesh(near, raster(None, 1.0).mesh.faces)
+    assert load(tmp_path, house(None, 1.0, 1.0), context=beside).mesh.faces.any()
 
 
 def test_terrain_of_another_map_or_without_one_is_refused(tmp_path):

@@ -115,3 +115,26 @@ def test_only_the_middle_of_a_raster_is_read_for_it():
     for side, x, y in ((1e-4, 8.0, 47.0), (1.0, 8.0, 47.0), (1e-4, 5e5, 5e6)):
         check_lengths(Affine(side, 0.0, x, 0.0, -side, y), level.shape, heights)
     assert shapes == [(512, 200)]
+
+
+def test_units_of_heights_and_coordinates_that_an_array_states_are_used():
+    """As `units` or `unit` of the heights; coordinates in another unit than that of the CRS are refused."""
+    array = xr.DataArray(HEIGHTS, dims=("y", "x")).rio.write_transform(NORTH_UP).rio.write_crs("EPSG:32633")
+    top = ws.rasters.surface(array).mesh.vertices[:, 2].max()
+    for name in ("unit", "units"):
+        in_feet = ws.rasters.surface(array.assign_attrs({name: "ft"})).mesh.vertices
+        assert in_feet[:, 2].max() == pytest.approx(0.3048 * top)
+    x = xr.Variable("x", np.arange(12.0) / 1000.0, {"units": "km"})
+    with pytest.raises(ValueError, match=r"^source: got coordinates 'x' in 'km', want the unit of the CRS, 1 m$"):
+        ws.rasters.surface(array.assign_coords(x=x, y=np.arange(10.0)[::-1]))
+
+
+def test_the_height_unit_of_an_arc_projection_is_used(tmp_path):
+    path = grid_file(tmp_path / "dsm.asc")
+    lines = ["Projection    UTM", "Zone          33", "Datum         WGS84", "Units         METERS", "Zunits        {}"]
+    tops = {}
+    for unit in ("NO", "METERS", "FEET"):
+        path.with_suffix(".prj").write_text("\n".join([*lines, "Xshift        0.0", "Parameters", ""]).format(unit))
+        tops[unit] = ws.rasters.surface(path).mesh.vertices[:, 2].max()
+    assert tops["NO"] == tops["METERS"]
+    assert tops["FEET"] == pytest.approx(0.3048 * tops["NO"])

@@ -1,6 +1,7 @@
 """Surroundings of a city: a level plane, a mesh or a raster."""
 
 from typing import Any
+from warnings import warn
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from warpsample.mesh.mesh import mesh_of
 GROUND_PLANE = "ground"
 """Value of `context` for a level plane."""
 
+_FARTHEST = 30_000.0  # metres from the city to terrain; rays start 2e-6 of the whole extent off a wall, 0.06 m for this
 _REACH = 20.0  # margin of the plane in city diagonals; a larger one would reduce float32 precision
 
 
@@ -27,7 +29,19 @@ def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: U
     else:
         mesh = mesh_of(context, "context", f"{GROUND_PLANE!r}, a RasterSurface, a warpsample.Mesh")
         corners, squares = mesh.vertices * units.metres, mesh.faces
+    _check_gap(points[np.unique(faces)], corners)
     return np.concatenate([points, corners]), np.concatenate([faces, squares + len(points)])
+
+
+def _check_gap(city: np.ndarray, context: np.ndarray) -> None:
+    """Raise a ValueError for a context whose bounding box is far from that of the city, as in another unit or map."""
+    gaps = context.min(axis=0) - city.max(axis=0), city.min(axis=0) - context.max(axis=0)
+    distance = float(np.hypot(*np.maximum.reduce([*gaps, np.zeros(3)])[:2]))
+    if distance > _FARTHEST:
+        raise ValueError(
+            f"context: got one that is {distance / 1000.0:,.0f} km away from the city, want terrain around it; check that "
+            "both are in the same reference system and unit"
+        )
 
 
 def _check_map(grid: Any, units: Units) -> None:
@@ -35,7 +49,10 @@ def _check_map(grid: Any, units: Units) -> None:
     if grid.crs is None:
         if (units.metres != 1.0).any():
             raise ValueError(f"context: got a raster without a CRS beside a city in {told(units.name)}, want one with a CRS")
-    elif units.crs is not None:
+    elif units.crs is None:
+        said = f"context: got a raster in {grid.crs.name} beside a city without a known reference system"
+        warn(f"{said}; the city is taken to be in metres on the same map", stacklevel=6)
+    else:
         rows, columns = grid.height.shape
         middle = grid.transform @ (columns / 2.0, rows / 2.0)
         if not imported("warpsample.city.rasters.reference").is_same_map(grid.crs, units.crs, *middle):

@@ -1,5 +1,6 @@
 """Reads rasters of heights: files, xarray's arrays, and arrays with a transform. Here alone they are checked."""
 
+import re
 import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -20,7 +21,14 @@ from rioxarray.exceptions import MissingSpatialDimensionError
 from warpsample.city.rasters.coding import Coding
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reference import REPROJECT, crs_of, describe_stretch, height_metres_of, metres_of
+from warpsample.city.rasters.reference import (
+    REPROJECT,
+    check_unit,
+    crs_of,
+    describe_stretch,
+    height_metres_of,
+    metres_of,
+)
 from warpsample.city.rasters.transforms import (
     affine_of,
     check_cells,
@@ -32,6 +40,7 @@ from warpsample.city.rasters.transforms import (
 from warpsample.host.arrays import as_real
 from warpsample.host.neighbours import kind_told
 
+_HEIGHT_UNIT = re.compile(rb"^Zunits\s+(\w+)", re.IGNORECASE | re.MULTILINE)
 _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
 
 
@@ -101,7 +110,14 @@ def _of_file(path: str) -> RasterReader:
         check_place(file.transform, file.crs, repr(path))
         band = bands[0]
         read = partial(_band, path, band, Coding.of_file(path, file, band))
-        return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or "", read)
+        return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or _height_unit_beside(path), read)
+
+
+def _height_unit_beside(path: str) -> str:
+    """Return the unit of heights in the .prj of an Arc raster, which GDAL does not read; "" if there is none."""
+    projection = Path(path).with_suffix(".prj")
+    found = _HEIGHT_UNIT.search(projection.read_bytes()) if projection.is_file() else None
+    return "" if found is None or found[1].upper() == b"NO" else found[1].decode().lower()
 
 
 def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> np.ndarray:
@@ -124,7 +140,7 @@ def _of_data_array(array: xr.DataArray) -> RasterReader:
     if any(size != 1 for size in others.values()):
         raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want y and x alone: one band")
     array = array.isel(dict.fromkeys(others, 0)).transpose(*dims)
-    coding, unit = Coding.of_array(array), str(array.attrs.get("units") or "")
+    coding, unit = Coding.of_array(array), str(array.attrs.get("units") or array.attrs.get("unit") or "")
     coordinates = {name: array.coords[name].variable for name in dims if name in array.coords}
     if not array.size:
         raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want cells")
@@ -132,6 +148,8 @@ def _of_data_array(array: xr.DataArray) -> RasterReader:
     def heights(rows: slice, columns: slice) -> np.ndarray:
         return coding.heights(array.isel(dict(zip(dims, (rows, columns), strict=True))).to_numpy())
 
+    for name, coordinate in coordinates.items():
+        check_unit(str(coordinate.attrs.get("units", "")), crs_of(array.rio.crs), f"coordinates {name!r}")
     where = transform_of(array, dims), array.rio.crs, unit
     return _reader(array.shape, *where, heights, dims=dims, coordinates=coordinates)
 

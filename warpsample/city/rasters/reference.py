@@ -14,6 +14,15 @@ _METRES = dict.fromkeys(("m", "metre", "metres", "meter", "meters"), 1.0)
 _METRES |= {"mm": 0.001, "cm": 0.01, "dm": 0.1, "km": 1000.0}
 _METRES |= dict.fromkeys(("ft", "foot", "feet", "international foot"), _FOOT)
 _METRES |= dict.fromkeys(("us-ft", "ftus", "us survey foot", "us survey feet", "foot_us"), _SURVEY_FOOT)
+_METRES |= {
+    "decimetre": 0.1,
+    "dam": 10.0,
+    "inch": 0.0254,
+    "yd": 0.9144,
+    "yard": 0.9144,
+    "fathom": 1.8288,
+    "sft": _SURVEY_FOOT,
+}
 _PART = re.compile(r"[?&]\d+=([^?&]+)")  # of an address of several systems: crs-compound?1=...&2=...
 _EPSG = re.compile(r"EPSG(?:/|::|:)(?:[^/:]*[/:])?(\d+)/?$", re.IGNORECASE)
 _SAME = 1.0  # m: versions of a datum are nearer to each other, other maps farther off
@@ -88,6 +97,13 @@ def metres_of(crs: pyproj.CRS | None) -> float:
     """The length of the unit of a CRS's first two axes in metres; 1 if it is not known."""
     axes = _flat(crs).axis_info if crs else []
     return axes[0].unit_conversion_factor or 1.0 if axes else 1.0
+
+
+def check_unit(unit: str, crs: pyproj.CRS | None, what: str) -> None:
+    """Raise a ValueError if the named unit of coordinates differs from that of their CRS; without a CRS it is the metre."""
+    length, metres = _METRES.get(unit.strip().lower()), metres_of(crs)
+    if length is not None and abs(length - metres) > 1e-5 * metres:
+        raise ValueError(f"source: got {what} in {unit!r}, want the unit of the CRS, {metres:g} m")
 
 
 def height_metres_of(crs: pyproj.CRS | None, unit: str) -> float | None:
