@@ -44,8 +44,7 @@ class HighMesh:
         """Return the first front-facing hit on the fine mesh of a ray from the cage through each point.
 
         Rays run against the normals of the points. The rays of points on an edge are shifted into their face by a few
-        rounding
-        errors, so that they hit the texel's own side where both meshes have the same hard edge.
+        rounding errors, so that they hit the texel's own side where both meshes have the same hard edge.
 
         Args:
             points: P points on faces of the coarse mesh, with its averaged normals.
@@ -54,8 +53,7 @@ class HighMesh:
 
         Returns:
             points on the fine mesh, with the ids of `points`; and (P,) bool, True where a ray has no hit. Such points keep
-            their
-            position and have a normal of 0.
+            their position and have a normal of 0.
         """
         inward = -np.asarray(points.normal, np.float64)
         middle = low.vertices[low.faces[points.face]].mean(axis=1) - points.position

@@ -75,8 +75,7 @@ class TexelRows:
         """Return the standard errors (texels, C) float64 of the texels' means, from the spread of values within texels.
 
         A texel with one value has no spread: its variance is pooled from the surrounding texels, and is at least the square
-        of the
-        value's own standard error.
+        of the value's own standard error.
 
         Args:
             values: (P, C), values at the points.

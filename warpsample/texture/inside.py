@@ -92,8 +92,7 @@ class Closed:
 
         Returns:
             (P, 2) int32, numbers of outward-facing and of inward-facing bodies around each point; (P,) bool, True where the
-            first
-            two rays disagreed and a third one decided; and the number of rays cast.
+            first two rays disagreed and a third one decided; and the number of rays cast.
         """
         nested, unsure = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
         own = np.where(face >= 0, self.bodies[0][face], -1)
@@ -198,8 +197,7 @@ class Enclosed:
         """Return the (P,) mask of points inside more bodies than another point of the same chart.
 
         The image is filled at such points. A chart wholly inside a body counts as being in a room, and none of its points
-        are
-        marked. A chart cut by a hollow body is examined separately inside and outside of the hollow.
+        are marked. A chart cut by a hollow body is examined separately inside and outside of the hollow.
 
         Args:
             usable: (P,) bool, points with a value. Only usable points are compared with; points on the rim of a chart and

@@ -21,8 +21,7 @@ def encode_png(image: np.ndarray, depth: int) -> bytes:
     """Return the bytes of a .png of an (H, W) image, linear, clipped to [0, 1] and rounded to `depth` bits.
 
     An image (H, W, 3) holds vectors: each direction is stored as a colour of 8 bits, 0.5 + 0.5 * component. Vectors of
-    length 0
-    are stored as +z.
+    length 0 are stored as +z.
     """
     if image.ndim == 3:
         length = np.linalg.norm(image.astype(np.float64), axis=2, keepdims=True)

@@ -100,9 +100,8 @@ class Texels:
 
         A number takes the set of that number. "new" returns a ChosenSet without points. "auto" takes the first of these:
 
-        1. the set `first`, which the faces already use for such a picture, if no face is outside the image and no face with
-        an area
-           in space is flat in the image;
+        1. the set `first`, which the faces already use for such a picture, if no face is outside the image and
+           no face with an area in space is flat in the image;
         2. the lowest set for which the same is true and no faces overlap;
         3. with `lenient`, the lowest set with texels and with no face outside the image;
         4. a ChosenSet without points, for new coordinates.

@@ -42,8 +42,7 @@ def shade_points(
     """Return positions (P, 3) float64, normals (P, 3) float32 and faces (P,) of points with given corner weights.
 
     With "lifted", points are moved onto the tangent planes of the corners, averaged with the same weights (Hanika2021). A
-    moved
-    point has the face -1.
+    moved point has the face -1.
     """
     corners = [mesh.vertices[mesh.faces[face, k]] for k in range(3)]
     position = corners[0] + weights[:, 1:2] * (corners[1] - corners[0]) + weights[:, 2:] * (corners[2] - corners[0])

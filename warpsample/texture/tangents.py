@@ -52,8 +52,7 @@ class Frames:
         """Return the (P, 3) components of vectors along tangent, bitangent and normal, at points on faces.
 
         The three axes are interpolated between the corners and normalized, as in viewers. Where there is no tangent, an
-        arbitrary
-        direction perpendicular to the normal is used.
+        arbitrary direction perpendicular to the normal is used.
 
         Args:
             vectors: (P, 3) vectors in world coordinates.
@@ -75,12 +74,9 @@ def compute_tangents(position: np.ndarray, normal: np.ndarray, uv: np.ndarray) -
     """Return tangents (F, 3, 4) of face corners, as in glTF: a unit vector and the sign of the bitangent.
 
     The result is that of MikkTSpace for triangles, with default settings (Mikkelsen2008). A corner's tangent is the mean
-    over
-    faces that share its position, normal and coordinates, weighted by angle. The faces must be connected by edges and have
-    the
-    same orientation in the image. Tangents are 0 where the coordinates define no direction. A face without an area in the
-    image
-    takes the orientation of a neighbouring face; the reference takes that of the lowest connected face.
+    over faces that share its position, normal and coordinates, weighted by angle. The faces must be connected by edges and
+    have the same orientation in the image. Tangents are 0 where the coordinates define no direction. A face without an area
+    in the image takes the orientation of a neighbouring face; the reference takes that of the lowest connected face.
 
     Args:
         position: (F, 3, 3) corner positions.

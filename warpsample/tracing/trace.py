@@ -73,8 +73,8 @@ def trace(
         mesh: Mesh or anything that `as_mesh` accepts.
         origins: (P, 3) float32 or float64 in mesh coordinates, (3,) for all rays, or SurfacePoints, which start two
             millionths of the mesh's extent off their face, to the side of each direction, or straight up or down where the
-            points are `raised`. A ray does not hit a face at
-            distance 0, but rounding may bring it in front. A ray from 10^9 times the mesh's size or farther hits nothing.
+            points are `raised`. A ray does not hit a face at distance 0, but rounding may bring it in front. A ray from 10^9
+            times the mesh's size or farther hits nothing.
         directions: (P, 3), one per origin, or (P, n, 3), n per origin, of any length but 0. A ray is invalid with a zero,
             infinite or NaN direction, or an infinite or NaN origin: its distance is NaN, and `invalid` of the result
             counts it. Arrays of other libraries count as NumPy arrays in the CPU's memory and as wp.arrays on a CUDA

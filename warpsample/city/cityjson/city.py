@@ -92,12 +92,9 @@ class City(Summary):
         """Return area-weighted means over surfaces of values at points of the mesh, with standard errors.
 
         Points have independent random numbers, so their errors are independent. With several points on a triangle, its error
-        comes
-        from the spread of the values, which includes the noise of rays and of point positions. With one point, as without
-        `points`,
-        only the noise of rays is included. Errors of the weather, the sky model and the mesh are not included; they are
-        common to
-        all surfaces.
+        comes from the spread of the values, which includes the noise of rays and of point positions. With one point, as
+        without `points`, only the noise of rays is included. Errors of the weather, the sky model and the mesh are not
+        included; they are common to all surfaces.
 
         Args:
             values: (P,) values at the points; (F,) values at the centres of triangles if `points` is None.
@@ -106,8 +103,7 @@ class City(Summary):
 
         Returns:
             values, standard errors and areas in m2, (N,) float64 each, in the order of `surfaces`. Values and errors are NaN
-            for a
-            GroundSurface and for a surface without points.
+            for a GroundSurface and for a surface without points.
 
         Raises:
             TypeError, ValueError: an array has another shape, or the points have no faces.
@@ -137,8 +133,7 @@ class City(Summary):
         """Write a copy of the file with results as attributes of semantic surfaces and of city objects.
 
         The rest of the JSON keeps its order, integers and spelling of numbers; a sequence stays a sequence. Results of
-        surfaces
-        without a semantic object, and of templates, are written only into their city object.
+        surfaces without a semantic object, and of templates, are written only into their city object.
 
         A city object gets area-weighted means over its own surfaces and those of its children:
 
@@ -176,12 +171,11 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
     """Load the surfaces of a CityJSON file (version 1.0, 1.1 or 2.0) or sequence (CityJSONSeq) as a mesh.
 
     Each object contributes the geometries of one level of detail. If an object has the same surfaces twice, those with
-    semantics
-    are taken, or else the solids. Templates are placed, surfaces with holes are triangulated, points and lines are left out.
+    semantics are taken, or else the solids. Templates are placed, surfaces with holes are triangulated, points and lines are
+    left out.
 
     The mesh, its areas and all lengths are in metres. Feet are converted by the file's metadata.referenceSystem, and heights
-    by
-    their own unit (extra `city`). Without a reference system, coordinates are taken as metres.
+    by their own unit (extra `city`). Without a reference system, coordinates are taken as metres.
 
     Args:
         path: path of the file, or "courtyard", an example, if no file has this name.
