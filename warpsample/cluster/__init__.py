@@ -1,7 +1,7 @@
-"""The calls of the package over Dask, lazily, and into Zarr stores that resume.
+"""Calls of `warpsample` computed by Dask: lazily, or into Zarr stores that can be resumed.
 
-`from warpsample import cluster`, then `cluster.ambient_occlusion(mesh, points, 256)`: as in `warpsample`, and the same bits.
-Each quantity that has `in_stores` in its record has its call here.
+`cluster.ambient_occlusion(mesh, points, 256)` takes the arguments of `warpsample.ambient_occlusion` and gives the same bits.
+Every quantity whose record has `in_stores` has a call in this module.
 """
 
 from typing import Any
@@ -13,11 +13,11 @@ __all__ = ["bake", "integrate", "sample_directions", "trace"]
 
 
 def __getattr__(name: str) -> Any:
-    """Imports a call, and with it Dask, when it is first used.
+    """Import a call at its first use, and Dask with the call.
 
     Raises:
-        AttributeError: there is no such call.
-        ModuleNotFoundError: Dask or xarray is missing; names the extra.
+        AttributeError: if no call has the name.
+        ModuleNotFoundError: if Dask or xarray is missing. The message names the extra to install.
     """
     if name.startswith("_"):
         raise AttributeError(f"module 'warpsample.cluster' has no attribute {name!r}")
@@ -30,6 +30,6 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    """The calls, imported or not."""
+    """Return the sorted names of the module, including calls that are not imported yet."""
     quantities = imported("warpsample.output.quantities").quantities().values()
     return sorted({*globals(), *__all__, *(quantity.call.__name__ for quantity in quantities if quantity.in_stores)})

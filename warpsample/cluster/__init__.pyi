@@ -1,4 +1,4 @@
-"""Types of the calls, of which `calls.call_of` makes those of quantities."""
+"""Types of the calls in this module; `calls.call_of` creates the calls of quantities."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Jobs as Dask's tasks and arrays, and these as an xarray.Dataset."""
+"""Dask graphs and xarray datasets built from jobs."""
 
 from operator import getitem
 from typing import Any
@@ -19,17 +19,24 @@ POINT_ARRAYS: dict[str, Any] = {
     "normal": (np.dtype(np.float32), (3,)),
     "face": (np.dtype(np.int32), ()),
 }
-"""(type, shape of a row) of points that workers make."""
+"""(dtype, shape of a row) of each field of points made by workers."""
 
 GIVEN_ARRAYS: dict[str, Any] = {**POINT_ARRAYS, "id": (np.dtype(np.uint64), ()), "raised": (np.dtype(bool), ())}
-"""The same of all that points may have which the caller gives."""
+"""(dtype, shape of a row) of each field of points given by the caller."""
 
 _SAMPLES = {"pdf", "distance", "face", "vectors"}
-"""Arrays whose second axis are the samples of a point."""
+"""Names of arrays with the samples of a point along the second dimension."""
 
 
 def dataset_of(job: Job) -> xr.Dataset:
-    """The lazy arrays of a job: a task for the numbers of a chunk, one for its points, and one that takes each array out."""
+    """Build the lazy dataset of a job.
+
+    Each chunk has one task for its result, one for its points, and one for each array taken out of the result.
+
+    Raises:
+        ValueError: if the job has too many chunks.
+        MemoryError: if every worker of the current Client is too small.
+    """
     job.check_count()
     if (client := current_client()) is not None:
         check_workers_of(client, job)
@@ -51,12 +58,12 @@ def dataset_of(job: Job) -> xr.Dataset:
 
 
 def blocks_of(job: Job) -> dict[str, list[Any]]:
-    """The keys of the chunks of the arrays that a job takes."""
+    """Return the Dask keys of the chunks of a job's input arrays, as lists by array name."""
     return {name: list(flatten(array.__dask_keys__())) for name, array in (job.given | job.rows).items()}
 
 
 def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
-    """(type, shape of a row) of the coordinates; none if there are no SurfacePoints."""
+    """Return (dtype, shape of a row) of each point array by name; empty if the call takes no SurfacePoints."""
     if job.given:
         return {name: (array.dtype, GIVEN_ARRAYS[name][1]) for name, array in job.given.items()}
     return POINT_ARRAYS if job.call.at else {}
@@ -65,7 +72,15 @@ def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
 def _array(
     job: Job, base: HighLevelGraph, layer: str, task: tuple[Any, ...], kind: tuple[np.dtype, tuple[int, ...]]
 ) -> Array:
-    """One array of what the chunks' tasks give."""
+    """Build one Dask array by taking an item out of every chunk's result.
+
+    Args:
+        job: The job.
+        base: Graph of the tasks that compute the chunks.
+        layer: Name of the layer in `base`.
+        task: (function that takes the item, first part of the source's key, name of the item).
+        kind: (dtype, shape of a row) of the array.
+    """
     (take, source, name), (dtype, shape) = task, kind
     own, zeros = f"{name}-{layer}", (0,) * len(shape)
     items = {(own, i, *zeros): (take, (*source, i), name) for i in range(job.count)}
@@ -75,10 +90,11 @@ def _array(
 
 
 def _with_dimensions(arrays: dict[str, Array]) -> dict[str, tuple[tuple[str, ...], Array]]:
+    """Pair each array with the names of its dimensions, as `xarray.Dataset` expects."""
     return {name: (dimensions(name, array.ndim), array) for name, array in arrays.items()}
 
 
 def dimensions(name: str, count: int) -> tuple[str, ...]:
-    """The names of an array's axes."""
+    """Return the names of the first `count` dimensions of an array."""
     second = "sample" if name in _SAMPLES else "axis" if name in POINT_ARRAYS else "channel"
     return ("point", second, "axis")[:count]

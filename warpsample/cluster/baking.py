@@ -1,4 +1,4 @@
-"""`bake`: a call's chunks into a store, each by one task, and those that are there already left alone."""
+"""`cluster.bake`: compute a call into a Zarr store, one task per chunk, and skip chunks that are complete."""
 
 from collections.abc import Callable
 from contextlib import closing
@@ -23,13 +23,14 @@ from warpsample.cluster.writing import at_work, put, writing
 from warpsample.host.arguments import check_choice, check_flag
 
 DONE = np.dtype([("points", np.int64), ("rays", np.int64), ("squared_error", np.float64)])
-"""What a task tells of its chunk: how many points, rays cast, and the sum of the squares of their standard errors."""
+"""Summary of a computed chunk: number of points, number of rays, sum over the points of the squared standard error."""
 
 
 def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool = False, **options: Any) -> xr.Dataset:
-    """Compute a call into a Zarr store, chunk by chunk, with the Client or the configured scheduler of Dask.
+    """Compute a call into a Zarr store, chunk by chunk, with the current Client or the configured scheduler of Dask.
 
-    The worker of a chunk writes it once, whole, with a checksum: all workers must reach the path.
+    The worker that computes a chunk also writes the chunk, so all workers must be able to reach the path.
+    Each file appears complete, with a checksum.
 
     Args:
         path: Path of a folder that ends in .zarr.
@@ -40,12 +41,13 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
         **options: Options of the call.
 
     Returns:
-        what is in the store, lazily, as `xarray.open_zarr` has it.
+        the dataset in the store, opened lazily by `xarray.open_zarr`.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; or a store of another run, and what differs.
-        OSError: it cannot be written, there is no space for it, or another process is writing it; or the scheduler is gone.
-        MemoryError: all workers of the Client are too small; says what they want.
+        TypeError, ValueError: an argument that cannot be used, or a store of another run; the message names the difference.
+        OSError: a store that cannot be written, has too little disk space or is being written by another process; or a
+            scheduler that no longer answers.
+        MemoryError: all workers of the Client are too small; the message states the memory that each needs.
 
     Example:
         >>> from tempfile import TemporaryDirectory
@@ -63,18 +65,19 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
 
 
 def bake_job(job: Job, store: Path, resume: bool, argument: str, heard: Callable[[np.void], None]) -> None:
-    """Makes the store, or finds it, and computes what is missing.
+    """Create or open a store, and compute the chunks that are missing.
 
     Args:
-        job: what to compute.
-        store: a checked path.
-        resume: whether there may be a store already.
-        argument: what messages call the path.
-        heard: is told a DONE: first of all chunks that are there already, then of each as it is written.
+        job: Job to compute.
+        store: Path of the store, as `check_store` returns it.
+        resume: Whether an existing store may be continued.
+        argument: Name of the path's argument, for error messages.
+        heard: Function called with a summary of dtype DONE: first once for all chunks that are complete already, then
+            once for each chunk written.
 
     Raises:
-        KeyboardInterrupt: with a sentence that says how far it was.
-        ValueError, OSError, MemoryError: as `bake`.
+        KeyboardInterrupt: the run is interrupted; the message states how many points are done.
+        ValueError, OSError, MemoryError: as for `bake`.
     """
     points = 0
 
@@ -92,16 +95,19 @@ def bake_job(job: Job, store: Path, resume: bool, argument: str, heard: Callable
             count(np.array((sum(map(job.rows_of, np.flatnonzero(whole).tolist())), 0, 0.0), DONE)[()])
             with writing(store) as folder:
                 _run(job, folder, np.flatnonzero(~whole).tolist(), count)
-        except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
+        except KeyboardInterrupt as interrupt:  # the same exception is raised again: it may represent another signal
             interrupt.args = (f"interrupted after {points:,} of {job.total:,} points; {store} can be resumed",)
             raise
         except (ConnectionError, MemoryError) as error:
-            kind = MemoryError if isinstance(error, MemoryError) else ConnectionError  # NumPy's own takes no sentence
+            kind = MemoryError if isinstance(error, MemoryError) else ConnectionError  # a plain type takes a message
             raise kind(f"{error} after {points:,} of {job.total:,} points; {store} can be resumed") from error
 
 
 def _run(job: Job, folder: Path, chunks: list[int], heard: Callable[[np.void], None]) -> None:
-    """Bakes these chunks, a task each: so many at a time as Dask has in its graph without taking gigabytes."""
+    """Compute and write the chunks, and call `heard` with the summary of each.
+
+    Tasks are given to Dask in graphs of limited size: one graph of all tasks can take gigabytes.
+    """
     if (client := current_client()) is not None:
         with closing(finished(client, job, lambda some: _tasks(job, folder, some), chunks)) as all_told:
             for told in all_told:
@@ -110,11 +116,14 @@ def _run(job: Job, folder: Path, chunks: list[int], heard: Callable[[np.void], N
     for start in range(0, len(chunks), AT_A_TIME):
         told = _tasks(job, folder, chunks[start : start + AT_A_TIME])
         with Callback(posttask=lambda key, result, *_, name=told.name: heard(result[0]) if key[0] == name else None):
-            told.compute(optimize_graph=False)  # which would rename the tasks
+            told.compute(optimize_graph=False)  # optimization renames the tasks
 
 
 def _tasks(job: Job, folder: Path, chunks: list[int]) -> Array:
-    """The DONEs of these chunks, lazily. No other run's tasks have their name: those may write elsewhere."""
+    """Build a Dask array whose blocks compute and write the chunks, and return their summaries (dtype DONE).
+
+    The tasks' names are unique to this run, because tasks of another run may write into another store.
+    """
     name = f"bake-{job.call.name}-{uuid4().hex}"
     tasks, shared = shared_by_key(job)
     blocks = blocks_of(job)
@@ -130,14 +139,17 @@ def _tasks(job: Job, folder: Path, chunks: list[int]) -> Array:
 def bake_chunk(
     call: Call, target: tuple[str, int], span: range, shared: list[Any], blocks: list[list[np.ndarray]]
 ) -> np.ndarray:
-    """One task: computes the rows of a span and writes them, unless the call that has the folder ends before.
+    """Compute and write the rows of one chunk, and return a summary of shape (1,) and dtype DONE.
 
     Args:
-        call: the call.
-        target: the folder of the call, and how many rows each chunk has, but the last.
-        span: the rows.
-        shared: the arguments that all chunks have in common.
-        blocks: the rows of the points' arrays, and of the arguments'.
+        call: Call to compute.
+        target: (path of the writing call's folder, number of rows per chunk).
+        span: Row numbers of the chunk.
+        shared: Arguments that all chunks have in common, in the order of `call.shared`.
+        blocks: [arrays of the chunk's points, other arrays with a row per point], for the chunk's rows.
+
+    Raises:
+        WriteError: if the writing call has ended, or a file cannot be written.
     """
     folder, chunk = Path(target[0]), target[1]
     given, rows = blocks

@@ -1,4 +1,4 @@
-"""The calls of `warpsample`, lazily, over chunks of points."""
+"""Lazy versions of the calls of `warpsample`, computed over chunks of points."""
 
 from collections.abc import Callable
 from typing import Any
@@ -18,7 +18,7 @@ class ChunkKeywords(RayKeywords, total=False):
     """Options of a call over chunks of points."""
 
     chunk: int
-    """Number of points of a task, an integer that changes no bit. Default: 65536."""
+    """Number of points of a task, an integer; results do not depend on it. Default: 65536."""
 
 
 class LazyKeywords(ChunkKeywords, total=False):
@@ -38,7 +38,7 @@ class DirectionKeywords(SeedKeywords, PointKeywords, total=False):
 
 
 def call_of(name: str) -> Callable[..., xr.Dataset]:
-    """Make the call of a quantity over Dask.
+    """Return the function that computes a quantity lazily over Dask.
 
     Raises:
         AttributeError: no quantity has a call of that name.
@@ -55,28 +55,28 @@ def call_of(name: str) -> Callable[..., xr.Dataset]:
 
 
 _GIVEN = {"irradiance": "10**6, np.ones((16, 32, 3)), 64"}
-"""What stands in a call's example, if not a number of points and one of rays."""
+"""Arguments in the example of a call after the mesh, where not a number of points and a number of rays."""
 
 _DOCUMENTATION = """Compute `warpsample.{name}` lazily over Dask, with the same bits.
 
-    Each process builds one tree, and each task has one thread. A Client gets the mesh, or a picture, now, and computes with
-    it; it sends either again to workers that lost it. A wp.func is as for `integrate`.
+    Each process builds one tree for the mesh, and each task has one thread. The mesh and a picture are sent to the Client
+    during the call, and again to workers that lose their copy. A wp.func must meet the conditions of `integrate`.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
-        points: SurfacePoints; or a number of points, uniform by area, that `seed` places; or "faces" or "vertices" of the
-            mesh. The workers make all but SurfacePoints.
+        points: SurfacePoints, or points that the workers make: a number of points, placed uniformly by area with `seed`,
+            or "faces" or "vertices" of the mesh.
         *arguments: Other arguments of `warpsample.{name}` by position, such as `count`.
-        chunk: Number of points of a task, an integer that changes no bit. Default: 65536.
+        chunk: Number of points of a task, an integer. Results without `tolerance` do not depend on it. Default: 65536.
         **options: Options of `warpsample.{name}`. `workers` is the number of threads per task, 1 by default.
 
     Returns:
-        lazy arrays by the names of an Estimate's; `position`, `normal` and `face` of the points as coordinates; and what
-        repeats the run as attributes.
+        dataset of lazy arrays, named as the fields of the result of `warpsample.{name}`. `position`, `normal` and `face`
+        of the points are coordinates. The attributes identify the run.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: all workers of the Client are too small; says what they want.
+        TypeError, ValueError: an argument that cannot be used; the message names the argument.
+        MemoryError: all workers of the Client are too small; the message states the memory that each needs.
 
     Example:
         >>> from warpsample import cluster
@@ -98,11 +98,12 @@ def integrate(
 ) -> xr.Dataset:
     """Compute `warpsample.integrate` lazily over Dask.
 
-    Other processes import a wp.func by its name, from the top of a module, without `data`; Dask's threads run any function.
-    `lobe.row` is the row in a chunk, `lobe.point` the id among all points.
+    Dask's threads run any function. Other processes import a wp.func by name: the function must be at the top level of a
+    module that the workers can import, and `data` cannot be used. `lobe.row` is the row in a chunk, `lobe.point` the id
+    among all points.
 
     Args:
-        points: As for `ambient_occlusion`.
+        points: Points, as for `ambient_occlusion`.
         integrand: A `wp.func`, as for `warpsample.integrate`.
         count: Number of directions per point. Default: 256.
         data: Instance of a wp.struct, for Dask's threads. Default: None.
@@ -111,7 +112,7 @@ def integrate(
         **options: `chunk`, `max_distance` and the options from `sequence` to `workers`, as for `warpsample.integrate`.
 
     Returns:
-        lazy arrays, as of `ambient_occlusion`.
+        dataset of lazy arrays, as for `ambient_occlusion`.
 
     Example:
         >>> from warpsample import cluster, funcs
@@ -135,12 +136,12 @@ def trace(
     workers: int | None = None,
     chunk: int = CHUNK,
 ) -> xr.Dataset:
-    """Trace rays as `warpsample.trace`, lazily over Dask; arrays may be of Dask or xarray.
+    """Compute `warpsample.trace` lazily over Dask; arrays may be from NumPy, Dask or xarray.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
-        origins: As the points of `ambient_occlusion`, or (P, 3).
-        directions: (P, 3) or (P, n, 3).
+        origins: (P, 3) array of origins, or points as for `ambient_occlusion`.
+        directions: (P, 3) or (P, n, 3) array of directions.
         max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
         any_hit: Whether to find any face in place of the nearest. Default: False.
         tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
@@ -149,7 +150,7 @@ def trace(
         chunk: Number of points of a task. Default: 65536.
 
     Returns:
-        lazy arrays `distance`, `face` and, of a mesh that light goes through, `transmitted`.
+        dataset of lazy arrays `distance`, `face` and, if the mesh transmits light, `transmitted`.
 
     Example:
         >>> from warpsample import cluster
@@ -171,19 +172,19 @@ def sample_directions(
     chunk: int = CHUNK,
     **options: Unpack[DirectionKeywords],
 ) -> xr.Dataset:
-    """Sample directions as `warpsample.sample_directions`, lazily over Dask.
+    """Compute `warpsample.sample_directions` lazily over Dask.
 
     Args:
-        normals: (P, 3) array of NumPy or Dask, or as the points of `ambient_occlusion`.
+        normals: (P, 3) array from NumPy or Dask, or points as for `ambient_occlusion`.
         count: Number of directions per point.
         distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
         pdf: Whether to return the density of each direction. Default: False.
-        mesh: Mesh of points that the workers make. Default: None.
+        mesh: Mesh on which the workers make points, if `normals` are not an array. Default: None.
         chunk: Number of points of a task. Default: 65536.
         **options: `sequence`, `seed`, `first_point`, `active`, `device`, `workers`, as for `warpsample.sample_directions`.
 
     Returns:
-        lazy arrays `vectors`, `status` and, if asked for, `pdf`.
+        dataset of lazy arrays `vectors`, `status` and, with `pdf=True`, `pdf`.
 
     Example:
         >>> from warpsample import cluster

@@ -1,4 +1,4 @@
-"""What a worker does: the points of a chunk, and the numbers at them."""
+"""Computation of one chunk on a worker: the chunk's points, and the result at the points."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
@@ -15,29 +15,30 @@ from warpsample.output.quantities import quantities
 from warpsample.tracing.trace import trace
 
 CALLS = {quantity.call.__name__: quantity for quantity in quantities().values() if quantity.in_stores}
-"""The quantities that are computed in chunks, by the names of their calls."""
+"""Quantities that can be computed in chunks, by the name of the call."""
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{name: quantity.call for name, quantity in CALLS.items()},
     **{function.__name__: function for function in (integrate, sample_directions, trace)},
 }
-"""All calls over chunks, by name."""
+"""Functions that can be computed in chunks, by name."""
 
 
 @dataclass(frozen=True)
 class Call:
-    """What is alike for all chunks and small: it travels with every task.
+    """Small description of a call, the same for all chunks and sent with every task.
 
     Attributes:
-        name: of FUNCTIONS.
-        options: arguments by name.
-        shared: names of the arguments that are large: a worker has one copy for all tasks.
-        rows: names of the arguments that are arrays with a row for each point.
-        at: the argument that is SurfacePoints; None if there is none.
-        place: where those are: "area" (uniform by it), "faces", "vertices" or "given".
-        given: names of the fields of those that are given.
-        seed: of points uniform by area.
-        first_point: the global id of the first point of all.
+        name: Name of the call, a key of FUNCTIONS.
+        options: Small arguments, by name.
+        shared: Names of the large arguments; a worker keeps one copy of each for all tasks.
+        rows: Names of the arguments that are arrays with a row per point.
+        at: Name of the argument that is a SurfacePoints; None if no argument is.
+        place: Placement of the points: "area" (uniform by area), "faces", "vertices", or "given" by the caller; "" if
+            `at` is None.
+        given: Names of the SurfacePoints' fields that the caller gives.
+        seed: Seed of points that are uniform by area.
+        first_point: Global id of the first point of the first chunk.
     """
 
     name: str
@@ -52,7 +53,14 @@ class Call:
 
 
 def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray]) -> SurfacePoints | None:
-    """The points of a chunk, rows of that span: those given, or as the functions of `warpsample` make them."""
+    """Return the points of a chunk, or None if the call takes no SurfacePoints.
+
+    Args:
+        call: The call.
+        span: Row numbers of the chunk.
+        shared: Values of `call.shared`; the first is the mesh.
+        given: Arrays of the points' fields in `call.given`, for the chunk's rows. If empty, the points are sampled here.
+    """
     if given or not call.at:
         return SurfacePoints(**dict(zip(call.given, given, strict=True))) if given else None
     mesh = shared[0]
@@ -68,14 +76,24 @@ def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray
 def numbers_in(
     call: Call, span: range, shared: list[Any], given: list[np.ndarray], rows: list[np.ndarray]
 ) -> dict[str, Any]:
-    """The fields of a chunk's result; its points are made on the way, which is faster than a task for them."""
+    """Return the fields of a chunk's result by name.
+
+    The points are made in the same task: a task of their own takes longer.
+    """
     return numbers(call, span.start, points_in(call, span, shared, given), shared, rows)
 
 
 def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[Any], rows: list[Any]) -> dict[str, Any]:
-    """The fields of a chunk's result, by name.
+    """Call the function of `call` for the rows of one chunk, and return the fields of the result by name.
 
-    One thread computes them, unless the call says otherwise: Dask runs as many tasks at once as a worker has threads.
+    One thread computes, unless the option `workers` is set: Dask runs one task on each thread of a worker.
+
+    Args:
+        call: The call.
+        start: Number of the chunk's first row.
+        points: Points of the chunk; None if the call takes no SurfacePoints.
+        shared: Values of the arguments in `call.shared`.
+        rows: Values of the arguments in `call.rows`, for the chunk's rows.
     """
     arguments = {name: value.taken() if isinstance(value, Named) else value for name, value in call.options.items()}
     arguments |= zip(call.shared, shared, strict=True)
@@ -83,7 +101,7 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
     if call.at:
         arguments[call.at] = points
     if call.name == "sample_directions":
-        arguments.pop("mesh", None)  # is what points are on
+        arguments.pop("mesh", None)  # only used to make the points
     arguments["workers"] = 1 if arguments.get("workers") is None else arguments["workers"]
     if "first_point" in arguments and "id" not in call.given:
         arguments["first_point"] = call.first_point + start

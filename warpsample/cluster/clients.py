@@ -1,4 +1,4 @@
-"""Where a command's tasks run: threads of this process, processes of this machine, or somebody's cluster."""
+"""Choice of the Dask scheduler of a command: threads of this process, local processes, or a cluster at an address."""
 
 import logging
 import signal
@@ -14,20 +14,25 @@ from warpsample.host.engine import check_workers
 _PATIENCE = 10.0  # seconds for a scheduler to answer
 _ITS_OWN = "127.0.0.1"
 _TUNED = {
-    "distributed.scheduler.active-memory-manager.start": False,  # after 2 s it takes an idle process its copy of the mesh
-    "distributed.scheduler.worker-saturation": float("inf"),  # chunks that wait hold nothing; asking for each takes 2 ms
+    "distributed.scheduler.active-memory-manager.start": False,  # removes copies of the mesh from idle processes after 2 s
+    "distributed.scheduler.worker-saturation": float("inf"),  # waiting chunks take no memory; requesting each takes 2 ms
 }
-"""Of processes of our own."""
+"""Settings of Dask for local processes started here."""
 
 
 @contextmanager
 def computing(address: str | None, processes: int | None, threads: int | None) -> Iterator[None]:
-    """Within, Dask computes by the scheduler at an address, by so many processes of one thread each, or by threads.
+    """Set the Dask scheduler for the body of a `with` statement, and silence logging.
 
-    Nothing is logged meanwhile: what matters is raised.
+    Errors that matter are raised, so log lines on a terminal would only repeat them.
+
+    Args:
+        address: Address of a Dask scheduler. Default: None, this machine.
+        processes: Number of local processes with one thread each. Default: None, threads of this process.
+        threads: Number of threads, if neither of the others is given. Default: None, all.
 
     Raises:
-        ConnectionError: no scheduler answers there.
+        ConnectionError: no scheduler answers at the address.
     """
     before = logging.root.manager.disable
     logging.disable(logging.CRITICAL)
@@ -44,6 +49,7 @@ def computing(address: str | None, processes: int | None, threads: int | None) -
 
 @contextmanager
 def _client(address: str | None, processes: int | None) -> Iterator[None]:
+    """Open a Client for the body of a `with` statement, of the scheduler at `address` or of new local processes."""
     from distributed import Client, LocalCluster
 
     if address is None:
@@ -59,11 +65,14 @@ def _client(address: str | None, processes: int | None) -> Iterator[None]:
 
 @contextmanager
 def _left_to_us(number: signal.Signals) -> Iterator[None]:
-    """Processes that are started within, and by threads that are, do not get a signal: a terminal's Ctrl-C goes to all."""
+    """Block a signal in the body of a `with` statement, so that processes and threads started there do not get the signal.
+
+    A terminal sends Ctrl-C to all processes of a command, and only the main process should handle it.
+    """
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    resource_tracker.ensure_running()  # which unblocks signals when it starts
+    resource_tracker.ensure_running()  # started first, because its start unblocks signals
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {number})
     try:
         yield
@@ -72,6 +81,11 @@ def _left_to_us(number: signal.Signals) -> Iterator[None]:
 
 
 def _connected(client: Any, address: str) -> Any:
+    """Return a Client connected to the scheduler at an address.
+
+    Raises:
+        ConnectionError: if no scheduler answers, or the address is valid only inside another process.
+    """
     if address.startswith("inproc:"):
         raise ConnectionError(f"cluster: got {address!r}, which its own process alone reaches, want HOST:PORT")
     try:

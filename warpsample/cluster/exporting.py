@@ -1,4 +1,4 @@
-"""A finished store as a mesh file: `warpsample export`."""
+"""`warpsample export`: write the results in a finished store to a mesh file."""
 
 from pathlib import Path
 from typing import Any
@@ -20,15 +20,21 @@ from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb
 
 
 def export_store(store: Path, mesh: Path, output: Path) -> str:
-    """Writes the numbers of a store on its mesh, as `warpsample bake` would have.
+    """Write the results in a finished store, and their mesh, to a file like one of `warpsample bake`.
+
+    Args:
+        store: Path of the store.
+        mesh: Path of the mesh file that the store was computed on.
+        output: Path of the file to write; the suffix selects the format.
 
     Returns:
-        a sentence about what was written.
+        a sentence that describes the file, for the terminal.
 
     Raises:
-        ValueError, FileNotFoundError: no finished store of numbers, of another mesh, or a file that cannot hold them.
-        MemoryError: more points than there is memory for.
-        WriteError: the file cannot be written.
+        ValueError, FileNotFoundError: if the store is missing, unfinished or of another mesh, or the format cannot hold
+            its results.
+        MemoryError: if the points do not fit into memory.
+        WriteError: if the file cannot be written.
     """
     if output.suffix not in WRITERS:
         raise ValueError(f"--output: got {str(output)!r}, want a file that ends in one of {' '.join(WRITERS)}")
@@ -52,6 +58,11 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
 
 
 def _about(store: Path) -> dict[str, Any]:
+    """Check that a store is finished and of a quantity, and return its attributes.
+
+    Raises:
+        ValueError, FileNotFoundError: if the store is missing, unfinished, damaged or of another call.
+    """
     path = check_store(store, "store")
     if not path.exists():
         raise FileNotFoundError(f"store: got {str(store)!r}, which is missing, want what `warpsample bake` wrote")
@@ -68,7 +79,7 @@ def _about(store: Path) -> dict[str, Any]:
 
 
 def _run(quantity: Quantity, about: dict[str, Any], mesh: Path, output: Path) -> BakeRun:
-    """The arguments of `warpsample bake` that the store is of."""
+    """Reconstruct the arguments of `warpsample bake` from the attributes of a store."""
     at = about["place"] if about["place"] in ("vertices", "faces") else None
     kept = {name: tuple(value) if isinstance(value, list) else value for name, value in about.items()}
     options = {OPTIONS.get(name, name): kept[name] for name in quantity.parameters if name in kept}
@@ -76,12 +87,18 @@ def _run(quantity: Quantity, about: dict[str, Any], mesh: Path, output: Path) ->
 
 
 def _names(store: Path, quantity: Quantity) -> list[str]:
-    """The arrays of a store: those of each result of the quantity, and what it has of those that some have."""
+    """Return the names of the arrays to export: points, results of the quantity, and optional results in the store."""
     others = [name for name in quantity.sometimes if (store / name).is_dir()]
     return [*POINT_ARRAYS, *quantity.arrays, *others]
 
 
 def _arrays(store: Path, names: list[str]) -> dict[str, np.ndarray]:
+    """Read arrays of a store into memory.
+
+    Raises:
+        MemoryError: if the arrays do not fit into memory.
+        ValueError: if an array is missing or cannot be read.
+    """
     kept = arrays_of(store, names, "store")
     check_memory(sum(array.nbytes for array in kept.values()), f"the numbers of {store}", "read it in parts, with xarray")
     return {name: array[:] for name, array in kept.items()}

@@ -1,4 +1,4 @@
-"""Tasks as the workers of a Client finish them; and what it means when they do not."""
+"""Results of tasks from the workers of a Client, in order of completion, and diagnosis of workers that fail."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -12,27 +12,32 @@ from dask.sizeof import sizeof
 from warpsample.cluster.job import Job
 
 AT_A_TIME = 1 << 12
-"""Tasks of a graph: a scheduler takes 2 KB for each, and a thread finds the next one in 0.1 ms."""
+"""Number of tasks in a graph. A scheduler needs 2 KB per task, and a thread finds the next task in 0.1 ms."""
 
-_BEAT = 0.02  # seconds between two looks at what is finished
-_LOOK = 5.0  # seconds without a task finished, after which the workers are looked at
-_TRIES = 3  # without one task finished, of what a restarted scheduler has forgotten
-_PROCESS = 288 << 20  # bytes of a worker that has this package and its kernels, less than there ever are
-_COPIES = 3  # at least, of what is sent: as it comes, as it is, and the tree
+_BEAT = 0.02  # seconds between two checks for finished tasks
+_LOOK = 5.0  # seconds without a finished task, after which the workers' memory is checked
+_TRIES = 3  # submissions to a scheduler that forgets tasks, without a finished task in between
+_PROCESS = 288 << 20  # bytes of a worker with this package and its kernels; a lower bound
+_COPIES = 3  # lower bound of the copies of the large arguments: as received, as unpacked, and the tree
 
 
 def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks: list[int]) -> Iterator[Any]:
-    """What the task of each chunk tells, in the order in which they are finished.
+    """Submit the chunks' tasks to a Client, and yield each task's result in order of completion.
+
+    Tasks that a restarted scheduler has lost are submitted again.
 
     Args:
-        client: a Client of distributed.
-        job: what is computed.
-        tasks: makes the tasks of some chunks.
-        chunks: all of them.
+        client: Client of `distributed`.
+        job: Job to compute.
+        tasks: Function that builds the Dask array of the tasks of a list of chunks.
+        chunks: Indices of all chunks to compute.
+
+    Yields:
+        the first element of a task's result.
 
     Raises:
-        ConnectionError: the scheduler is gone, or the workers end; says why.
-        MemoryError: the workers are too small.
+        ConnectionError: if the scheduler no longer answers, or workers keep dying; the message gives the reason.
+        MemoryError: if all workers are too small for the job.
     """
     from distributed import CancelledError
     from distributed.comm import CommClosedError
@@ -45,13 +50,13 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
                 left.pop(chunk)
                 tries = _TRIES
                 yield told
-        except KilledWorker as error:  # noqa: PERF203  (once for each scheduler that forgets)
+        except KilledWorker as error:  # noqa: PERF203  (once per submission)
             _check_size([error.last_worker], job)
             raise ConnectionError(str(error).splitlines()[0]) from error
         except (CancelledError, CommClosedError, TimeoutError) as error:
             if client.status != "running":
                 raise ConnectionError("the scheduler is gone") from error
-            if isinstance(error, TimeoutError):  # of a user's deadline: the scheduler is there
+            if isinstance(error, TimeoutError):  # a deadline of the user; the scheduler still answers
                 raise
             tries -= 1
             if not tries:
@@ -59,7 +64,10 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
 
 
 def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks: list[int]) -> Iterator[tuple[int, Any]]:
-    """(chunk, what its task tells): the next graph goes to the scheduler when half of the one before is done."""
+    """Submit the tasks in graphs, and yield (chunk, result) in order of completion.
+
+    The next graph is submitted when half of the tasks of the previous one are done.
+    """
     from distributed import CancelledError, as_completed, futures_of
 
     size = max(AT_A_TIME, 8 * sum(client.nthreads().values()))
@@ -76,7 +84,7 @@ def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks
                 return
             ready = done.next_batch(block=False)
             for future, result in ready:
-                if isinstance(result, tuple | BaseException):  # its status may be another by now; of an error all is told
+                if isinstance(result, tuple | BaseException):  # the future's status may have changed; raise the full error
                     raise result[1] if isinstance(result, tuple) else result
                 yield held.pop(future), result[0]
             if ready:
@@ -85,29 +93,35 @@ def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks
                 check_workers_of(client, job)
                 heard = time.monotonic()
             time.sleep(_BEAT)
-    except CancelledError:  # it has forgotten them: with a cancel, what is sent again next may never be finished
+    except CancelledError:  # the scheduler forgot the tasks; after a cancel, tasks submitted again may never finish
         raise
-    except BaseException:  # of a task, of a signal's handler, or of who is told
+    except BaseException:  # from a task, a signal handler, or the consumer of the results
         if client.status == "running":
             client.cancel(list(held))
         raise
 
 
 def check_workers_of(client: Any, job: Job) -> None:
-    """Refuses a job that none of a Client's workers has the memory for; they would pause for good, or end again and again.
+    """Raise an error if every worker of a Client has too little memory for the job.
+
+    Workers that are too small pause forever, or are killed and restarted again and again.
 
     Raises:
-        MemoryError: says how much a worker may take, and how much it needs.
+        MemoryError: if all workers are too small. The message states the limit of the largest worker and the memory needed.
     """
     known = client.scheduler_info(n_workers=-1).get("workers", {})
     _check_size([SimpleNamespace(address=name, memory_limit=worker["memory_limit"]) for name, worker in known.items()], job)
 
 
 def _check_size(workers: list[Any], job: Job) -> None:
-    """Refuses workers if all of them are too small.
+    """Raise an error if every worker in a list has too little memory for the job.
+
+    Args:
+        workers: Objects with an `address`, and a `memory_limit` in bytes; 0 or None means no limit.
+        job: Job to compute.
 
     Raises:
-        MemoryError: they are.
+        MemoryError: if all workers are too small.
     """
     pause = dask.config.get("distributed.worker.memory.pause") or 1.0
     needed = (_PROCESS + _COPIES * sum(map(sizeof, job.shared.values()))) / pause

@@ -1,4 +1,4 @@
-"""What a Zarr store holds: what repeats its run, its arrays, and which of its chunks are whole."""
+"""Readers of a Zarr store: the attributes of the run, the arrays, and which chunks are complete."""
 
 import json
 from collections.abc import Iterable
@@ -11,55 +11,80 @@ import numpy as np
 import zarr
 
 RECORDS = ".run"
-"""The folder of a store that is no array: of each chunk the checksums of its files, with its index."""
+"""Folder of a store with a record for each chunk: the index of the chunk and the checksums of its files."""
 INDEX = "chunk"
-"""The entry of a record that is no array's."""
+"""Key of the chunk's index in a record; the other keys are names of arrays."""
 
-_OF_XARRAY = ("coordinates",)  # attributes that xarray reads
+_OF_XARRAY = ("coordinates",)  # attributes for xarray, not part of the run
 
 
 def about_of(path: Path, argument: str) -> dict[str, Any]:
-    """All that repeats the run of a store.
+    """Read the attributes that describe the run of a store: arguments, digests and versions.
+
+    Args:
+        path: Path of the store.
+        argument: Name of the path's argument, for error messages.
 
     Raises:
-        ValueError: its metadata cannot be read.
+        ValueError: if the metadata cannot be read.
     """
     kept = _opened(path, argument).attrs.asdict()
     return {name: value for name, value in kept.items() if name not in _OF_XARRAY}
 
 
 def file_of(name: str, chunk: int, dimensions: int) -> str:
-    """The path of a chunk's file within its store."""
+    """Return the path, relative to the store, of the file of a chunk of an array.
+
+    Args:
+        name: Name of the array.
+        chunk: Index of the chunk along the first dimension.
+        dimensions: Number of dimensions of the array.
+    """
     return "/".join([name, "c", str(chunk), *["0"] * (dimensions - 1)])
 
 
 def record_of(chunk: int) -> str:
-    """The path of a chunk's record within its store."""
+    """Return the path, relative to the store, of the record of a chunk's checksums."""
     return f"{RECORDS}/chunks/{chunk}"
 
 
 def _opened(path: Path, argument: str) -> Any:
+    """Open a store for reading as a Zarr group.
+
+    Raises:
+        ValueError: if a metadata file is a pipe or another special file, or cannot be read.
+    """
     for metadata in (path / "zarr.json", *path.glob("*/zarr.json")):
-        if metadata.exists() and not metadata.is_file():  # a pipe would wait for who writes to it
+        if metadata.exists() and not metadata.is_file():  # opening a pipe would block
             raise ValueError(f"{argument}: got {str(path)!r}, whose {metadata.relative_to(path)} is not an ordinary file")
     try:
         return zarr.open_group(path, mode="r", use_consolidated=False)
-    except Exception as error:  # a file that holds anything fails in any way
+    except Exception as error:  # damaged files raise errors of many types
         reason = " ".join(str(error).split())
         raise ValueError(f"{argument}: got {str(path)!r}, whose zarr.json cannot be read: {reason}") from None
 
 
 def arrays_of(path: Path, names: Iterable[str], argument: str) -> dict[str, Any]:
-    """The arrays of a store.
+    """Return a dictionary of the named Zarr arrays of a store.
+
+    Args:
+        path: Path of the store.
+        names: Names of the arrays.
+        argument: Name of the path's argument, for error messages.
 
     Raises:
-        ValueError: one of these is not there, or cannot be read; names it.
+        ValueError: if an array is missing or cannot be read; the message names the array.
     """
     group = _opened(path, argument)
     return {name: _array(group, name, f"{argument}: got {str(path)!r}") for name in names}
 
 
 def _array(group: Any, name: str, got: str) -> Any:
+    """Return an array of a Zarr group.
+
+    Raises:
+        ValueError: if the array is missing or cannot be read.
+    """
     try:
         return group[name]
     except KeyError:
@@ -69,10 +94,12 @@ def _array(group: Any, name: str, got: str) -> Any:
 
 
 def whole_chunks(path: Path, names: Iterable[str], argument: str = "path") -> np.ndarray:
-    """(chunks,) bool: which chunks are there in every array of these names, and read as they were written.
+    """Return the (chunks,) bool mask of chunks that are complete in every named array.
+
+    A chunk is complete if all its files match the checksums in the chunk's record.
 
     Raises:
-        ValueError: as `arrays_of`.
+        ValueError: if an array is missing or cannot be read; the message names the array.
     """
     arrays = arrays_of(path, names, argument)
     first = next(iter(arrays.values()))
@@ -81,12 +108,12 @@ def whole_chunks(path: Path, names: Iterable[str], argument: str = "path") -> np
 
 
 def _grid_of(array: Any) -> tuple[int, ...]:
-    """How many chunks an array has along each axis."""
+    """Return the number of chunks of an array along each dimension."""
     return tuple(-(-size // side) for size, side in zip(array.shape, array.chunks, strict=True))
 
 
 def _is_whole(path: Path, arrays: dict[str, Any], chunk: int) -> bool:
-    """Whether a chunk's files hold what was written to them, by the record that was written last."""
+    """Check whether the files of a chunk match the checksums in the chunk's record."""
     try:
         record = json.loads(_content(path.joinpath(record_of(chunk))))
         places = {name: np.unravel_index(chunk, _grid_of(array)) for name, array in arrays.items()}
@@ -97,7 +124,11 @@ def _is_whole(path: Path, arrays: dict[str, Any], chunk: int) -> bool:
 
 
 def _content(file: Path) -> bytes:
-    """The bytes of an ordinary file; a pipe would wait for who writes to it."""
+    """Read the bytes of a regular file.
+
+    Raises:
+        FileNotFoundError: if the path is not a regular file; reading from a pipe would block.
+    """
     if not file.is_file():
         raise FileNotFoundError(file)
     return file.read_bytes()

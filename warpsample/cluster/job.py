@@ -1,4 +1,4 @@
-"""A call over chunks, checked before anything runs: what each chunk takes, and the shapes of what it gives."""
+"""A checked call over chunks: the inputs of each chunk, and the dtypes and shapes of the results."""
 
 import inspect
 import json
@@ -26,19 +26,19 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.record import STREAMS
 
 CHUNK = 65_536
-"""Points: a second or two of one thread's work by 256 rays, beside which a task's overhead is nothing."""
+"""Default number of points per chunk: 1 to 2 s of work for one thread at 256 rays, so a task's overhead is negligible."""
 
 MOST_CHUNKS = 1 << 20
-"""Beyond it the lists of chunks and tasks alone take gigabytes."""
+"""Largest number of chunks: for more, the lists of chunks and tasks take gigabytes."""
 
 VERSIONS = ("warpsample", "warp-lang")
-"""Packages that the bits depend on."""
+"""Packages whose versions results may depend on, bit for bit."""
 
 STREAMS_OF = "streams"
-"""What the number of the streams' definition is called; stores without one are of definition 1."""
+"""Attribute with the version of the random streams; stores without the attribute have version 1."""
 
 SHAPE = "shape"
-"""What the digest of the vertices and faces is called, where that of the mesh has more in it."""
+"""Attribute with the digest of vertices and faces alone, if the mesh also has optical properties."""
 
 _POINTS = "SurfacePoints, a whole number (so many, uniform by area), 'faces' or 'vertices'"
 _AT = {"trace": "origins", "sample_directions": "normals"}
@@ -51,14 +51,14 @@ class Job:
     """A checked call over chunks.
 
     Attributes:
-        call: what is alike for all chunks, and small.
-        shared: the arguments that are large, by name.
-        given: Dask arrays by the names of SurfacePoints' fields, cut into the chunks; empty if workers make the points.
-        rows: Dask arrays by the names of arguments, cut into the chunks.
-        total: how many rows all chunks have.
-        chunk: how many rows each has, but the last.
-        gives: (type, shape of a row) of the arrays of a result, by name.
-        about: all that repeats the run, as texts and numbers.
+        call: Small description of the call, sent with every task.
+        shared: Large arguments, by name.
+        given: Dask arrays of the points' fields by name, split into the chunks; empty if workers make the points.
+        rows: Dask arrays of the arguments with a row per point by name, split into the chunks.
+        total: Number of rows of all chunks.
+        chunk: Number of rows per chunk; the last chunk may have fewer.
+        gives: (dtype, shape of a row) of each array of the result, by name.
+        about: Attributes that identify the run, as texts and numbers by name.
     """
 
     call: Call
@@ -72,18 +72,18 @@ class Job:
 
     @property
     def count(self) -> int:
-        """How many chunks there are; one of no row, if there is none."""
+        """Number of chunks, at least 1: a job without rows has one empty chunk."""
         return max(1, -(-self.total // self.chunk))
 
     def rows_of(self, index: int) -> int:
-        """How many rows a chunk has."""
+        """Return the number of rows of a chunk."""
         return min(self.chunk, self.total - index * self.chunk)
 
     def check_count(self) -> None:
-        """Refuses more chunks than Dask can keep in mind.
+        """Raise an error if the job has more than MOST_CHUNKS chunks.
 
         Raises:
-            ValueError: names the size that is enough.
+            ValueError: if there are too many chunks. The message states the smallest `chunk` that is allowed.
         """
         if self.count > MOST_CHUNKS:
             raise ValueError(
@@ -93,22 +93,22 @@ class Job:
 
     @property
     def token(self) -> str:
-        """Names the tasks: the same for the same call."""
+        """Hash in the names of the job's tasks; equal for equal calls."""
         return str(tokenize(self.call, self.about, [array.name for array in (*self.given.values(), *self.rows.values())]))
 
 
 def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk: Any, on: Any = None) -> Job:
-    """The job of a call.
+    """Check the arguments of a call, and return its job.
 
     Args:
-        name: of FUNCTIONS.
-        arguments: as the function takes them.
-        options: the same by name.
-        chunk: points of a task.
-        on: the mesh that points are on, for functions that take none.
+        name: Name of the call, a key of FUNCTIONS.
+        arguments: Positional arguments of the call.
+        options: Keyword arguments of the call.
+        chunk: Number of points per chunk.
+        on: Mesh of the points, for functions that have no argument `mesh`. Default: None.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        TypeError, ValueError: an argument that cannot be used; the message names the argument.
     """
     bound = inspect.signature(FUNCTIONS[name]).bind(*arguments, **options)
     bound.apply_defaults()
@@ -139,7 +139,10 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
 
 
 def _shared(taken: dict[str, Any], on: Any) -> dict[str, Any]:
-    """The mesh and the picture of a call, which are taken out; both are our own."""
+    """Remove the mesh and the picture from the arguments of a call, and return a dictionary of both.
+
+    A mesh is converted to a Mesh. A picture is read or copied, so that later changes of the caller's array have no effect.
+    """
     shared, mesh = {}, taken.pop("mesh", on)
     if mesh is not None:
         shared["mesh"] = as_mesh(mesh)
@@ -152,7 +155,12 @@ def _shared(taken: dict[str, Any], on: Any) -> dict[str, Any]:
 
 
 def _place(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, dict[str, Any]]:
-    """Where SurfacePoints are, how many, and their arrays if they are given; None for what is no SurfacePoints."""
+    """Return (placement, number, arrays of the fields) of the points; (None, 0, {}) if the argument is an array of rows.
+
+    Raises:
+        TypeError, ValueError: if the argument is none of the accepted kinds of points, or there is no mesh to place
+            points on.
+    """
     if isinstance(points, SurfacePoints):
         given = {name: getattr(points, name) for name in ("position", "normal", "face", "id", "raised")}
         return "given", len(points), {name: array for name, array in given.items() if array is not None}
@@ -171,12 +179,18 @@ def _place(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, di
 
 
 def _whole(value: Any) -> bool:
-    """Whether a value is a whole number; arrays of Dask, PyTorch and JAX have an `__index__` too."""
+    """Check whether a value is an integer.
+
+    Arrays of Dask, PyTorch and JAX have an `__index__` too, and are not accepted.
+    """
     return hasattr(value, "__index__") and not isinstance(value, bool | np.ndarray) and not getattr(value, "ndim", 0)
 
 
 def _rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
-    """The arrays of a row for each point, which are taken out; but not the one origin of all rays."""
+    """Remove the arrays with a row per point from the arguments of a call, and return a dictionary of the arrays.
+
+    A one-dimensional array stays in the arguments: it is one origin for all rays.
+    """
     rows = {}
     for name in names:
         if name in taken:
@@ -189,7 +203,7 @@ def _rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
 
 
 def _cut(array: Any, chunk: int) -> Array:
-    """An array of Dask's, or a copy of one of NumPy's, in the chunks of a job."""
+    """Return a Dask array split into chunks of rows; a NumPy array is copied first."""
     wanted = (chunk, *array.shape[1:])
     if isinstance(array, Array):
         return array.rechunk(wanted)
@@ -197,7 +211,12 @@ def _cut(array: Any, chunk: int) -> Array:
 
 
 def _content(value: Any, *more: Any) -> str:
-    """What tells the content of a large argument apart from others."""
+    """Return a text that identifies the content of a large argument.
+
+    Args:
+        value: Mesh, Dask array, or array. A Dask array is identified by its name.
+        *more: Further values to include in the text.
+    """
     if isinstance(value, Mesh):
         return value.digest
     if isinstance(value, Array):
@@ -206,9 +225,9 @@ def _content(value: Any, *more: Any) -> str:
 
 
 def _gives(call: Call, shared: dict[str, Any], rows: dict[str, Array]) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
-    """Runs the call at no point, on a mesh of one such triangle, which checks all other arguments.
+    """Return (dtype, shape of a row) of each array of the result, by calling the function without points.
 
-    Directions are asked for at one point, since there are none at none.
+    The call checks all remaining arguments. A triangle replaces the mesh. `sample_directions` is called with one point.
     """
     points = int(call.name == "sample_directions")
     few = SurfacePoints(np.zeros((points, 3)), np.tile(np.float32([0.0, 0.0, 1.0]), (points, 1)))
@@ -218,13 +237,13 @@ def _gives(call: Call, shared: dict[str, Any], rows: dict[str, Array]) -> dict[s
 
 
 def _small(mesh: Mesh) -> Mesh:
-    """A triangle that lets light through and sends it back if some face of a mesh does."""
+    """Return a mesh of one triangle that transmits or reflects light if any face of `mesh` does."""
     optics = {"transmittance": 0.5 * mesh.transmits, "reflectance": 0.5 * mesh.reflects}
     return Mesh(np.eye(3), [[0, 1, 2]], **{name: share for name, share in optics.items() if share})
 
 
 def _about(call: Call, large: dict[str, Any], total: int, chunk: int) -> dict[str, Any]:
-    """All that repeats the run; large arguments by their content."""
+    """Return the attributes that identify a run, by name; large arguments are represented by their digests."""
     options = {name: value for name, value in call.options.items() if name not in _OF_THE_WORKERS}
     mesh = large.get("mesh")
     shape = None if mesh is None else digest_of(mesh.vertices, mesh.faces)
@@ -242,7 +261,7 @@ def _about(call: Call, large: dict[str, Any], total: int, chunk: int) -> dict[st
 
 
 def _content_of_own(distribution: Distribution) -> dict[str, Any]:
-    """What tells a distribution of a user's own apart from others: its parameters, and the functions of its maps."""
+    """Return the parameters and functions that identify a user-defined distribution, by name."""
     maps = distribution.maps
     functions = (function for function in (maps.sample, maps.pdf, maps.about, maps.redraw) if function is not None)
     contents = {name: content for function in functions for name, content in function_content(function).items()}
@@ -250,7 +269,7 @@ def _content_of_own(distribution: Distribution) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """`value` as JSON has it, or a text."""
+    """Convert a value for JSON; return its text if JSON cannot represent the value."""
     if isinstance(value, Named):
         return value.content
     if isinstance(value, Distribution) and not type(value).__module__.startswith("warpsample."):

@@ -1,4 +1,4 @@
-"""The lock of a store: a file beside it, which one process has at a time."""
+"""Lock of a store: a file next to the store, which one process can lock at a time."""
 
 import errno
 import os
@@ -20,10 +20,12 @@ except ModuleNotFoundError:  # Windows
 
 @contextmanager
 def locked(path: Path) -> Iterator[None]:
-    """Within, this process alone writes the store. The lock, a file beside it, goes with a process that is killed.
+    """Hold the lock of a store in the body of a `with` statement, so that no other process writes the store.
+
+    The operating system releases the lock if the process is killed.
 
     Raises:
-        WriteError: another process writes it, or it cannot be written at all.
+        WriteError: if another process is writing the store, or the lock file cannot be opened.
     """
     file, held = path.with_name(lock_name(path)), []
     try:
@@ -34,17 +36,22 @@ def locked(path: Path) -> Iterator[None]:
 
 
 def lock_name(path: Path) -> str:
-    """The name of the file that is locked for a store."""
+    """Return the name of the lock file of a store."""
     return f".{path.name}.lock"
 
 
 def _take(path: Path, file: Path, held: list[Any]) -> None:
-    """Puts the locked file into a list.
+    """Lock the file of a store's lock, and append the open file to the list `held`.
+
+    Args:
+        path: Path of the store, for error messages.
+        file: Path of the lock file.
+        held: List to append to, so that an interrupt does not lose the open file.
 
     Raises:
-        WriteError: as `locked`.
+        WriteError: as for `locked`.
     """
-    while True:  # again, if who had it removed it in between
+    while True:  # again, if the previous owner removed the file in between
         try:
             opened = os.fdopen(_ordinary(file), "a")
         except OSError as error:
@@ -60,10 +67,12 @@ def _take(path: Path, file: Path, held: list[Any]) -> None:
 
 
 def _ordinary(file: Path) -> int:
-    """Opens a file to be locked, but follows no link and waits for no one at a pipe's other end.
+    """Open or create a regular file for appending, and return its file descriptor.
+
+    Links are not followed, and a pipe does not block.
 
     Raises:
-        OSError: it is no ordinary file, or cannot be opened.
+        OSError: if the path is not a regular file, or cannot be opened.
     """
     flags = os.O_CREAT | os.O_APPEND | os.O_WRONLY
     opened = os.open(file, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0), 0o666)
@@ -74,7 +83,7 @@ def _ordinary(file: Path) -> int:
 
 
 def _give_back(file: Path, held: list[Any]) -> None:
-    """Removes the lock, which is empty, unlike a file of somebody's that has its name."""
+    """Close the lock files, and delete empty ones; a file with content belongs to the user."""
     for opened in held:
         if os.fstat(opened.fileno()).st_size == 0:
             file.unlink(missing_ok=True)
@@ -82,12 +91,12 @@ def _give_back(file: Path, held: list[Any]) -> None:
 
 
 def _lock(file: Any) -> bool:
-    """Whether no other process has locked the file, which this one does now."""
+    """Lock an open file without waiting; return False if another process holds the lock."""
     if fcntl is not None:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             return False
-        except OSError:  # of file systems without locks
+        except OSError:  # file systems without locks
             pass
     return True

@@ -1,4 +1,4 @@
-"""The metadata of a store: what a run makes, in memory, and whether a store that is there has the same."""
+"""Metadata of a Zarr store: created in memory for a run, and compared with an existing store."""
 
 import json
 import warnings
@@ -17,13 +17,13 @@ from warpsample.cluster.job import Job
 from warpsample.host.locks import making
 
 _FILE = "zarr.json"
-_ABSENT = {"f": float("nan"), "i": -2, "u": 255}  # what is read where no chunk is
+_ABSENT = {"f": float("nan"), "i": -2, "u": 255}  # values of chunks that are not written, by kind of dtype
 _COMPARED = ("shape", "data_type", "chunk_grid", "chunk_key_encoding", "fill_value", "codecs", "dimension_names")
-"""What tells how an array's chunks are read; other entries may differ from one version of Zarr to the next."""
+"""Metadata that determine how chunks are read; other entries may differ between versions of Zarr."""
 
 
 def metadata_of(job: Job) -> dict[str, bytes]:
-    """The contents of all files of a job's store, but for its chunks, by their paths within it."""
+    """Return the contents of a store's metadata files, by path relative to the store."""
     coordinates, files = point_arrays_of(job), {}
     attributes = {**job.about, "coordinates": " ".join(name for name in coordinates if name not in job.gives)}
     group = zarr.create_group(MemoryStore(files), zarr_format=3, attributes=attributes)
@@ -33,16 +33,27 @@ def metadata_of(job: Job) -> dict[str, bytes]:
 
 
 def contents_of(group: zarr.Group, files: dict[str, Any]) -> dict[str, bytes]:
-    """The contents of all files of a store in memory, its metadata consolidated, with a place for the records."""
-    with making, warnings.catch_warnings():  # that the format's text does not have them yet, though its readers do
+    """Return the contents of all files of a store in memory, by path.
+
+    The metadata are consolidated, and the group of records is added.
+    """
+    with making, warnings.catch_warnings():  # Zarr warns that its specification does not include consolidated metadata yet
         warnings.simplefilter("ignore")
         zarr.consolidate_metadata(group.store)
-    group.create_group(RECORDS)  # so that readers who list the store find nothing strange; the metadata above are without
+    group.create_group(RECORDS)  # created after the consolidation, because the group holds no arrays
     return {path: content.to_bytes() for path, content in files.items()}
 
 
 def add_array(group: zarr.Group, name: str, kind: tuple[np.dtype, tuple[int, ...]], rows: int, chunk: int) -> Any:
-    """An array of a store, of so many rows of a (type, shape)."""
+    """Create an array in a Zarr group, split into chunks of rows.
+
+    Args:
+        group: Group of a store.
+        name: Name of the array.
+        kind: (dtype, shape of a row).
+        rows: Number of rows.
+        chunk: Number of rows per chunk.
+    """
     dtype, shape = kind
     return group.create_array(
         name,
@@ -50,19 +61,26 @@ def add_array(group: zarr.Group, name: str, kind: tuple[np.dtype, tuple[int, ...
         chunks=(chunk, *shape),
         dtype=dtype,
         fill_value=_ABSENT[dtype.kind],
-        compressors=[ZstdCodec(level=1), Crc32cCodec()],  # for other readers: a chunk that is cut short does not read
+        compressors=[ZstdCodec(level=1), Crc32cCodec()],  # the checksum makes other readers fail at a truncated chunk
         dimension_names=dimensions(name, 1 + len(shape)),
     )
 
 
 def check_metadata(path: Path, job: Job, argument: str) -> None:
-    """Refuses a store whose metadata are not those that its run makes, though its attributes are.
+    """Raise an error if the metadata of a store differ from the metadata that its run creates.
+
+    The attributes of the run are not compared here, but by `check_same`.
+
+    Args:
+        path: Path of the store.
+        job: Job that the store was created for.
+        argument: Name of the path's argument, for error messages.
 
     Raises:
-        ValueError: names the file.
+        ValueError: if a metadata file differs or cannot be read; the message names the file.
     """
     kinds = {**point_arrays_of(job), **job.gives}
-    arrays_of(path, kinds, argument)  # which says what cannot be read at all
+    arrays_of(path, kinds, argument)  # raises an error for arrays that cannot be read
     got = f"{argument}: got {str(path)!r}"
     wanted = {name: _read(content) for name, content in metadata_of(job).items()}
     for name in kinds:
@@ -76,6 +94,7 @@ def check_metadata(path: Path, job: Job, argument: str) -> None:
 
 
 def _read(content: bytes) -> dict[str, Any]:
+    """Parse the JSON object in a metadata file; return {} if the content is not an object."""
     try:
         found = json.loads(content)
     except ValueError:
@@ -84,14 +103,14 @@ def _read(content: bytes) -> dict[str, Any]:
 
 
 def _difference(kept: Any, wanted: dict[str, Any]) -> str:
-    """What differs of an array's metadata, as a sentence says it; empty if nothing does."""
+    """Return the end of an error message about the first difference between two arrays' metadata; "" if there is none."""
     if not isinstance(kept, dict):
         return "is damaged"
     return next((f"has another {key} than its run" for key in _COMPARED if kept.get(key) != wanted.get(key)), "")
 
 
 def _flaw(kept: dict[str, Any], wanted: dict[str, Any]) -> str:
-    """What differs of a store's own metadata, and of those of its arrays that it keeps with them, if it does."""
+    """Return the end of an error message about differences in a store's own and consolidated metadata; "" without any."""
     attributes = "attributes", "coordinates"
     if kept[attributes[0]].get(attributes[1]) != wanted[attributes[0]][attributes[1]]:
         return f"has other {attributes[1]} than its run"
@@ -108,11 +127,11 @@ def _flaw(kept: dict[str, Any], wanted: dict[str, Any]) -> str:
 
 
 def _unreadable(path: Path) -> str:
-    """Why xarray cannot read a store's metadata; empty if it can."""
+    """Return the reason why xarray cannot open a store; "" if xarray can."""
     try:
-        with making, warnings.catch_warnings():  # that none are consolidated, where xarray takes the arrays' own
+        with making, warnings.catch_warnings():  # xarray warns if metadata are not consolidated
             warnings.simplefilter("ignore")
             xr.open_zarr(path)
-    except Exception as error:  # a file that holds anything fails in any way
+    except Exception as error:  # damaged files raise errors of many types
         return " ".join(str(error).split()) or type(error).__name__
     return ""

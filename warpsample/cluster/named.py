@@ -1,4 +1,4 @@
-"""Functions of the user's, and their data, on their way to tasks and to other processes."""
+"""User functions and their data, in a form that Dask can send to tasks and to other processes."""
 
 import importlib
 import json
@@ -18,12 +18,14 @@ _ARRAYS = ("__array__", "__array_interface__", "__dlpack__", "__cuda_array_inter
 
 @dataclass(frozen=True)
 class Named:
-    """A function of the user's, or its data: within a process as it is, to others by its module and name.
+    """User function or its data, as an argument of tasks.
+
+    Within a process the value itself is used. Other processes import a function by its module and name.
 
     Attributes:
-        argument: what it is given as.
-        value: a wp.func, or an instance of a wp.struct that nobody else has.
-        content: what tells it apart from others, as a store's attributes tell it.
+        argument: Name of the argument.
+        value: A wp.func, or a private copy of an instance of a wp.struct.
+        content: Texts that identify the function or the data, by name; also saved in a store's attributes.
     """
 
     argument: str
@@ -31,10 +33,10 @@ class Named:
     content: dict[str, Any]
 
     def taken(self) -> Any:
-        """The value, to be computed with.
+        """Return the function or data, after a check that a function is still the one of the call.
 
         Raises:
-            ValueError: a function that has changed since the call was made, or is another one in this process.
+            ValueError: if the function has changed since the call was made, or differs in this process.
         """
         if is_function(self.value) and (now := function_content(self.value)) != self.content:
             changed = difference(self.argument, self.content, now)
@@ -42,10 +44,10 @@ class Named:
         return self.value
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Tells other processes what to import.
+        """Pickle a function as its module, its name and its content.
 
         Raises:
-            TypeError: it cannot be imported.
+            TypeError: if the function cannot be imported by other processes, or the value is data.
         """
         function = getattr(self.value, "func", None)
         if function is None or function.__module__ == "__main__" or "<locals>" in function.__qualname__:
@@ -56,17 +58,17 @@ class Named:
         return _named, (self.argument, function.__module__, function.__qualname__, self.content)
 
     def __dask_tokenize__(self) -> tuple[str, str]:
-        """What Dask names tasks by."""
+        """Return the values that Dask hashes into the names of tasks."""
         return self.argument, json.dumps(self.content)
 
 
 def named(argument: str, value: Any, function: Any) -> Any:
-    """An argument as tasks keep it: what changes in place, or is defined again, later does not change what they compute.
+    """Protect an argument against later changes by the caller, and return the protected form.
 
     Args:
-        argument: its name.
-        value: what was given. Functions and data become Named, arrays and lists are copied.
-        function: the one that reads the data.
+        argument: Name of the argument.
+        value: Value of the argument. Functions and data become a Named, arrays and lists are copied, all else is unchanged.
+        function: Function that reads the data.
     """
     if is_function(value):
         with naming_function(argument):
@@ -80,4 +82,5 @@ def named(argument: str, value: Any, function: Any) -> Any:
 
 
 def _named(argument: str, module: str, name: str, content: dict[str, Any]) -> Named:
+    """Import a function by module and name, and return it as a Named; used to unpickle one."""
     return Named(argument, getattr(importlib.import_module(module), name), content)

@@ -1,4 +1,4 @@
-"""`warpsample bake` of a raster: tile by tile into a store that resumes, and from there into a GeoTIFF."""
+"""`warpsample bake` of a raster: compute tile by tile into a store that can be resumed, and from there a GeoTIFF."""
 
 import shutil
 import warnings
@@ -42,24 +42,25 @@ from warpsample.radiation.weather.weather import read_weather
 from warpsample.sequences.record import STREAMS
 
 _DIGESTS = "digests.npz"
-"""The file of a call, in its folder, that says what the rasters hold which its tiles are computed from."""
+"""File in the folder of a writing call with the digests of the input rasters' blocks."""
 
 _COG = "cog"
-"""The folder in a store in which a GeoTIFF is made: it goes with the store."""
+"""Folder in a temporary store in which the GeoTIFF is created; removed with the store."""
 
 _MAKING = "making"
-"""What says in a store that it goes when the file of this name is made of it."""
+"""Attribute of a temporary store: name of the GeoTIFF that is created from the store."""
 
 
 @dataclass(frozen=True)
 class RasterJob:
-    """A call on files, which each process reads for itself.
+    """A raster computation on files; each process reads the files itself.
 
     Attributes:
-        source: the path of the heights.
-        quantity: its name on the command line.
-        model, receiver: see `surface`.
-        options: further arguments of the call of `rasters`, sorted (name, value).
+        source: Path of the raster of heights.
+        quantity: Name of the quantity on the command line.
+        model: Surface model, as for `rasters`.
+        receiver: Receiver, as for `rasters`.
+        options: Further arguments of the call of `rasters`, sorted (name, value).
     """
 
     source: str
@@ -70,13 +71,13 @@ class RasterJob:
 
     @property
     def files(self) -> list[Path]:
-        """All that is read."""
+        """Paths of all input files: rasters and weather."""
         rasters = [self.source, *(value for name, value in self.options if name in ("canopy", "trunk", "far"))]
         weather = [Path(value) for name, value in self.options if name == "weather"]
         return [file for path in rasters if isinstance(path, str) for file in files_read(path)] + weather
 
     def run(self) -> tuple[RasterRun, dict[str, Any]]:
-        """The checked run, and what tells it from others but for heights, which are not read yet."""
+        """Return the checked run, and the attributes that identify the run without the heights, which are not read yet."""
         how = {"model": self.model, "receiver": self.receiver}
         run, about = run_of(quantity_of(self.quantity), self.source, dict(self.options), **how)
         about.pop("workers", None)
@@ -89,22 +90,22 @@ class RasterJob:
 
 
 def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: bool) -> str:
-    """Computes a raster's numbers into a .zarr store, or by one into a GeoTIFF.
+    """Compute a quantity on a raster into a .zarr store, or through a temporary store into a GeoTIFF.
 
     Args:
-        job: what to compute.
-        output: of a name that ends in .zarr, .tif or .tiff. Beside a GeoTIFF is a hidden store until it is complete.
-        processes: of this machine, a thread each; by default the tiles are computed one by one, by all threads.
-        resume: whether to go on with the store, if there is one.
+        job: Computation to run.
+        output: Path ending in .zarr, .tif or .tiff. A GeoTIFF has a hidden store next to it until the GeoTIFF is complete.
+        processes: Number of local processes with one thread each. None: one tile after another, each with all threads.
+        resume: Whether to continue an existing store.
 
     Returns:
-        a report in sentences.
+        a report for the terminal, in lines.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used, before anything is computed; or a file
-            changed meanwhile.
-        KeyboardInterrupt: with a sentence that says how far it was.
-        OSError: it cannot be written, or another process is writing it.
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used, before anything is computed; or an
+            input file that has changed since the run began.
+        KeyboardInterrupt: the run is interrupted; the message states how many tiles are done.
+        OSError: the output cannot be written, or another process is writing it.
     """
     if processes is not None:
         check_integer(processes, "--processes", 1, 1024)
@@ -139,7 +140,10 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
 
 @contextmanager
 def _counting(title: str, store: Path, whole: np.ndarray) -> Iterator[Callable[[int], None]]:
-    """A bar of the tiles that are there, which is told how many there are more; what ends it early says what is left."""
+    """Show a progress bar of tiles for the body of a `with` statement, and yield a function that counts more tiles as done.
+
+    Errors that interrupt the body get a note that the store can be resumed.
+    """
     done, total = int(whole.sum()), len(whole)
     with terminal_bar() as bar:
         task = bar.add_task(title, total=total, told="")
@@ -152,7 +156,7 @@ def _counting(title: str, store: Path, whole: np.ndarray) -> Iterator[Callable[[
         heard(0)
         try:
             yield heard
-        except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
+        except KeyboardInterrupt as interrupt:  # the same exception is raised again: it may represent another signal
             interrupt.args = (f"interrupted after {done:,} of {total:,} tiles; {store} can be resumed",)
             raise
         except WriteError as error:
@@ -162,7 +166,7 @@ def _counting(title: str, store: Path, whole: np.ndarray) -> Iterator[Callable[[
 def _compute(
     job: RasterJob, store: Path, tiles: list[int], digests: Mapping[str, np.ndarray], heard: Callable[[int], None]
 ) -> None:
-    """Computes these tiles of a store."""
+    """Compute and write tiles of a store, and call `heard` with 1 for each."""
     with writing(store) as folder:
         with complete_or_absent(folder / _DIGESTS) as stream:
             write_arrays(stream, digests)
@@ -172,23 +176,23 @@ def _compute(
 
 
 def _heights(digests: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """What tells rasters of other heights apart."""
+    """Return the digests of whole rasters as attributes of the store, from the digests of their blocks."""
     return {f"{name}_heights": digest_of(found) for name, found in digests.items()}
 
 
 def _check_unchanged(store: Path, job: RasterJob, digests: Mapping[str, np.ndarray] | None = None) -> RasterRun:
-    """The run of a job, if its files still say what they did when the run of its store began.
+    """Return a job's run, after a check that its input files are the same as when the store's run began.
 
     Args:
-        store: of the run.
-        job: what is computed.
-        digests: those of the rasters then; without, all are read once more.
+        store: Path of the store.
+        job: Computation of the store.
+        digests: Digests of the blocks of each raster when the run began, by name. Default: None, read the rasters again.
 
     Raises:
-        ValueError: one changed; names what.
+        ValueError: if an input file has changed; the message names the input.
     """
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # of rasters: the call has warned once, before its first tile
+        warnings.simplefilter("ignore", UserWarning)  # warnings about the rasters were shown before the first tile
         run, about = job.run()
     about |= _heights(digests or {name: digests_of(raster) for name, raster in run.rasters.items()})
     kept = about_of(store, "--output")
@@ -202,7 +206,7 @@ def _check_unchanged(store: Path, job: RasterJob, digests: Mapping[str, np.ndarr
 
 
 def _told(job: RasterJob, folder: Path, tiles: list[int]) -> Iterator[Any]:
-    """Something for each tile that is computed: by the Client that is there, or one by one."""
+    """Compute tiles, and yield once for each: on the current Client's workers, or one after another in this process."""
     if (client := current_client()) is not None:
         yield from finished(client, SimpleNamespace(shared={}), lambda some: _tasks(job, folder, some), tiles)
         return
@@ -211,14 +215,24 @@ def _told(job: RasterJob, folder: Path, tiles: list[int]) -> Iterator[Any]:
 
 
 def _tasks(job: RasterJob, folder: Path, tiles: list[int]) -> Array:
-    """The DONEs of these tiles, lazily."""
+    """Build a Dask array whose blocks compute and write the tiles."""
     name = f"raster-{uuid4().hex}"
     tasks = {(name, number): (bake_tile, job, str(folder), index, 1) for number, index in enumerate(tiles)}
     return Array(HighLevelGraph.from_collections(name, tasks), name, ((1,) * len(tiles),), dtype=DONE)
 
 
 def bake_tile(job: RasterJob, folder: str, index: int, workers: int | None) -> np.ndarray:
-    """One task: computes a tile and writes it, unless the call that has the folder ends before."""
+    """Compute one tile and write it into the store.
+
+    Args:
+        job: Computation to run.
+        folder: Path of the writing call's folder.
+        index: Number of the tile, row by row.
+        workers: Number of threads. None: all.
+
+    Raises:
+        WriteError: if the writing call has ended, or a file cannot be written.
+    """
     with at_work(Path(folder)):
         run, span = _run_of(job, Path(folder), workers)
         put_tile(Path(folder), index, run, run.numbers(span[index]))
@@ -227,7 +241,10 @@ def bake_tile(job: RasterJob, folder: str, index: int, workers: int | None) -> n
 
 @lru_cache(maxsize=1)
 def _run_of(job: RasterJob, folder: Path, workers: int | None) -> tuple[RasterRun, list[Any]]:
-    """The run of a call in this process, whose far field is read once: of what the call began with, or an error."""
+    """Return (run, spans of the tiles) of a call in this process; cached, so that the far field is computed once.
+
+    The run raises an error if the rasters change after the call began.
+    """
     digests = read_arrays(folder / _DIGESTS)
     run = _check_unchanged(store_of(folder), job, digests)
     run = run.reading({name: unchanging(raster, digests[name], name) for name, raster in run.rasters.items()})

@@ -1,4 +1,4 @@
-"""A Zarr store of a raster's numbers: chunks are tiles, and coordinates and the CRS are those of the raster."""
+"""Zarr store of a quantity on a raster: one chunk per tile, with the raster's coordinates and reference system."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -24,14 +24,20 @@ _MAP = "spatial_ref"
 
 
 def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument: str) -> np.ndarray:
-    """Makes the store of a run without its tiles, or finds the one that it is to go on with.
+    """Create the store of a run without tiles, or check an existing one.
+
+    Args:
+        path: Path of the store.
+        run: Checked run.
+        about: Attributes that identify the run.
+        argument: Name of the path's argument, for error messages.
 
     Returns:
-        (tiles,) bool, which are there already, and whole.
+        (tiles,) bool mask of the tiles that are complete already.
 
     Raises:
-        ValueError: there is one of another run; names what differs. Or it is damaged.
-        WriteError: it cannot be made, or there is no space for it.
+        ValueError: if an existing store is of another run, with the difference in the message; or is damaged.
+        WriteError: if the store cannot be written, or the disk has too little space.
     """
     cells = run.reader.shape[0] * run.reader.shape[1]
     whole = np.zeros(run.grid[0] * run.grid[1], np.bool_)
@@ -48,16 +54,16 @@ def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument:
 
 
 def put_tile(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.ndarray]) -> None:
-    """Writes a tile of each array, and last a record of them.
+    """Write a tile of each array, then a record of the tile's checksums.
 
     Args:
-        folder: of the call that writes the store.
-        index: of the tile, row by row.
-        run: what it is of.
-        arrays: (rows, columns) float32, by name.
+        folder: Folder of the writing call.
+        index: Number of the tile, row by row.
+        run: Run of the store.
+        arrays: (rows, columns) float32 arrays, by name.
 
     Raises:
-        WriteError: it cannot be written, or the call has ended.
+        WriteError: if the writing call has ended, or a file cannot be written.
     """
     row, column = divmod(index, run.grid[1])
     files = {}
@@ -69,21 +75,24 @@ def put_tile(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.n
 
 
 def tiles_in(path: Path, run: RasterRun) -> Iterator[tuple[Span, dict[str, np.ndarray]]]:
-    """The tiles of a finished store."""
+    """Return an iterator over the tiles of a finished store, as (span, arrays by name)."""
     arrays = arrays_of(path, run.names, "store")
     return ((span, {name: array[span] for name, array in arrays.items()}) for span in run.spans())
 
 
 @lru_cache(maxsize=16)
 def _encoder(_: Path, name: str, sides: tuple[int, int]) -> tuple[Any, dict[str, Any]]:
-    """An array in memory of one tile, and where it puts that when it is encoded."""
+    """Return an array in memory that encodes one tile, and the dictionary that receives the encoded bytes.
+
+    The first argument is the folder of the writing call; it only makes the cache entry specific to the call.
+    """
     encoded: dict[str, Any] = {}
     array = _add(zarr.create_group(MemoryStore(encoded)), name, sides, sides)
     return array.with_config({"write_empty_chunks": True}), encoded
 
 
 def _metadata(run: RasterRun, about: Mapping[str, Any]) -> dict[str, bytes]:
-    """The contents of all files of a store, but for its tiles, by their paths within it."""
+    """Return the contents of a store's metadata and coordinate files, by path relative to the store."""
     files: dict[str, Any] = {}
     outline = run.reader.outline
     laid = on_map(outline, outline.height)
@@ -102,7 +111,7 @@ def _metadata(run: RasterRun, about: Mapping[str, Any]) -> dict[str, bytes]:
 
 
 def _add(group: zarr.Group, name: str, shape: tuple[int, int], sides: tuple[int, int], **about: Any) -> Any:
-    """An array whose chunks are tiles."""
+    """Create a float32 array in a Zarr group with one chunk per tile."""
     return group.create_array(
         name,
         shape=shape,

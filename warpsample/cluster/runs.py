@@ -1,4 +1,4 @@
-"""`warpsample bake` into a store: what the command's options mean, its progress, and its report."""
+"""`warpsample bake` into a store: check of the command's options, progress bar and report."""
 
 from time import perf_counter
 from types import TracebackType
@@ -19,15 +19,22 @@ from warpsample.output.terminal_bar import terminal_bar
 
 
 def bake_run(run: BakeRun, chunk: int | None, address: str | None, processes: int | None, resume: bool) -> str:
-    """Computes a run into the store `run.output`.
+    """Compute a run of `warpsample bake` into the store `run.output`.
+
+    Args:
+        run: Arguments of the command.
+        chunk: Number of points per chunk. None: 65536.
+        address: Address of a Dask scheduler. None: this machine.
+        processes: Number of local processes with one thread each. None: threads of this process.
+        resume: Whether to continue an existing store.
 
     Returns:
-        a report in sentences.
+        a report for the terminal, in lines.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is computed.
-        KeyboardInterrupt: with a sentence that says how far it was.
-        OSError: the store cannot be written, another process is writing it, or the scheduler is gone.
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used, before anything is computed.
+        KeyboardInterrupt: the run is interrupted; the message states how many points are done.
+        OSError: the store cannot be written, another process is writing it, or the scheduler no longer answers.
     """
     store = check_store(run.output, "--output")
     threads = run.options.get("workers")
@@ -42,6 +49,11 @@ def bake_run(run: BakeRun, chunk: int | None, address: str | None, processes: in
 
 
 def _check(run: BakeRun, address: str | None, processes: int | None, threads: int | None) -> None:
+    """Check that the options of the command fit together and apply to a store.
+
+    Raises:
+        TypeError, ValueError: if an option cannot be used.
+    """
     if run.quantity not in in_stores():
         raise ValueError(f"--quantity: got {run.quantity} for {run.output.name}, want one of {', '.join(in_stores())}")
     check_parts(run, quantity_of(run.quantity))
@@ -57,10 +69,10 @@ def _check(run: BakeRun, address: str | None, processes: int | None, threads: in
 
 
 class _Watch:
-    """A bar on stderr if that is a terminal, and the sums of what the chunks tell."""
+    """Progress bar of a run on a terminal, with sums over the chunks for the final report."""
 
     def __init__(self, run: BakeRun, points: int) -> None:
-        """Starts the sums of a run of so many points, at no chunk."""
+        """Prepare the bar of a run, with all sums at zero."""
         self.run, self.points, self.start = run, points, perf_counter()
         self.title = quantity_of(run.quantity).title
         self.there: int | None = None
@@ -69,16 +81,19 @@ class _Watch:
         self.task = self.bar.add_task(self.title, total=points, told="")
 
     def __enter__(self) -> "_Watch":
-        """Shows the bar."""
+        """Show the bar."""
         self.bar.start()
         return self
 
     def __exit__(self, kind: type | None, error: BaseException | None, trace: TracebackType | None) -> None:
-        """Takes the bar away."""
+        """Hide the bar."""
         self.bar.stop()
 
     def hear(self, told: np.void) -> None:
-        """Adds a chunk; what is told first are those that were there already."""
+        """Add a summary of dtype DONE to the sums, and update the bar.
+
+        The first call is for all chunks that were complete before; only their points are counted.
+        """
         if self.there is None:
             self.there, self.start = int(told["points"]), perf_counter()
         else:
@@ -88,7 +103,7 @@ class _Watch:
         self.bar.update(self.task, completed=done, told=f"{self._speed():.1f} million rays/s, {self._error()}")
 
     def report(self) -> str:
-        """What was done, in lines."""
+        """Return the report of the run for the terminal, in lines."""
         lines = [f"{self.run.output}: {self.title} of {self.points:,} {self.run.at or 'points'}"]
         if self.there:
             lines.append(f"{self.there:,} of them were there already")
@@ -98,10 +113,13 @@ class _Watch:
         return "\n  ".join(lines)
 
     def _seconds(self) -> float:
+        """Return the time since the first chunk was started, in seconds, greater than 0."""
         return max(perf_counter() - self.start, 1e-9)
 
     def _speed(self) -> float:
+        """Return the speed in million rays per second."""
         return float(self.sums["rays"]) / self._seconds() / 1e6
 
     def _error(self) -> str:
+        """Return the root mean square of the points' standard errors, as text."""
         return f"standard error {np.sqrt(self.sums['squared_error'] / max(1, self.sums['points'])):.2g}"

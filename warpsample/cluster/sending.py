@@ -1,4 +1,4 @@
-"""What is large on its way to the workers of a Client."""
+"""Transfer of large arguments to the workers of a Dask Client."""
 
 import sys
 from collections import deque
@@ -12,14 +12,14 @@ from dask.highlevelgraph import MaterializedLayer
 
 from warpsample.cluster.job import Job
 
-_KEPT = 4  # of what was sent: a scheduler that hears of the end of one only after it was sent again loses that too
+_KEPT = 4  # futures kept alive: if one is released and sent again, a late release message would delete the new copy
 _sent: WeakValueDictionary[tuple[str, str], Any] = WeakValueDictionary()
 _last_sent: deque[Any] = deque(maxlen=_KEPT)
-_QUIETLY = {"distributed.admin.large-graph-warning-threshold": "1PiB"}  # it is sent once for all calls
+_QUIETLY = {"distributed.admin.large-graph-warning-threshold": "1PiB"}  # no warning: the data are sent once for all calls
 
 
 def current_client() -> Any | None:
-    """The Client that computes what is asked for here, if there is one; one that found no scheduler is none."""
+    """Return the current Client if it is connected to a scheduler, else None."""
     if "distributed" not in sys.modules:
         return None
     from distributed import Client
@@ -32,29 +32,37 @@ def current_client() -> Any | None:
 
 
 class Tasks(MaterializedLayer):
-    """Tasks of a graph that take what a Client has sent, and cannot be computed when it is closed."""
+    """Layer of a Dask graph whose tasks use data sent to a Client, and fail when the Client is closed."""
 
     def __init__(self, mapping: Mapping[Any, Any]) -> None:
-        """Takes the tasks by their keys; they are of the Client that there is now, if there is one."""
+        """Store the tasks by key, together with the current Client, if there is one."""
         super().__init__(mapping)
         self.client: Any = current_client()
 
     def __iter__(self) -> Iterator[Any]:
-        """The keys, which what computes without a Client asks for first."""
+        """Iterate over the keys.
+
+        Raises:
+            RuntimeError: if the Client is closed. Schedulers without a Client iterate first, so the error reaches the user.
+        """
         if not self._of_this_time():
             _refuse()
         return super().__iter__()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Gives another Client's scheduler tasks that say what is wrong: an error here would lose its words on the way."""
+        """Pickle the tasks; if the Client is closed, pickle tasks that raise an error.
+
+        An error raised while pickling would reach the user without its message.
+        """
         return MaterializedLayer, (self.mapping if self._of_this_time() else dict.fromkeys(self.mapping, (_refuse,)),)
 
     def _of_this_time(self) -> bool:
+        """Check whether the layer's Client is still open, or there was none."""
         return self.client is None or self.client.status == "running"
 
 
 def _refuse() -> None:
-    """Says that a dataset outlived its Client.
+    """Raise the error of a dataset whose Client is closed.
 
     Raises:
         RuntimeError: always.
@@ -66,10 +74,10 @@ def _refuse() -> None:
 
 
 def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
-    """Tasks that are the large arguments, and what other tasks call them by; without a Client they are part of the graph.
+    """Return (tasks of the large arguments, keys or futures that other tasks use in place of the arguments).
 
-    With one they are sent once, the last few for all calls, as tasks that return them: the scheduler has what it makes them
-    of again, should all workers be gone that have a copy.
+    Without a Client the arguments are tasks of the graph. With a Client each argument is sent once, as a task that returns
+    the argument, and reused by later calls. If all workers with a copy are lost, the scheduler runs the task again.
     """
     client = current_client()
     if client is None:
@@ -88,4 +96,5 @@ def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
 
 
 def _itself(value: Any) -> Any:
+    """Return the argument unchanged."""
     return value

@@ -1,4 +1,4 @@
-"""A Zarr store of one run as it is made, and gone on with."""
+"""Creation of a Zarr store for a run, and checks before an existing store is resumed."""
 
 import json
 import math
@@ -26,16 +26,23 @@ SUFFIX = ".zarr"
 
 
 def check_store(path: Any, argument: str) -> Path:
-    """A path that a store may be at, absolute: workers may run elsewhere; and without links: a store has one lock.
+    """Check the path of a store, and return it absolute and without links.
+
+    Workers may run in another folder, so the path is absolute. Links are resolved so that each store has one lock.
+
+    Args:
+        path: Path ending in .zarr.
+        argument: Name of the path's argument, for error messages.
 
     Raises:
-        ValueError: another suffix, a file, a name that cannot be one, or no folder to make it in.
+        ValueError: if the suffix is wrong, the path exists and is not a store, the name is not allowed by the file system,
+            or the parent folder is missing.
     """
     if Path(path).suffix != SUFFIX:
         raise ValueError(f"{argument}: got {str(path)!r}, want a name that ends in {SUFFIX}")
     try:
         found = Path(os.path.realpath(path))
-        found.with_name(lock_name(found)).exists()  # which raises an error where that is too long
+        found.with_name(lock_name(found)).exists()  # raises an error if the name is too long
         if found.is_symlink():
             raise ValueError(f"{argument}: got {str(path)!r}, which is a link to itself")
         if found.exists() and not (found / "zarr.json").is_file():
@@ -48,15 +55,21 @@ def check_store(path: Any, argument: str) -> Path:
 
 
 def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
-    """Makes the store of a job without its chunks, or finds the one that it is to go on with.
+    """Create the store of a job without chunks, or check an existing one.
+
+    Args:
+        path: Path of the store.
+        job: Job to compute.
+        resume: Whether an existing store may be continued.
+        argument: Name of the path's argument, for error messages.
 
     Returns:
-        which chunks are there already, and whole.
+        (chunks,) bool mask of the chunks that are complete already.
 
     Raises:
-        ValueError: there is one, and it is not to be resumed, or is of another run; names what differs. Or it is damaged, or
-            would have too many chunks.
-        WriteError: it cannot be made, or there is no space for it.
+        ValueError: if the store exists and `resume` is False, belongs to another run, is damaged, or would have too many
+            chunks.
+        WriteError: if the store cannot be written, or the disk has too little space.
     """
     check_new(path, resume, argument)
     if path.exists():
@@ -72,24 +85,32 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
 
 
 def check_new(path: Path, resume: bool, argument: str) -> None:
-    """Refuses, by a ValueError, a store that is there and not to be resumed."""
+    """Raise a ValueError if a store exists and is not to be resumed."""
     if path.exists() and not resume:
         how = "a new name, or to resume it (resume=True, --resume)"
         raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want {how}")
 
 
 def _check_space(path: Path, job: Job, chunks: int) -> None:
-    """Refuses more chunks than there is space for, before they are compressed: positions hardly can be."""
+    """Raise a WriteError if the disk has too little space for the chunks before compression.
+
+    Positions hardly compress, so the uncompressed size is a good estimate.
+    """
     kinds, points = {**point_arrays_of(job), **job.gives}.values(), min(job.total, chunks * job.chunk)
     needed = sum(points * dtype.itemsize * math.prod(shape) for dtype, shape in kinds)
     check_space(path, needed, f"{points:,} points")
 
 
 def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
-    """Refuses a store of another run.
+    """Raise an error if a store belongs to another run.
+
+    Args:
+        path: Path of the store.
+        about: Attributes that identify the run.
+        argument: Name of the path's argument, for error messages.
 
     Raises:
-        ValueError: names what differs.
+        ValueError: if an attribute differs; the message names the attribute.
     """
     kept = {STREAMS_OF: 1, **about_of(path, argument)}
     for name in dict.fromkeys((STREAMS_OF, *about, *kept)):
@@ -106,18 +127,25 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
 
 
 def make_store(path: Path, metadata: Callable[[], dict[str, bytes]]) -> None:
-    """Writes the metadata of a store, contents by their paths within it; complete or absent, also after an interrupt.
+    """Create a store from its metadata files.
+
+    The store appears complete or not at all, also after an interrupt.
+
+    Args:
+        path: Path of the store.
+        metadata: Function that returns the contents of the files, by path relative to the store.
 
     Raises:
-        WriteError: they cannot be written.
+        WriteError: if the files cannot be written.
     """
     uninterrupted(partial(_make_store, path, metadata))
 
 
 def _make_store(path: Path, metadata: Callable[[], dict[str, bytes]]) -> None:
+    """Create a store in a temporary folder, and move it to its path."""
     try:
         with TemporaryDirectory(prefix=f".{path.name}.", suffix=".part", dir=path.parent) as folder:
-            part = Path(folder) / path.name  # in it: such a folder is its user's alone, which the store need not be
+            part = Path(folder) / path.name  # in the folder, which only its user may read, unlike the store
             for file, content in metadata().items():
                 part.joinpath(file).parent.mkdir(parents=True, exist_ok=True)
                 part.joinpath(file).write_bytes(content)

@@ -1,8 +1,8 @@
-"""The chunks of a store on their way: nothing is written for a call that has ended, nor into a store that is not its own.
+"""Writing of chunks into a store, only while the call that computes the chunks is running.
 
-A call has a folder within its store, named at random. Each file is written there whole, and then moved to its place. When
-the call ends, that folder goes: tasks that still run, in whichever process, stop soon after, and cannot write. Nor can they
-if the store was removed, and another one made at its path.
+Each call has a folder with a random name inside its store. Files are written completely in the folder, and then moved to
+their paths. When the call ends, the folder is removed. Tasks that still run, in any process, stop soon and cannot write.
+The same holds if the store is removed and another one is created at its path.
 """
 
 import json
@@ -28,19 +28,22 @@ from warpsample.host.interrupts import uninterrupted
 from warpsample.host.progress import asking
 
 _OPEN, _ENDED = "writing-", "ended-"
-_BEAT = 0.01  # seconds between two looks at whether tasks have stopped
+_BEAT = 0.01  # seconds between two checks whether tasks have stopped
 _at_work: list[Path] = []
-"""The folders of the tasks that run in this process."""
+"""Folders of the tasks running in this process, one entry per task."""
 
 
 @contextmanager
 def writing(store: Path) -> Iterator[Path]:
-    """Makes a call's folder, and ends those of calls that were killed.
+    """Create the folder of a writing call for the body of a `with` statement, and remove folders of killed calls.
 
-    However the call ends, no task of it is at work in this process afterwards, and those of other processes write nothing.
+    After the body no task of the call runs in this process, and tasks in other processes can write nothing more.
+
+    Yields:
+        the path of the folder.
 
     Raises:
-        WriteError: the folder cannot be made.
+        WriteError: if the folder cannot be created.
     """
     folder = store / RECORDS / f"{_OPEN}{uuid4().hex}"
     try:
@@ -51,21 +54,26 @@ def writing(store: Path) -> Iterator[Path]:
 
 
 def _begin(folder: Path) -> None:
+    """Remove the folders of calls that were killed, and create the folder of this call.
+
+    Raises:
+        WriteError: if the folder cannot be created.
+    """
     for left in folder.parent.glob(f"{_OPEN}*"):
         _end(left)
     for left in folder.parent.glob(f"{_ENDED}*"):
         shutil.rmtree(left, ignore_errors=True)
     try:
-        folder.parent.mkdir(exist_ok=True)  # which a store that an earlier version made is without
+        folder.parent.mkdir(exist_ok=True)  # stores of earlier versions do not have the folder
         folder.mkdir()
     except OSError as error:
         raise WriteError(f"{store_of(folder)} cannot be written: {error.strerror or error}") from error
 
 
 def _end(folder: Path) -> None:
-    """Ends the writing in one step, by another name; then waits for this process's tasks, which find that out."""
+    """End the writing of a call by renaming its folder, then wait until the call's tasks in this process stop."""
     ended = folder.with_name(f"{_ENDED}{uuid4().hex}")
-    with suppress(OSError):  # gone already, with its store
+    with suppress(OSError):  # already removed with its store
         folder.rename(ended)
     while folder in _at_work:
         time.sleep(_BEAT)
@@ -73,16 +81,18 @@ def _end(folder: Path) -> None:
 
 
 def store_of(folder: Path) -> Path:
-    """The store that a call's folder is in."""
+    """Return the path of the store that contains a call's folder."""
     return folder.parents[1]
 
 
 @contextmanager
 def at_work(folder: Path) -> Iterator[None]:
-    """A task of the call that has this folder: within, kernels stop between two of their batches when the call has ended.
+    """Register the body of a `with` statement as a task of the writing call with this folder.
+
+    Kernels in the body stop between two batches of rays when the call ends.
 
     Raises:
-        WriteError: the call has ended.
+        WriteError: if the call has ended.
     """
     _at_work.append(folder)
     try:
@@ -95,21 +105,22 @@ def at_work(folder: Path) -> Iterator[None]:
 
 
 def _check(folder: Path) -> None:
+    """Raise a WriteError if the writing call has ended or the store has been removed."""
     if not folder.is_dir():
         raise WriteError(f"{store_of(folder)} cannot be written: the call has ended, or the store was removed meanwhile")
 
 
 def put(folder: Path, start: int, chunk: int, arrays: dict[str, np.ndarray]) -> None:
-    """Writes a chunk of each array, and last a record of them. Each file appears when it is complete.
+    """Write a chunk of each array, then a record of the chunk's checksums. Each file appears complete.
 
     Args:
-        folder: of the call.
-        start: the first row.
-        chunk: how many rows each chunk has, but the last.
-        arrays: the rows, by name.
+        folder: Folder of the writing call.
+        start: Number of the chunk's first row.
+        chunk: Number of rows per chunk; the last chunk may have fewer.
+        arrays: Rows of the chunk, by array name.
 
     Raises:
-        WriteError: it cannot be written, or the call has ended.
+        WriteError: if the writing call has ended, or a file cannot be written.
     """
     files = {}
     for name, rows in arrays.items():
@@ -121,17 +132,21 @@ def put(folder: Path, start: int, chunk: int, arrays: dict[str, np.ndarray]) -> 
 
 
 def put_encoded(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
-    """Writes the files of a chunk, and last a record of them; as `put`.
+    """Write the encoded files of a chunk, then a record of their checksums. Each file appears complete.
 
     Args:
-        folder: of the call.
-        index: of the chunk.
-        files: (path in the store, content) by the names of the arrays.
+        folder: Folder of the writing call.
+        index: Index of the chunk.
+        files: (path in the store, content) by array name.
+
+    Raises:
+        WriteError: if the writing call has ended, or a file cannot be written.
     """
     uninterrupted(partial(_put_encoded, folder, index, files))
 
 
 def _put_encoded(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
+    """Write the files and the record of a chunk, as for `put_encoded`."""
     record = {INDEX: index}
     try:
         for name, (file, content) in files.items():
@@ -145,15 +160,20 @@ def _put_encoded(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) 
 
 @lru_cache(maxsize=64)
 def _encoder(_: Path, name: str, dtype: np.dtype, shape: tuple[int, ...], chunk: int) -> tuple[Any, dict[str, Any]]:
-    """An array in memory, to encode chunks, and where it puts them, by their paths in the store: no two tasks share one."""
+    """Return an array in memory that encodes chunks, and the dictionary that receives the encoded bytes.
+
+    Keys of the dictionary are paths in the store. Threads share the dictionary, because no two tasks use the same path.
+    The first argument is the folder of the writing call; it only makes the cache entry specific to the call.
+    """
     encoded: dict[str, Any] = {}
     array = add_array(zarr.create_group(MemoryStore(encoded)), name, (dtype, shape), MOST_CHUNKS * chunk, chunk)
     return array.with_config({"write_empty_chunks": True}), encoded
 
 
 def _place(folder: Path, file: str, content: bytes) -> None:
+    """Write one file in the call's folder, and move it to its path in the store."""
     part, store, parts = folder / uuid4().hex, store_of(folder), Path(file).parts
     part.write_bytes(content)
-    for depth in range(2, len(parts)):  # not the array's own: that of a store that was removed is not made again
+    for depth in range(2, len(parts)):  # not the array's folder, which must not be created again after the store was removed
         store.joinpath(*parts[:depth]).mkdir(exist_ok=True)
     part.replace(store / file)
