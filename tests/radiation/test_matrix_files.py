@@ -75,7 +75,7 @@ def test_what_cannot_be_saved_is_refused(seen, tmp_path):
         seen.save(3)
     mesh = ws.load_mesh("courtyard")
     folded = ws.sky_matrix(mesh, ws.sample_surface(mesh, 4), 64, fold=np.ones((145, 145)))
-    with pytest.raises(ValueError, match=r"^path: got .* for sums of shape \(4, 145\), want .npz, or no fold"):
+    with pytest.raises(ValueError, match=r"^path: got .* for sums of shape \(4, 145\), want .npz, or a matrix without fold"):
         folded.save(tmp_path / "sky.mtx")
     assert list(tmp_path.iterdir()) == []
 

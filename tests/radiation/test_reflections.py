@@ -186,7 +186,7 @@ def test_rays_that_leave_a_point_behind_its_face_bring_nothing():
 
 
 def test_a_tolerance_is_refused_where_faces_reflect():
-    with pytest.raises(ValueError, match="^tolerance: got 0.01 for a mesh that reflects, want None"):
+    with pytest.raises(ValueError, match="^tolerance: got 0.01 for a mesh with a reflectance, want None"):
         ws.irradiance(known.pit(0.5), known.within(2), known.SKY, tolerance=0.01)
 
 
