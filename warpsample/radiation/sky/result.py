@@ -41,9 +41,9 @@ class SkyMatrix(PointResult):
     """Share of each point's cosine lobe that each of K sky patches fills, for P points; or sums over the patches.
 
     Attributes:
-        value: (P, K) float32, integral of visibility times max(0, n.w) over the patch, over pi. A value times pi and the patch's
-            radiance is an irradiance. The sum over the patches is the sky view factor. With `fold`, (P,) or (P, T).
-            0 where the status is not 0.
+        value: (P, K) float32, integral of visibility times max(0, n.w) over the patch, divided by pi. A value times pi and
+            the patch's radiance is an irradiance. The sum over the patches is the sky view factor. With `fold`, (P,) or
+            (P, T). 0 where the status is not 0.
         standard_error: Standard error in the shape of `value`, from two independent randomisations of each patch's rays; 0
             where both agree. It is right on average, not for each patch.
         rays: (P,) int32, number of rays cast.
