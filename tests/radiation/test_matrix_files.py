@@ -54,10 +54,10 @@ def test_an_npz_has_the_arrays(seen, tmp_path):
     [
         (lambda c: c[:-1], r"matrix: got 70,079 bytes of numbers, want 4 x 40 x 146 x 3"),
         (lambda c: c + b"1234", r"matrix: got 70,084 bytes of numbers, want 4 x 40 x 146 x 3"),
-        (lambda c: c.replace(b"FORMAT=float", b"FORMAT=ascii"), r"matrix: got .*, want a matrix of Radiance's"),
-        (lambda c: c.replace(b"NROWS=40", b"NROWS=-4"), r"matrix: got .*, want a matrix of Radiance's"),
-        (lambda c: c.replace(b"NCOMP=3\n", b""), r"matrix: got .*, want a matrix of Radiance's"),
-        (lambda _: b"", r"matrix: got b'', want a matrix of Radiance's"),
+        (lambda c: c.replace(b"FORMAT=float", b"FORMAT=ascii"), r"matrix: got .*, want a Radiance matrix"),
+        (lambda c: c.replace(b"NROWS=40", b"NROWS=-4"), r"matrix: got .*, want a Radiance matrix"),
+        (lambda c: c.replace(b"NCOMP=3\n", b""), r"matrix: got .*, want a Radiance matrix"),
+        (lambda _: b"", r"matrix: got b'', want a Radiance matrix"),
     ],
 )
 def test_damaged_matrices_are_refused(seen, tmp_path, change, message):
@@ -75,7 +75,7 @@ def test_what_cannot_be_saved_is_refused(seen, tmp_path):
         seen.save(3)
     mesh = ws.load_mesh("courtyard")
     folded = ws.sky_matrix(mesh, ws.sample_surface(mesh, 4), 64, fold=np.ones((145, 145)))
-    with pytest.raises(ValueError, match=r"^path: got .* for sums of shape \(4, 145\), want .npz, or no fold"):
+    with pytest.raises(ValueError, match=r"^path: got .* for sums of shape \(4, 145\), want .npz, or a matrix without fold"):
         folded.save(tmp_path / "sky.mtx")
     assert list(tmp_path.iterdir()) == []
 

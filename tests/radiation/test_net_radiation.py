@@ -66,7 +66,7 @@ def test_a_plate_under_the_sky_loses_what_it_does_not_get():
 def test_an_open_room_wants_the_temperature_outside():
     for seen in (2e-3, 1.0):
         with pytest.raises(
-            ValueError, match=f"outside: got None where a surface sees {seen:.2g} of what it can see outside"
+            ValueError, match=f"outside: got None, but a surface has a view factor of {seen:.2g} to the outside"
         ):
             factors([[1.0 - seen]], [2.0], outside=[seen]).net_radiation(280.0, 0.9)
     leaking = factors([[0.9995]], [2.0], outside=[5e-4]).net_radiation(280.0, 1.0)

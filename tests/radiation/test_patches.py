@@ -54,7 +54,7 @@ def test_up_and_north_turn_the_patches():
 
 @pytest.mark.parametrize("north", [(0, 0, 1), (0, 0, -3.0), (0.0, 1e-12, 1.0)])
 def test_a_north_along_up_is_refused(north):
-    with pytest.raises(ValueError, match=r"^north: got .*, which is along up, want a direction apart from up"):
+    with pytest.raises(ValueError, match=r"^north: got .*, which is along up, want a direction not parallel to up"):
         ws.sky_patches("tregenza", north=north)
 
 

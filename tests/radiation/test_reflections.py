@@ -186,7 +186,7 @@ def test_rays_that_leave_a_point_behind_its_face_bring_nothing():
 
 
 def test_a_tolerance_is_refused_where_faces_reflect():
-    with pytest.raises(ValueError, match="^tolerance: got 0.01 for a mesh that reflects, want None"):
+    with pytest.raises(ValueError, match="^tolerance: got 0.01 for a mesh with a reflectance, want None"):
         ws.irradiance(known.pit(0.5), known.within(2), known.SKY, tolerance=0.01)
 
 
@@ -230,5 +230,5 @@ def test_radiosity_takes_the_reflectance_of_the_mesh(tmp_path):
     assert np.array_equal(ws.ViewFactors.load(tmp_path / "v.npz").radiosity(1.0), v.radiosity(1.0))
     halves = ws.view_factors(ws.as_mesh(room, reflectance=np.arange(12) % 2), 16, groups=np.arange(12) // 2)
     np.testing.assert_allclose(halves.reflectance, 0.5)
-    with pytest.raises(ValueError, match="^reflectance: got None for factors of a black mesh"):
+    with pytest.raises(ValueError, match="^reflectance: got None for view factors of a mesh without a reflectance"):
         ws.view_factors((vertices, faces), 16).radiosity(1.0)

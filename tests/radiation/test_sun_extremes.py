@@ -109,11 +109,14 @@ UP = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 1.0]])
         ({"weights": np.ones(3)}, "weights: got shape (3,), want (2,) or (2, M), a row for each direction"),
         ({"weights": np.ones((3, 2))}, "weights: got shape (3, 2), want (2,) or (2, M), a row for each direction"),
         ({"weights": np.ones((2, 0))}, "weights: got shape (2, 0), want (2,) or (2, M), a row for each direction"),
-        ({"weights": np.array([1.0, np.nan])}, "weights: got one that is not finite, want finite numbers"),
+        ({"weights": np.array([1.0, np.nan])}, "weights: got NaN or infinity, want finite numbers"),
         ({"disc": -0.5}, "disc: got -0.5, want a number from 0 to 45"),
         ({"disc": 180.0}, "disc: got 180.0, want a number from 0 to 45"),
         ({"disc": float("nan")}, "disc: got nan, want a number from 0 to 45"),
-        ({"cosine": True}, "cosine: got True without weights, want weights, which it multiplies"),
+        (
+            {"cosine": True},
+            "cosine: got True without weights, want weights for the cosine to multiply; or pass cosine=False",
+        ),
         ({"points": np.ones((2, 3))}, "points: got a NumPy array, want SurfacePoints, such as the result of sample_surface"),
     ],
 )
@@ -127,6 +130,6 @@ def test_more_than_fits_is_refused_first(bunny, points, monkeypatch):
     many = at(np.broadcast_to(points.position[:1], (10**6, 3)))
     suns = np.broadcast_to(UP[:1], (10**7, 3))
     with pytest.raises(
-        MemoryError, match=r"^10,000,000 suns of 1,000,000 points need .* are free; take the points in parts$"
+        MemoryError, match=r"^10,000,000 suns of 1,000,000 points need .* are free; pass fewer points at a time$"
     ):
         call_of(bunny, many, suns).answer()

@@ -111,7 +111,7 @@ def test_files_that_cannot_be_written_or_read(tmp_path):
         v.save(tmp_path / "vfsparse.inp.1")
     assert not (tmp_path / "vfsparse.inp.1").exists()
     (tmp_path / "svf.inp.2").write_text("of another scene")
-    with pytest.raises(ValueError, match=r"svf\.inp\.2 would be replaced, want another name"):
+    with pytest.raises(ValueError, match=r"would replace svf\.inp\.2 in the same folder, want another name"):
         v.save(tmp_path / "vfsparse.inp.2")
     assert (tmp_path / "svf.inp.2").read_text() == "of another scene"
     np.savez(tmp_path / "other.npz", data=np.ones(3))

@@ -111,7 +111,7 @@ def test_what_cannot_close_is_told():
     """Two surfaces that see each other alone, of unlike area: nothing is both reciprocal and closed."""
     nothing = (np.zeros(2), np.zeros(2))
     seen = RowFactors(np.arange(3), np.array([1, 0]), np.ones(2), np.zeros(2), {"outside": nothing, "behind": nothing})
-    with pytest.warns(UserWarning, match="rows close to 0.3 only"):
+    with pytest.warns(UserWarning, match="rows add up to 1 only within 0.3"):
         reciprocal_factors(seen, surfaces_of(np.array([1.0, 2.0]), np.ones(2, bool), None))
 
 
@@ -122,6 +122,6 @@ def test_a_warning_names_the_line_that_calls():
         for seed in range(20):
             ws.view_factors(CUBE, 1, replicates=1, reciprocal=True, seed=seed)
 
-    with pytest.warns(UserWarning, match="^view_factors: rows close to .* only; more rays will help$") as found:
+    with pytest.warns(UserWarning, match="^view_factors: rows add up to 1 only within .*; pass a larger count$") as found:
         by_twenty_seeds()
     assert {warning.filename for warning in found} == {__file__}

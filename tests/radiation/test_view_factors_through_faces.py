@@ -44,7 +44,7 @@ def test_a_pane_dims_what_arrives_and_swallows_the_rest():
     J = dim.radiosity([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
     np.testing.assert_allclose(J, [1.0, dim.matrix[1, 0], 0.0])
     with pytest.raises(
-        ValueError, match="^mesh: got view factors of one that light goes through, whose panes would radiate"
+        ValueError, match="^mesh: got view factors of a mesh with a transmittance, whose panes would radiate"
     ):
         dim.net_radiation(300.0, 0.9)
 

@@ -1,1 +1,1 @@
-"""What radiation people call: sun, sky patches, weather, view factors."""
+"""Radiation on a mesh: direct sun, sky patches, weather files, reflections and view factors."""

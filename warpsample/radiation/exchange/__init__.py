@@ -1,1 +1,1 @@
-"""Light that faces exchange: view factors and radiosity."""
+"""Radiation exchanged between faces: view factors, radiosity and net thermal radiation."""

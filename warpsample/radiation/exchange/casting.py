@@ -1,4 +1,4 @@
-"""Casts the rays of faces, block by block on worker threads, and counts what they meet."""
+"""Casting of the faces' rays in blocks on worker threads, and counting of the surfaces that they hit."""
 
 import threading
 from collections import deque
@@ -27,21 +27,22 @@ from warpsample.tracing.rays import RAY_WORK
 from warpsample.tracing.scene import Scene, coarseness_of, scene_of
 from warpsample.tracing.tracers import WIDE
 
-_BLOCK = 256  # faces whose rays are kept at a time, as long as they are fewer than
-_BLOCK_RAYS = 1 << 22
+_BLOCK = 256  # most faces per block
+_BLOCK_RAYS = 1 << 22  # most rays per block of several faces
 
 
 class InOrder:
-    """Blocks that threads put in any order, and that a function takes one at a time in the order of their numbers."""
+    """Queue that accepts numbered blocks from threads in any order and passes them to a function in ascending order."""
 
     def __init__(self, take: Callable[[Block], None]) -> None:
+        """Store the function that receives the blocks."""
         self._take = take
         self._next = 0
         self._early: dict[int, Block] = {}
         self._taking = threading.Lock()
 
     def put(self, number: int, block: Block) -> None:
-        """Add a block, and let the function take all blocks that are next; numbers count from 0."""
+        """Add a block, and pass all blocks that are next in order to the function; numbers start at 0."""
         with self._taking:
             self._early[number] = block
             while self._next in self._early:
@@ -51,7 +52,7 @@ class InOrder:
 
 @dataclass(frozen=True)
 class Casting:
-    """The checked arguments by which rays are cast."""
+    """Checked arguments of a call of `view_factors` that concern rays."""
 
     mesh: Mesh
     per_replicate: int
@@ -64,17 +65,20 @@ class Casting:
 
     @property
     def rays(self) -> int:
-        """The number of rays of each face."""
+        """Number of rays per face."""
         return self.per_replicate * self.replicates
 
     def upward(self) -> np.ndarray | None:
-        """(F,) float64, the share of each face's hemisphere that is above the horizon; None without one."""
+        """Return the share of each face's hemisphere above the horizon, (F,) float64; None if `up` is None."""
         if self.up is None:
             return None
         return np.clip(0.5 + 0.5 * (self.mesh.face_normals.astype(np.float64) @ self.up), 0.0, 1.0)
 
     def counts(self, rows: np.ndarray, surfaces: np.ndarray | None) -> tuple[Counts, np.ndarray]:
-        """What the rays of some faces meet, and which of all faces cast any."""
+        """Cast the rays of the faces `rows`; return their counts, and the (F,) mask of the faces that cast rays.
+
+        surfaces: (F,) int32, column of each face; None for one column per face.
+        """
         scene = scene_of(self.mesh, through=True)
         tree = WIDE.accelerator(scene, cpu(), self.workers)
         rays, normals = self._rays(scene), self.mesh.face_normals
@@ -99,7 +103,7 @@ class Casting:
         return collector.counts(), cast
 
     def _opens(self, rays: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray) -> np.ndarray:
-        """(B,) bool, the faces that nothing in a tree stands above."""
+        """Return the (B,) mask of the faces in `rows` that have nothing of a tree above their plane."""
         opens = np.zeros(len(rows), np.uint8)
         rays.rows = rows.ctypes.data
         inputs = [rays, tree, opens.ctypes.data]
@@ -115,7 +119,7 @@ class Casting:
         surfaces: np.ndarray | None,
         blocks: InOrder,
     ) -> None:
-        """Casts and counts the rays of rows in blocks, each by one thread, so that none waits for the others."""
+        """Cast and count the rays of `rows` in blocks; one thread computes a block, so that none waits for another."""
         size = max(1, min(_BLOCK, _BLOCK_RAYS // self.rays, -(-len(rows) // (4 * self.workers))))
         firsts = iter(range(0, len(rows), size))
 
@@ -125,12 +129,12 @@ class Casting:
 
         if size >= len(rows):
             part()
-        else:  # away from the caller's context, where a block would show a bar of its own in place of that of all
+        else:  # in an empty context, so that blocks do not replace the caller's progress bar
             parts, stop = [partial(Context().run, part) for _ in range(self.workers)], partial(deque, firsts, maxlen=0)
             uninterrupted(partial(share, parts, stop), stop)
 
     def _rays(self, scene: Scene) -> FaceRaysArgs:
-        """The rays of a scene; it holds addresses of the scene's arrays, which live as long as the mesh."""
+        """Return the kernel's arguments; the addresses of the scene's arrays are valid as long as the mesh lives."""
         return FaceRaysArgs(
             vertices=scene.vertices.ctypes.data,
             triangles=scene.faces.ctypes.data,
@@ -146,7 +150,7 @@ class Casting:
         )
 
     def _block(self, of_all: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None) -> Block:
-        """Casts the rays of some faces, and counts what they meet."""
+        """Cast the rays of one block of faces, and count the surfaces that they hit."""
         codes = np.empty((len(rows), self.replicates, self.per_replicate), np.int32)
         rays = FaceRaysArgs.from_buffer_copy(of_all)
         rays.rows, rays.codes = rows.ctypes.data, codes.ctypes.data

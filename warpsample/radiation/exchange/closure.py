@@ -1,4 +1,4 @@
-"""The exchange that closes: what was counted of each pair, times factors by which all rows add up to their areas."""
+"""Reciprocal exchange that closes: each pair's count is multiplied by factors with which every row adds up to its area."""
 
 import warnings
 from dataclasses import dataclass
@@ -11,28 +11,33 @@ from warpsample.host.locks import imported
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-_CLOSED = 1e-8  # of a row's area, where 1e-7 is promised
+_CLOSED = 1e-8  # relative to a row's area; the documented closure is 1e-7
 _MOST_STEPS, _MOST_PRODUCTS = 40, 200
-_YIELDING = 0.3  # by which power of a row's factor what it loses gives way: what meets nothing is known better than a pair
-_DAMPING = 1e-12  # of the diagonal, so that what cannot close divides by nothing that is 0
+_YIELDING = (
+    0.3  # exponent of a loss relative to pairs: the share of rays that hit nothing is known better than a pair's share
+)
+_DAMPING = 1e-12  # relative to the diagonal, so that rows that cannot close do not divide by 0
 
 
 def rows_of(indptr: np.ndarray) -> np.ndarray:
-    """(E,) int32, the row of each entry."""
+    """Return the (E,) int32 row of each entry of a CSR matrix."""
     return np.repeat(np.arange(len(indptr) - 1, dtype=np.int32), np.diff(indptr))
 
 
 @dataclass(frozen=True, eq=False)
 class Closure:
-    """Pairs and what rows lose, times exp(2 (u_i + u_j) / (q_i + q_j)) and exp(0.3 u_i / q_i), in linear order about u.
+    """Scaled exchange and its linearisation in the unknowns u.
+
+    Pair (i, j) is multiplied by exp(2 (u_i + u_j) / (q_i + q_j)), the loss of row i by exp(0.3 u_i / q_i); q is the row's
+    ray density.
 
     Attributes:
-        exchange: (N, N) symmetric, A_i F_ij, closed.
-        scale: (E,) of its entries, by what the counted ones were multiplied.
-        give: (E,) by which share each changes with u_i + u_j.
-        lost: (N,) area that what was counted as lost stands for.
-        less: (N,) by what it was multiplied.
-        yields: (N,) by which share the product changes with u_i.
+        exchange: (N, N) symmetric matrix A_i F_ij, closed.
+        scale: (E,) factor of each entry.
+        give: (E,) derivative of the logarithm of each entry with respect to u_i + u_j.
+        lost: (N,) area lost by each row before scaling: outside and behind.
+        less: (N,) factor of `lost`.
+        yields: (N,) derivative of the logarithm of the loss with respect to u_i.
     """
 
     exchange: "csr_array"
@@ -43,7 +48,7 @@ class Closure:
     yields: np.ndarray
 
     def step(self, gap: np.ndarray) -> np.ndarray:
-        """How much u changes, (N,) or (N, k), so that rows take up as much more."""
+        """Return the change of u, (N,) or (N, k), that increases the row sums by `gap`, to first order."""
         slopes = self.exchange.copy()
         slopes.data *= self.give
         diagonal = slopes.sum(axis=1) + self.yields * self.lost * self.less
@@ -51,9 +56,10 @@ class Closure:
 
 
 def closure_of(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densities: np.ndarray) -> Closure:
-    """Closes pairs (N, N), with the area that each row loses.
+    """Scale the pairs (N, N) and the losses so that each row adds up to its area.
 
-    The u by which all rows close are the least of a convex function; found by Newton's steps, none of them over a factor e.
+    The u with which all rows close minimises a convex function. It is found by Newton steps that change no factor by more
+    than e.
 
     Warns:
         UserWarning: no u closes all rows.
@@ -75,14 +81,14 @@ def closure_of(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densitie
             return best
         step = found.step(gap)
         shifts += step / max(1.0, np.max(np.abs(step) / own))
-    warnings.warn(f"view_factors: rows close to {worst:.1g} only; more rays will help", stacklevel=5)
+    warnings.warn(f"view_factors: rows add up to 1 only within {worst:.1g}; pass a larger count", stacklevel=5)
     return best
 
 
 def _conjugate(matrix: "csr_array", diagonal: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """x with (matrix + diagonal) x = right, to five digits, by conjugate gradients whose sums depend on no threads.
+    """Return x with (matrix + diagonal) x = right, to five digits, by conjugate gradients.
 
-    Of several columns each by itself, until all are there.
+    Sums do not depend on the number of threads. The columns of `right` are solved separately, until all have converged.
     """
     diagonal = diagonal.reshape(-1, *[1] * (right.ndim - 1))
     x, rest = np.zeros(right.shape), right

@@ -1,7 +1,7 @@
-"""Rays that met the back of a face: if another lies on it, turned to the ray, that is what they met.
+"""Correction of rays that hit a back face where another face coincides with it and faces the ray.
 
-Which of two faces in one place a tracer names is chance. As two walls of a thin slab or of two houses side by side may be
-cut into different triangles, the face is looked for around the hit.
+Which of two coincident faces a tracer reports is arbitrary. The walls of a thin slab or of adjacent houses may be cut into
+different triangles, so the other face is searched for around the hit.
 """
 
 import warp as wp
@@ -17,14 +17,14 @@ from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.point import SCRATCH
 from warpsample.tracing.sight.touching import faces_touching
 
-_NEAR = wp.constant(wp.float32(2.0**-21))  # of the scene's size, as far as eight roundings: so near is in one place
+_NEAR = wp.constant(wp.float32(2.0**-21))  # of the scene's size, eight roundings: nearer faces coincide
 _OPPOSITE = wp.constant(wp.float32(-0.999))
 _NONE = wp.constant(wp.int32(2**31 - 1))
 
 
 @wp.struct
 class Hit:
-    """A hit: where, how near to it a face touches it, the normal of the face, and those of all faces, (F, 3) float32."""
+    """Hit point p, search radius r, normal n of the face that was hit, and address of all normals, (F, 3) float32."""
 
     p: wp.vec3
     r: wp.float32
@@ -34,7 +34,7 @@ class Hit:
 
 @wp.func
 def _lowest(face: wp.int32, hit: Hit, best: wp.int32) -> wp.int32:
-    """The lower of two faces' numbers, if the one found is turned against the one that was hit."""
+    """Return the smaller of `best` and `face` if `face` is opposite to the face that was hit, else `best`."""
     if wp.dot(vec3_at(hit.normals, face), hit.n) < _OPPOSITE:
         best = wp.min(best, face)
     return best
@@ -45,7 +45,10 @@ _look_around = faces_touching(_lowest, Hit, wp.int32)
 
 @once
 def coincident_kernel() -> wp.Kernel:
-    """A kernel with a task for each ray of `where`, (N,) int64 places among the codes, that met the back of a face."""
+    """Build the kernel that replaces hits of backs by coincident front faces, one ray per task.
+
+    `where`, (N,) int64: indices among the codes of the rays that hit a back.
+    """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def turn_round(rays: FaceRays, tree: Accelerator, where: wp.uint64, first_task: wp.int64):

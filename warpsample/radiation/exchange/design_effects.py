@@ -1,8 +1,8 @@
-"""How much less the hits of a lattice's rays vary than those of independent rays: their design effect, told by all rows.
+"""Design effects: variance of the hits of lattice rays relative to independent rays, estimated over all rows.
 
-A number's own replicates tell its variance by few degrees of freedom: with them alone, a bar is often a third of what it
-should be, and 0 where they agree. But design effects are alike where as many rays hit, or miss: 1 where those are few, 0.1
-where they are thousands. So each number takes part of its variance from the replicates of all that are like it.
+The replicates of one number give few degrees of freedom: alone they often give an error bar of a third of the right one, or
+0 where they agree. But design effects are similar for similar numbers of hits or misses: 1 for few, 0.1 for thousands. So
+the variance of each number is partly estimated from the replicates of all similar numbers.
 """
 
 from collections.abc import Iterator
@@ -11,18 +11,18 @@ import numpy as np
 
 _CLASSES = 64
 _PRIOR = 4.0
-"""Degrees of freedom of what a class tells: within it design effects differ by 0.7 of their mean or less; 2 / 0.7^2 is 4."""
+"""Degrees of freedom of a class's design effect: in a class, effects vary by at most 0.7 of the mean; 2 / 0.7^2 is 4."""
 
-_SLICE = 1 << 20  # hits at a time: the squares of all of them would take more memory than the result
+_SLICE = 1 << 20  # hits at a time: the squares of all hits would take more memory than the result
 
 
 def factors_and_variances(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
-    """Factors F and their variances, (4 v F (1 - F) / n + (R - 1) s^2) / (4 + R - 1): v is a design effect.
+    """Return factors F and their variances, (4 v F (1 - F) / n + (R - 1) s^2) / (4 + R - 1), with the design effect v.
 
     Args:
-        hits: (E, R) integers, of each replicate; of one kind: what meets the sky varies less than what meets a face. Or
-            float64, sums of weights from 0 to 1: those of a part vary less than whole ones, and are a kind of their own.
-        rays: n of each row, of all replicates together.
+        hits: (E, R) hits of each replicate, as integers or as float64 sums of weights from 0 to 1. All must be of one kind,
+            since hits of the sky vary less than hits of faces. Sums of weights are split by whether all are whole numbers.
+        rays: Number of rays n per row, over all replicates.
     """
     if hits.dtype.kind == "f" and len(hits):
         whole = (hits == np.rint(hits)).all(axis=1)
@@ -39,7 +39,7 @@ def factors_and_variances(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.n
 
 
 def _apart(hits: np.ndarray, rays: int, whole: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Factors and variances of two kinds of numbers, each by themselves."""
+    """Return the factors and variances of two kinds of numbers, each kind computed separately."""
     found = np.empty((2, len(hits)))
     for kind in (whole, ~whole):
         found[:, kind] = factors_and_variances(hits[kind], rays)
@@ -47,7 +47,7 @@ def _apart(hits: np.ndarray, rays: int, whole: np.ndarray) -> tuple[np.ndarray, 
 
 
 def _effects(hits: np.ndarray, rays: int) -> np.ndarray:
-    """(_CLASSES,) design effects: the mean of a class's numbers and of one more, which is as usual."""
+    """Return (_CLASSES,) design effects: the mean over each class's numbers and one fitted value."""
     sums, numbers = np.zeros(_CLASSES), np.zeros(_CLASSES)
     for _, total, spread in _slices(hits) if hits.shape[1] > 1 else ():
         independent, kind = _independent(total, rays)
@@ -59,10 +59,10 @@ def _effects(hits: np.ndarray, rays: int) -> np.ndarray:
 
 
 def _usual(sums: np.ndarray, numbers: np.ndarray) -> np.ndarray:
-    """(_CLASSES,) design effects that are a power of the hits' variance: that which suits all numbers, 1 for single hits.
+    """Return (_CLASSES,) design effects that are a power of the hits' variance, fitted to all numbers, 1 for single hits.
 
-    Without differences of replicates: where a boundary parts points that fill four dimensions evenly, those of its cells are
-    unsure, m^(3/4) of m, a share of m^(-1/4).
+    With a single replicate the power is -1/4: a boundary through points that fill four dimensions evenly leaves m^(3/4) of m
+    cells undecided.
     """
     if not numbers.any():
         return np.exp2(-0.25 * np.arange(_CLASSES))
@@ -75,7 +75,7 @@ def _usual(sums: np.ndarray, numbers: np.ndarray) -> np.ndarray:
 
 
 def _slices(hits: np.ndarray) -> Iterator[tuple[slice, np.ndarray, np.ndarray]]:
-    """(which, their totals, the variance of those by the replicates) of some hits at a time."""
+    """Iterate over slices of the hits: (slice, total of each row, variance of the total from the replicates)."""
     replicates = hits.shape[1]
     step = _SLICE // replicates
     for first in range(0, len(hits), step):
@@ -86,6 +86,6 @@ def _slices(hits: np.ndarray) -> Iterator[tuple[slice, np.ndarray, np.ndarray]]:
 
 
 def _independent(total: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
-    """n F (1 - F), the variance of so many hits of independent rays, and their class: its binary exponent."""
+    """Return the variance n F (1 - F) that independent rays would have, and its class, the binary exponent."""
     variance = total * np.maximum(rays - total, 0) / rays
     return variance, np.clip(np.frexp(variance)[1], 0, _CLASSES - 1)

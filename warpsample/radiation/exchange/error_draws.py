@@ -1,4 +1,4 @@
-"""Draws of the errors of factors: as large as their variances say, and such that those of a row add up to nothing."""
+"""Random draws of the factors' errors: with the given variances, and a sum of 0 in each row."""
 
 import numpy as np
 
@@ -7,26 +7,26 @@ from warpsample.radiation.exchange.row_factors import RowFactors
 from warpsample.radiation.exchange.surfaces import quotients
 
 _FEWEST, _MOST = 16, 128
-"""Draws. 16 tell a bar to 1 / sqrt(2 * 16), a sixth, at worst, and far better where an error is mostly its own.
+"""Limits of the number of draws. 16 draws give an error bar within 1 / sqrt(2 * 16), a sixth, at worst.
 
-More of them than errors tell it exactly: signs are balanced, any two errors' differ in half of the draws.
+More draws than errors give the exact bar: signs are balanced, and those of any two errors differ in half of the draws.
 """
 
-_WORK = 2**20  # errors times draws, from which on more draws would take long
+_WORK = 2**20  # errors times draws: limit of the computing time
 _SEED = 20
-_PASSES = 3  # of what errors give way by: from the first on, a twentieth or so changes
+_PASSES = 3  # iterations for the sizes; the second changes about a twentieth
 _LOST = ("outside", "behind")
 
 
 class ErrorDraws:
-    """Draws of the errors of all factors of rows, and of what these lose; `number` of them.
+    """`number` draws of the errors of all factors and of the rows' losses.
 
-    Those of a row are independent, less what they sum up to, in proportion to their own variances: as for counts of
-    independent rays, where what one gains all others lose; but each with the design effect that it has.
+    The errors of a row are independent, minus their sum in proportion to the variances. So are counts of independent rays,
+    where one surface gains the rays that others lose; here each error has its own design effect.
     """
 
     def __init__(self, factors: RowFactors) -> None:
-        """Finds the size of each error before the row's sum is taken off, and which part of that each takes."""
+        """Compute each error's size before the row's sum is subtracted, and the share of this sum that each error takes."""
         self._row, everywhere = rows_of(factors.indptr), np.arange(len(factors.indptr) - 1)
         self._places = [self._row, *[everywhere] * len(_LOST)]
         variances = [factors.variance, *(factors.others[name][1] for name in _LOST)]
@@ -34,7 +34,7 @@ class ErrorDraws:
         for _ in range(_PASSES):
             free = [quotients(variance, 1.0 - part) for variance, part in zip(variances, parts, strict=True)]
             parts = [quotients(one, whole) for one, whole in zip(free, self._of_rows(free), strict=True)]
-        # Where a few cannot add up to nothing as they are, as two that must be alike, all of a row are as large as said.
+        # Two or three errors cannot keep their variances and a sum of 0: scale to keep the row's total variance.
         left = self._of_rows([one * (1.0 - part) for one, part in zip(free, parts, strict=True)])
         more = [quotients(*sums) for sums in zip(self._of_rows(variances), left, strict=True)]
         self._sizes, self._parts = [np.sqrt(one * scale) for one, scale in zip(free, more, strict=True)], parts
@@ -45,7 +45,7 @@ class ErrorDraws:
         self.number: int = len(self._signs)
 
     def draw(self, number: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-        """Errors of the (E,) factors, and name -> (N,) of what rows lose; the same whenever it is called."""
+        """Return errors of the (E,) factors, and a dictionary from loss to (N,) errors; equal for equal numbers."""
         signs = self._signs[number]
         free = [signs[codes] for codes in self._codes[: len(self._sizes)]]
         for error, size in zip(free, self._sizes, strict=True):
@@ -59,20 +59,23 @@ class ErrorDraws:
         return free[0], others
 
     def _of_rows(self, parts: list[np.ndarray]) -> list[np.ndarray]:
-        """The sum of its row for each."""
+        """Return for each part's entries the sum over all entries of the same row."""
         sums = np.bincount(self._row, parts[0], len(parts[1])) + sum(parts[1:])
         return [sums[places] for places in self._places]
 
 
 def _split(factors: RowFactors, name: str) -> tuple[np.ndarray, np.ndarray]:
-    """By how much of the error of `outside` the sky or the ground errs, and how large what it errs by itself is."""
+    """Return the share of the error of `outside` in the sky's or the ground's error, and the size of the rest."""
     (outside, whole), (value, variance) = factors.others["outside"], factors.others[name]
     part = np.minimum(quotients(value, outside), np.sqrt(quotients(variance, whole)))
     return part, np.sqrt(np.maximum(variance - np.square(part) * whole, 0.0))
 
 
 def _balanced(errors: int) -> tuple[np.ndarray, np.ndarray]:
-    """(draws, draws) signs, Hadamard's, and which column of them each error has; by chance where they are too many."""
+    """Return (draws, draws) Hadamard signs, and the column that gives each error's signs.
+
+    Columns are random where there are more errors than columns.
+    """
     signs = np.ones((1, 1))
     while len(signs) < _FEWEST or (len(signs) < _MOST and len(signs) * errors < _WORK):
         signs = np.block([[signs, signs], [signs, -signs]])

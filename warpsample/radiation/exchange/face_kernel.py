@@ -1,4 +1,4 @@
-"""The kernel that casts the rays of faces: each starts from what stands above its face, and one number of it is kept."""
+"""Kernel that casts the rays of faces, from a tree opened above each face, and stores one code per ray."""
 
 import warp as wp
 
@@ -26,7 +26,7 @@ from warpsample.tracing.sight.point import ShadingPoint, point_in, workspace_flo
 from warpsample.tracing.sight.rays import first_hit, glass_transmittance_to, prepare_rays, whole_vectors
 
 _THREE = wp.constant(wp.float64(3.0))
-_REACH = wp.constant(wp.float32(2.0**60))  # of the scene's size
+_REACH = wp.constant(wp.float32(2.0**60))  # longest ray, relative to the scene's size
 _FLOATS = workspace_floats(0)
 _hit = first_hit(False)
 _prepare = prepare_rays()
@@ -34,7 +34,7 @@ _prepare = prepare_rays()
 
 @wp.func
 def _fill(f: Face, key: wp.vec4ui, step: wp.uint64, first: wp.int32, length: wp.int32, chunk: wp.uint64):
-    """Starts and directions of consecutive rays of a replicate; two loops, which vectorise better than one."""
+    """Write starts and directions of consecutive rays of a replicate; two loops vectorise better than one."""
     frame = frame_about(f.n)
     k = wp.int32(0)
     while k < length:
@@ -48,7 +48,7 @@ def _fill(f: Face, key: wp.vec4ui, step: wp.uint64, first: wp.int32, length: wp.
 
 @wp.func
 def _code(rays: FaceRays, face: wp.int32, d: wp.vec3) -> wp.int32:
-    """What is kept of a ray that meets a face, or none."""
+    """Return the code of a ray that hits `face`, or nothing if `face` is negative; see `face_rays.SKY`."""
     if face < 0:
         return wp.where(wp.dot(rays.up, d) < 0.0, GROUND, SKY)
     return wp.where(wp.dot(vec3_at(rays.normals, face), d) < 0.0, face, BACK - face)
@@ -56,9 +56,9 @@ def _code(rays: FaceRays, face: wp.int32, d: wp.vec3) -> wp.int32:
 
 @wp.func
 def _middle_of(rays: FaceRays, f: Face, point: ShadingPoint) -> ShadingPoint:
-    """The middle of a face, as a point from which the tree is opened.
+    """Return the centre of a face as the point around which the tree is opened.
 
-    As all rays of the face start in one plane, what its middle sees as below the horizon is so from everywhere.
+    All rays of a face start in one plane, so geometry below the centre's horizon is below the horizon of every start.
     """
     along = in_double(f.n)
     point.position = f.a + (f.b + f.c) / _THREE + f.offset * along
@@ -72,11 +72,11 @@ def _middle_of(rays: FaceRays, f: Face, point: ShadingPoint) -> ShadingPoint:
 
 @once
 def _caster(glass: bool) -> wp.Function:
-    """A function that casts rays, of a mesh with faces that let some light through, or without."""
+    """Build the Warp function that casts a replicate's rays; `glass` is for meshes with transmitting faces."""
 
     @wp.func
     def cast(rays: FaceRays, tree: Accelerator, local: wp.int32, point: ShadingPoint, f: Face, place: wp.int64):
-        """Casts a replicate's rays, a chunk at a time, and writes their codes from a place on."""
+        """Cast a replicate's rays in chunks, and write their codes from index `place` on."""
         for first in range(0, rays.per_replicate, CHUNK):
             length = wp.min(CHUNK, rays.per_replicate - first)
             _fill(f, point.key, rays.step, first, whole_vectors(length), point.chunk)
@@ -93,7 +93,7 @@ def _caster(glass: bool) -> wp.Function:
 
 @once
 def face_kernel(glass: bool = False) -> wp.Kernel:
-    """A kernel with a task for each face; with `glass` it writes weights as well."""
+    """Build the kernel that casts the rays of one face per task; with `glass` it writes weights as well."""
     cast_replicate = _caster(glass)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)

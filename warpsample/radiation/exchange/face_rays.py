@@ -1,4 +1,4 @@
-"""Rays of faces: where they start and go, place and direction from one lattice, and what is kept of each."""
+"""Rays of faces: start and direction from one lattice in four dimensions, and the codes that are stored per ray."""
 
 from fractions import Fraction
 
@@ -13,8 +13,8 @@ from warpsample.tracing.queries import Glass
 from warpsample.tracing.sight.point import HORIZON_MARGIN
 
 SKY, GROUND, BACK = -1, -2, -3
-"""What is kept of a ray that meets nothing, above or below the horizon; a face met from behind is BACK - its number, one met
-from the front its number."""
+"""Codes of rays: SKY and GROUND for rays that hit nothing, above or below the horizon; BACK - face for a hit of a face's
+back. The code of a hit of a front is the number of the face."""
 
 # 2^64 / g, / g^2, / g^3 for the root g of g^4 = g + 1, rounded to odd: the steps along a face and in azimuth.
 _STEP_A = wp.constant(wp.uint64(0xD1B54A32D192ED03))
@@ -30,12 +30,11 @@ _ROUNDINGS = wp.constant(wp.float64(2.0**-22))
 class FaceRays:
     """Scalars and addresses of the rays of some faces of a scene.
 
-    rows: (B,) int32, the faces. codes: (B, replicates, per_replicate) int32, what their rays met, see SKY.
-    vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene; normals: (F, 3) float32, unit.
-    step: 2^64 / per_replicate, along which sin^2 theta goes. first_face: the global number of face 0.
-    extent, coarseness: of the scene, by which points are moved off their face. up: the sky's axis.
-    glass: the faces that let some light through, if any; then weights: (B, replicates, per_replicate) float32, what gets
-    through them to where the rays end.
+    rows: (B,) int32, the faces. codes: (B, replicates, per_replicate) int32, result of each ray, see SKY. vertices,
+    triangles: (V, 3) float32 and (F, 3) int32 of the scene; normals: (F, 3) float32, unit. step: 2^64 / per_replicate, step
+    of sin^2 theta from ray to ray. first_face: global id of face 0. extent, coarseness: of the scene; they give the distance
+    of starts from their face. up: axis of the sky. glass: transmitting faces, if any; then weights: (B, replicates,
+    per_replicate) float32, share of light that these faces transmit to the end of each ray.
     """
 
     rows: wp.uint64
@@ -59,15 +58,15 @@ FaceRaysArgs = type(FaceRays().__ctype__())
 
 
 def step_of(per_replicate: int) -> int:
-    """2^64 / per_replicate, rounded."""
+    """Return 2^64 / per_replicate, rounded; 0 for a single ray."""
     return round(Fraction(1 << 64, per_replicate)) if per_replicate > 1 else 0
 
 
 @wp.struct
 class Face:
-    """A face as its rays see it: a corner, two sides from there, its normal, and how far points are moved off it.
+    """A face for its rays: a corner a, two sides b and c from there, the normal n, and the distance of starts from the face.
 
-    inner_a, inner_b, inner_c: least weights of the corners.
+    inner_a, inner_b, inner_c: least barycentric weights of the corners.
     """
 
     a: wp.vec3d
@@ -82,11 +81,11 @@ class Face:
 
 @wp.func
 def face_at(rays: FaceRays, face: wp.int32) -> Face:
-    """A face, with the least weights of its corners that keep points as far from its sides as rays from there need.
+    """Return a face, with the least corner weights that keep starts away from the face's sides.
 
-    What is nearer to a side than four offsets and eight roundings could be behind the face that meets it there, and see out
-    of a closed room, if the two are at an angle of 14 degrees or more. It is moved inwards to there: a share of the square
-    of that over the face's size, so nothing is lost. Not further than half of the face.
+    A start nearer to a side than four offsets and eight roundings could lie behind an adjacent face, and see out of a closed
+    room, if the two faces meet at an angle of 14 degrees or more. Such starts are moved inwards. This changes factors by the
+    square of (distance / face size), a negligible share. Starts are moved by at most half of the face.
     """
     corners = vec3i_at(rays.triangles, face)
     f = Face()
@@ -111,13 +110,13 @@ def face_at(rays: FaceRays, face: wp.int32) -> Face:
 
 @wp.func
 def _uniform(bits: wp.uint32) -> wp.float64:
-    """In (0, 1), by 31 bits: a signed integer becomes a float in one instruction."""
+    """Map 32 random bits to a number in (0, 1), using 31 bits: a signed integer becomes a float in one instruction."""
     return (wp.float64(wp.int32(bits >> _BIT)) + HALF) * _CELL
 
 
 @wp.func
 def direction_of(frame: wp.mat33, key: wp.vec4ui, step: wp.uint64, i: wp.uint32) -> wp.vec3:
-    """The direction of a replicate's i-th ray."""
+    """Return the direction of a replicate's i-th ray."""
     radius = weyl(i, step) + wp.uint32(step >> wp.uint64(33)) + key[0]
     turn = weyl(i, _STEP_TURN) + key[1]
     return to_world(frame, square_to_cosine_hemisphere(wp.vec2(uniform_from_bits(radius), uniform_from_bits(turn))))
@@ -125,7 +124,7 @@ def direction_of(frame: wp.mat33, key: wp.vec4ui, step: wp.uint64, i: wp.uint32)
 
 @wp.func
 def start_of(f: Face, key: wp.vec4ui, i: wp.uint32) -> wp.vec3:
-    """Where a replicate's i-th ray starts: a uniform point of the face (Turk1990, method 2), moved off it."""
+    """Return the start of a replicate's i-th ray: a uniform point of the face (Turk1990, method 2), offset from the face."""
     root = wp.sqrt(_uniform(weyl(i, _STEP_A) + key[2]))
     split = _uniform(weyl(i, _STEP_B) + key[3])
     b = wp.max(root * (ONE - split) - f.inner_b, ZERO)
@@ -143,12 +142,12 @@ def start_of(f: Face, key: wp.vec4ui, i: wp.uint32) -> wp.vec3:
 
 @wp.func
 def lowest_start(f: Face) -> wp.float64:
-    """How far along the normal the rays of a face start, at least."""
+    """Return a lower bound of the starts' coordinate along the face's normal."""
     along = in_double(f.n)
     return wp.dot(along, f.a) + wp.min(wp.min(wp.dot(along, f.b), wp.dot(along, f.c)), ZERO) + f.offset
 
 
 @wp.func
 def horizon_margin(rays: FaceRays, n: wp.vec3) -> wp.float32:
-    """What is as far below a start is below its horizon for sure."""
+    """Return the distance below a start from which geometry is certainly below the start's horizon."""
     return HORIZON_MARGIN * extent_along(rays.extent, n)

@@ -1,4 +1,4 @@
-"""View factors in files: our own .npz, which scipy.sparse.load_npz reads too, and the texts of uDALES and View3D."""
+"""Files of view factors: .npz, which scipy.sparse.load_npz reads too, and the text formats of uDALES and View3D."""
 
 import zipfile
 from collections.abc import Callable, Iterator
@@ -23,17 +23,17 @@ if TYPE_CHECKING:
 WANTS = "a name that ends in .npz or .vf, or begins with vfsparse.inp"
 _SPARSE, _SKY = "vfsparse.inp", "svf.inp"
 _LEAST = 5e-7
-_LINES = 1 << 16  # of a text at a time
+_LINES = 1 << 16  # lines formatted at a time
 _VECTORS = ("outside", "outside_error", "behind", "behind_error", "areas", "rays", "status")
 _OPTIONAL = ("sky", "sky_error", "ground", "ground_error"), ("absorbed", "absorbed_error"), ("reflectance",)
-"""Of which a file has all or none of each."""
+"""Optional fields of a file; the fields of a group are all present or all absent."""
 
 
 def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
-    """`path`, if view factors can be written there: before anything is computed.
+    """Return `path` if view factors can be written there; to be called before computing.
 
     Raises:
-        TypeError, ValueError: no path, a name that tells no format, or a file that cannot be written.
+        TypeError, ValueError: no path, a name of an unknown format, or a file that cannot be written.
     """
     if not isinstance(path, str | Path):
         raise TypeError(f"{argument}: got {told(path)}, want {WANTS}")
@@ -45,15 +45,17 @@ def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
         check_output(file, argument, *inputs)
     for file in unnamed:
         if file.exists() and not named.exists():
-            raise ValueError(f"{argument}: got {str(path)!r}, beside which {file.name} would be replaced, want another name")
+            raise ValueError(
+                f"{argument}: got {str(path)!r}, which would replace {file.name} in the same folder, want another name"
+            )
     return path
 
 
 def save(factors: "ViewFactors", path: Path) -> None:
-    """Writes a checked path; all its files are complete or absent.
+    """Write view factors to a checked path; all files are complete or absent.
 
     Raises:
-        ValueError: a text has no place for rows that were left out.
+        ValueError: a text format for factors with inactive faces.
         WriteError: a file cannot be written.
     """
     writers: tuple[Callable[[ViewFactors, BinaryIO], None], ...] = (_write_npz,)
@@ -67,11 +69,11 @@ def save(factors: "ViewFactors", path: Path) -> None:
         streams = [files.enter_context(complete_or_absent(file)) for file in _files(path)]
         for stream, write in zip(streams, writers, strict=True):
             write(factors, stream)
-            stream.flush()  # so that the disk is known to hold both before either takes its place
+            stream.flush()  # so that both files are on the disk before either replaces an old one
 
 
 def load(path: Any, argument: str) -> dict[str, Any]:
-    """What an .npz of `save` holds, by the names of the fields.
+    """Read an .npz file written by `save`; return its fields by name.
 
     Raises:
         TypeError, OSError, ValueError: no such file.
@@ -94,7 +96,11 @@ def load(path: Any, argument: str) -> dict[str, Any]:
 
 
 def _check_held(held: dict[str, np.ndarray]) -> None:
-    """Refuses what `save` does not write, and says which array is wrong."""
+    """Check the arrays of an .npz file of view factors.
+
+    Raises:
+        ValueError: an array is missing, or has another type, shape or range than `save` writes.
+    """
     optional = [name for names in _OPTIONAL if any(name in held for name in names) for name in names]
     lacking = {"data", "standard_error", "indices", "indptr", "shape", "skipped", *_VECTORS, *optional} - set(held)
     if lacking:
@@ -123,13 +129,14 @@ def _check_held(held: dict[str, np.ndarray]) -> None:
 
 
 def _files(path: Path) -> tuple[Path, ...]:
-    """The files that are written for a path: uDALES has one for the sky beside that of the factors."""
+    """Return the files to write for a path; uDALES has a second file for the sky."""
     if path.suffix in (".npz", ".vf"):
         return (path,)
     return path, path.with_name(_SKY + path.name.removeprefix(_SPARSE))
 
 
 def _write_npz(factors: "ViewFactors", stream: BinaryIO) -> None:
+    """Write all fields of view factors in NumPy's .npz format."""
     matrix = factors.matrix
     arrays = {
         "format": np.array(b"csr"),
@@ -147,7 +154,7 @@ def _write_npz(factors: "ViewFactors", stream: BinaryIO) -> None:
 
 
 def _write_sparse(factors: "ViewFactors", stream: BinaryIO) -> None:
-    """Lines "i j F" from 1 on, sorted; what would print as 0 in uDALES' own six decimals is left out, as it does."""
+    """Write lines "i j F", numbered from 1 and sorted; like uDALES, omit values that six decimals would print as 0."""
     matrix = factors.matrix
     row = rows_of(matrix.indptr)
     for first in range(0, matrix.nnz, _LINES):
@@ -158,7 +165,7 @@ def _write_sparse(factors: "ViewFactors", stream: BinaryIO) -> None:
 
 
 def _write_sky(factors: "ViewFactors", stream: BinaryIO) -> None:
-    """All that does not come from a face comes from the sky, to uDALES."""
+    """Write uDALES' sky view factors; rays that hit no face and are not absorbed count as sky."""
     absorbed = 0.0 if factors.absorbed is None else factors.absorbed
     rest = np.maximum(1.0 - factors.matrix.sum(axis=1) - absorbed, 0.0)
     stream.write(b"# sky view factors\n")
@@ -166,7 +173,7 @@ def _write_sky(factors: "ViewFactors", stream: BinaryIO) -> None:
 
 
 def _write_view3d(factors: "ViewFactors", stream: BinaryIO) -> None:
-    """Its header of 30 characters, the areas, a dense row a line, and emittances, which are 1."""
+    """Write View3D's text: a header of 30 characters, the areas, a dense row per line, and emittances of 1."""
     size = factors.matrix.shape[0]
     stream.write(f"{f'View3D 3.5 0 0 0 {size}':<30}\n".encode())
     stream.write(_line(f"{area:.9g}" for area in factors.areas.tolist()))
@@ -177,4 +184,5 @@ def _write_view3d(factors: "ViewFactors", stream: BinaryIO) -> None:
 
 
 def _line(words: Iterator[str]) -> bytes:
+    """Return words joined by spaces, with a line feed, as bytes."""
     return (" ".join(words) + "\n").encode()

@@ -1,4 +1,4 @@
-"""Numbers of faces, one for each ray, become counts: sorted row by row, and only what occurs is kept."""
+"""Counts of hits from codes of rays: codes are sorted row by row, and only columns with hits are stored."""
 
 from dataclasses import dataclass
 
@@ -8,21 +8,22 @@ from warpsample.host.engine import check_memory
 from warpsample.radiation.exchange.face_rays import BACK, GROUND, SKY
 
 SPECIAL = 3
-"""Kinds of rays that meet no front: to the sky, to the ground, and those that meet a back. Where faces let a part of the
-light through there is one more, what they swallow of all rays."""
+"""Number of kinds of rays that hit no front: to the sky, to the ground, and to a back. A mesh with transmitting faces has
+one kind more, the light that these faces absorb."""
 
-_BYTES, _HIT_BYTES = 40, 8  # of an entry, and of each of its replicates, while all are put together
+_BYTES, _HIT_BYTES = 40, 8  # per entry, and per replicate of an entry, while blocks are joined
 
 
 @dataclass(frozen=True, eq=False)
 class Counts:
-    """How many rays of each row met each column, replicate by replicate.
+    """Numbers of rays of each row that hit each column, by replicate.
 
     Attributes:
         indptr: (rows + 1,) int64, as in a CSR matrix.
         indices: (E,) int32, columns, ascending in each row.
-        hits: (E, replicates) int32; where faces let a part of the light through float64, the sums of what arrives.
-        special: (rows, SPECIAL, replicates) of the same type, or a kind more.
+        hits: (E, replicates) int32; for meshes with transmitting faces float64, sums of the transmitted shares.
+        special: (rows, SPECIAL, replicates) of the type of `hits`, hits of no front; with transmitting faces one kind
+            more.
     """
 
     indptr: np.ndarray
@@ -36,11 +37,11 @@ class Block:
     """Counts of some rows of a matrix.
 
     Attributes:
-        rows: (B,) their numbers, ascending.
-        sizes: (B,) how many columns each has.
-        columns: of the entries, row by row.
-        hits: of these, as those of `Counts`.
-        special: likewise.
+        rows: (B,) numbers of the rows, ascending.
+        sizes: (B,) number of entries of each row.
+        columns: Columns of the entries, row by row.
+        hits: Hits of the entries, as in `Counts`.
+        special: Hits of no front, as in `Counts`.
     """
 
     rows: np.ndarray
@@ -51,13 +52,13 @@ class Block:
 
 
 def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None, weights: np.ndarray | None = None) -> Block:
-    """Counts what the rays of some rows met.
+    """Count the hits of the rays of some rows by column.
 
     Args:
         rows: (B,) int32.
-        codes: (B, replicates, per_replicate) int32, see `face_rays.SKY`; changed.
-        groups: (F,) int32, the column that each face counts for; None: its own.
-        weights: (B, replicates, per_replicate) float32, what arrives of each ray; None: all.
+        codes: (B, replicates, per_replicate) int32, see `face_rays.SKY`; overwritten.
+        groups: (F,) int32, column of each face; None: one column per face.
+        weights: (B, replicates, per_replicate) float32, transmitted share of each ray; None: 1.
     """
     if groups is not None:
         met = codes >= 0
@@ -75,54 +76,54 @@ def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None, wei
 
 
 class Collector:
-    """Takes blocks, in the order of their rows, and puts them together."""
+    """Collector of blocks, which must arrive in the order of their rows, into the counts of all rows."""
 
     def __init__(self, rows: int, replicates: int, weighs: bool = False) -> None:
-        """Begins with no ray; `weighs` tells whether rays have weights.
+        """Allocate the counts; `weighs` states whether rays have weights.
 
         Raises:
-            MemoryError: the rows take more than is free.
+            MemoryError: the rows need more memory than is free.
         """
         self._sizes = np.zeros(rows + 1, np.int64)
         kinds, kind = (SPECIAL + 1, np.float64) if weighs else (SPECIAL, np.int32)
-        check_memory(_HIT_BYTES * kinds * rows * replicates, f"{rows:,} rows", "take fewer replicates")
+        check_memory(_HIT_BYTES * kinds * rows * replicates, f"{rows:,} rows", "pass fewer replicates")
         self._special = np.zeros((rows, kinds, replicates), kind)
         self._blocks = [(np.empty(0, np.int32), np.empty((0, replicates), kind))]
         self._entries = 0
         self._bytes = _BYTES + _HIT_BYTES * replicates
 
     def all_open(self, rows: np.ndarray, per_replicate: int) -> None:
-        """Rows all of whose rays meet nothing; which of them go to the sky is told later."""
+        """Record that all rays of the rows hit nothing; the split into sky and ground is computed later."""
         self._special[rows, 0] = per_replicate
 
     def take(self, block: Block) -> None:
-        """Adds a block.
+        """Add a block.
 
         Raises:
-            MemoryError: it and those before take more than is free.
+            MemoryError: the collected blocks need more memory than is free.
         """
         self._sizes[block.rows + 1] = block.sizes
         self._special[block.rows] = block.special
         self._blocks.append((block.columns, block.hits))
         self._entries += len(block.columns)
-        wants = "take fewer rays or replicates, or groups"
+        wants = "pass a smaller count, fewer replicates, or groups"
         check_memory(self._bytes * self._entries, f"{self._entries:,} view factors and more", wants)
 
     def counts(self) -> Counts:
-        """The counts of all rows, which must have been added."""
+        """Return the counts of all rows, and release the blocks."""
         columns, hits = (np.concatenate(parts) for parts in zip(*self._blocks, strict=True))
         self._blocks.clear()
         return Counts(np.cumsum(self._sizes), columns, hits, self._special)
 
 
 def _counted(codes: np.ndarray, weights: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(row, code, hits of each replicate) of each code that occurs in a row of (B, replicates, per_replicate), in order.
+    """Return (row, code, hits per replicate) of each code that occurs in a row of `codes`, sorted by row and code.
 
-    With weights of the same shape the hits are their sums, float64.
+    codes: (B, replicates, per_replicate). weights: the same shape; hits are then float64 sums of the weights.
     """
     rows, replicates, per_replicate = codes.shape
     wide = np.int32 if (int(codes.max()) + 1) * replicates < 2**31 else np.int64
-    keys = codes * wide(replicates)  # one sort tells codes apart and replicates within them
+    keys = codes * wide(replicates)  # one sort orders codes, and replicates within a code
     keys += np.arange(replicates, dtype=wide)[:, None]
     keys = keys.reshape(rows, replicates * per_replicate)
     if weights is None:

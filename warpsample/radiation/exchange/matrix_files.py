@@ -1,4 +1,4 @@
-"""Radiance's matrix files: a few lines of text, an empty one, and the numbers as float32, row by row."""
+"""Radiance's matrix files: a few lines of text, an empty line, and the numbers as float32, row by row."""
 
 from typing import BinaryIO
 
@@ -8,14 +8,14 @@ from warpsample.host.arguments import told
 
 _BLOCK = 1 << 22  # numbers that are written at a time
 _COLOURS = 3
-_LONGEST = 1 << 16  # bytes of a header
-_WANTS = "a matrix of Radiance's with NROWS, NCOLS, NCOMP, FORMAT=float and an empty line before its numbers"
+_LONGEST = 1 << 16  # longest header in bytes
+_WANTS = "a Radiance matrix with NROWS, NCOLS, NCOMP, FORMAT=float and an empty line before its numbers"
 
 
 def write_matrix(stream: BinaryIO, matrix: np.ndarray, factor: float = 1.0, ground: bool = True) -> None:
-    """Writes factor * matrix (P, K), grey in three colours, as `dctimestep` and `rmtxop` read it.
+    """Write factor * matrix (P, K), grey in three colours, in the format that `dctimestep` and `rmtxop` read.
 
-    With `ground` a column of zeros, the ground's, comes first.
+    With `ground`, a column of zeros for the ground is written first.
     """
     rows, columns = matrix.shape
     total = columns + ground
@@ -29,10 +29,10 @@ def write_matrix(stream: BinaryIO, matrix: np.ndarray, factor: float = 1.0, grou
 
 
 def read_matrix(content: bytes, argument: str = "matrix") -> np.ndarray:
-    """(NROWS, NCOLS, NCOMP) float32, the numbers of a matrix of Radiance's, of a file or written by a tool for float32.
+    """Read a Radiance matrix of float32; return the (NROWS, NCOLS, NCOMP) float32 array.
 
     Raises:
-        ValueError: no such matrix, or one with fewer or more numbers than its header says; names the argument.
+        ValueError: not such a matrix, or the number of values differs from the header.
     """
     head, empty, _ = content[:_LONGEST].partition(b"\n\n")
     fields = dict(line.split("=", 1) for line in head.decode("latin-1").splitlines() if "=" in line)

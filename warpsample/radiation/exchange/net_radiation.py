@@ -1,4 +1,4 @@
-"""Thermal radiation between grey surfaces: what each of them loses, from temperatures and emissivities."""
+"""Thermal radiation between grey surfaces: net loss of each surface from temperatures and emissivities."""
 
 import warnings
 from collections.abc import Mapping
@@ -18,22 +18,22 @@ if TYPE_CHECKING:
     from warpsample.radiation.exchange.result import ViewFactors
 
 STEFAN_BOLTZMANN = 5.670374419e-8
-"""W/(m² K⁴), exact to these digits since 2019."""
+"""Stefan-Boltzmann constant in W/(m² K⁴), exact to these digits since 2019."""
 
 _HOTTEST = 1e6  # kelvin
-_CELSIUS = (0.0, 60.0)  # what temperatures of rooms and weather are in degrees Celsius; in kelvin hardly anything is
-_LEAK = 1e-3  # of a row: what may escape from a closed room, at edges where faces meet at less than 14 degrees
+_CELSIUS = (0.0, 60.0)  # usual temperatures of rooms and weather in degrees Celsius; unusual in kelvin
+_LEAK = 1e-3  # share of a row that may leak from a closed room, at edges where faces meet at less than 14 degrees
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class NetRadiation(Summary):
-    """What each of N surfaces loses by thermal radiation, at one time or at k of them.
+    """Net thermal radiation of N surfaces, at one time or at k times.
 
     Attributes:
-        flux: (N,) or (N, k) float64, W/m², emitted less absorbed: above 0 where the surface cools.
-        power: of the same shape, in W: the flux times the surface's area, which is in m² if the mesh is in metres.
-        leaving: of the same shape, W/m², emitted and reflected: the radiosity.
-        names: of the surfaces, or None.
+        flux: (N,) or (N, k) float64, W/m², emitted minus absorbed; positive where the surface cools.
+        power: Flux times area, in W if the mesh is in metres, in the shape of `flux`.
+        leaving: Radiosity, emitted plus reflected, in W/m², in the shape of `flux`.
+        names: Names of the surfaces, or None.
     """
 
     flux: NDArray[np.float64]
@@ -42,12 +42,11 @@ class NetRadiation(Summary):
     names: tuple[str, ...] | None = None
 
     def to_frame(self) -> Any:
-        """The numbers as a table.
+        """Return flux, power and leaving radiation as a table.
 
         Returns:
-            a pandas.DataFrame of a row for each surface, or for each surface and time, or a dictionary of arrays where
-            pandas is not installed: the names, where there are any, the number of the time, where there are several, and
-            flux, power and leaving.
+            a pandas.DataFrame with a row for each surface, or for each surface and time; without pandas a dictionary of
+            arrays. Columns are the names if there are any, the index of the time for k times, flux, power and leaving.
 
         Example:
             >>> yard = ws.view_factors(ws.load_mesh("courtyard"), 16, groups=np.repeat(["yard", "rest"], [848, 1232]))
@@ -65,18 +64,18 @@ class NetRadiation(Summary):
 
 
 def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, outside: Any) -> NetRadiation:
-    """The net radiation of all surfaces; see `ViewFactors.net_radiation`."""
+    """Compute the net radiation of all surfaces; see `ViewFactors.net_radiation`."""
     if factors.absorbed is not None:
         raise ValueError(
-            "mesh: got view factors of one that light goes through, whose panes would radiate too; want opaque faces"
+            "mesh: got view factors of a mesh with a transmittance, whose panes would radiate too; want opaque faces"
         )
     rows = len(factors.areas)
     kelvin = _checked(_in_rows(factors, temperature, "temperature"), "temperature", 0.0, _HOTTEST)
     share = _checked(_in_rows(factors, emissivity, "emissivity"), "emissivity", np.finfo(np.float64).tiny, 1.0)
     if outside is None and (open := float(factors.outside.max(initial=0.0))) > _LEAK:
         raise ValueError(
-            f"outside: got None where a surface sees {open:.2g} of what it can see outside, want the temperature there in "
-            "kelvin; 0.0 if nothing comes from there"
+            f"outside: got None, but a surface has a view factor of {open:.2g} to the outside, want the temperature "
+            "there in kelvin; 0.0 if nothing radiates from there"
         )
     beyond = _checked(0.0 if outside is None else outside, "outside", 0.0, _HOTTEST)
     if kelvin.ndim > 2 or (kelvin.ndim and len(kelvin) != rows):
@@ -99,10 +98,10 @@ def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, 
 
 
 def _in_rows(factors: "ViewFactors", value: Any, argument: str) -> Any:
-    """`value`, or where it is a dictionary by the names of surfaces, an array with a row for each surface.
+    """Return `value`; if it is a dictionary from names of surfaces, return an array with a row for each surface.
 
     Raises:
-        ValueError: surfaces have no names, or one has no value, or a value belongs to none.
+        ValueError: surfaces have no names, or the dictionary's keys are not these names.
     """
     if not isinstance(value, Mapping):
         return value
@@ -117,7 +116,7 @@ def _in_rows(factors: "ViewFactors", value: Any, argument: str) -> Any:
 
 
 def _warn_of_celsius(kelvin: np.ndarray) -> None:
-    """Tells of temperatures that are all as they would be in degrees Celsius."""
+    """Warn if all temperatures are in the usual range of degrees Celsius."""
     low, high = _CELSIUS
     if kelvin.size and low < kelvin.max() <= high:
         warnings.warn(
@@ -126,10 +125,10 @@ def _warn_of_celsius(kelvin: np.ndarray) -> None:
 
 
 def _checked(value: Any, argument: str, low: float, high: float) -> np.ndarray:
-    """`value` as float64 within limits.
+    """Return `value` as float64, after a check of its limits.
 
     Raises:
-        TypeError, ValueError: something else.
+        TypeError, ValueError: not numbers, or numbers outside the limits.
     """
     array = as_real(value, argument).astype(np.float64)
     if array.size and not (array.min() >= low and array.max() <= high):

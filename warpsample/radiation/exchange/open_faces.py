@@ -1,4 +1,4 @@
-"""Faces that nothing stands above: their rays meet nothing, so none is cast."""
+"""Faces with no geometry above their plane: their rays hit nothing, so none is cast."""
 
 import warp as wp
 
@@ -14,7 +14,7 @@ _FLOATS = workspace_floats(0, 0)
 
 @once
 def open_kernel() -> wp.Kernel:
-    """A kernel with a task for each face; opens (B,) uint8: 1 where nothing stands above it."""
+    """Build the kernel that writes `opens` (B,) uint8, 1 for faces with nothing above their plane; one face per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def find_open(rays: FaceRays, tree: Accelerator, opens: wp.uint64, first_task: wp.int64):

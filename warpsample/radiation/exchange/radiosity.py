@@ -1,4 +1,4 @@
-"""Radiation that is reflected again and again between faces: J = E + rho F J."""
+"""Radiation that faces reflect repeatedly: the solution of J = E + rho F J."""
 
 import math
 from typing import TYPE_CHECKING, Any
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
     from warpsample.radiation.exchange.result import ViewFactors
 
 _PRECISION = 1e-12
-_EXACT, _ROUNDING = 1e-15, 1e-13  # of the largest: what sums of few and of many numbers come to
-_STEPS = 300  # of following the radiation, before equations are solved: enough where a tenth is absorbed each time
+_EXACT, _ROUNDING = 1e-15, 1e-13  # relative to the largest: rounding of sums of few and of many numbers
+_STEPS = 300  # reflections followed before equations are solved: enough if a tenth is absorbed each time
 _ROUNDS, _PRODUCTS = 20, 40
-_MOST_TIMES = 1e9  # what is emitted, where hardly anything is ever absorbed
+_MOST_TIMES = 1e9  # largest radiosity relative to the emission, else hardly anything is ever absorbed
 
 
 def radiosity_of(factors: "ViewFactors", emission: Any, reflectance: Any) -> np.ndarray:
-    """The solution of J = E + rho F J; see `ViewFactors.radiosity`."""
+    """Return the solution of J = E + rho F J; see `ViewFactors.radiosity`."""
     rows = len(factors.areas)
     emitted = _finite(emission, "emission")
     if emitted.ndim not in (0, 1, 2) or (emitted.ndim and len(emitted) != rows):
@@ -38,29 +38,38 @@ def radiosity_of(factors: "ViewFactors", emission: Any, reflectance: Any) -> np.
     with np.errstate(over="ignore"):
         leaving = followed(factors.matrix, columns.reshape(rows, math.prod(columns.shape[1:])), share)
     if not np.isfinite(leaving).all():
-        raise ValueError(f"emission: got {told(emission)}, which adds up to more than a float64 holds")
+        raise ValueError(
+            f"emission: got {told(emission)}, want smaller numbers: the sum of all reflections exceeds the range of float64"
+        )
     return leaving.reshape(columns.shape)
 
 
 def check_rows(factors: "ViewFactors") -> None:
-    """Refuses rows that were left out: to take them for black, or for open to the sky, would be wrong.
+    """Check that no row was left out by `active`; such rows must not count as black or as open to the sky.
 
     Raises:
-        ValueError: rows without a ray of surfaces with area.
+        ValueError: a surface with area has an empty row.
     """
     absorbed = 0.0 if factors.absorbed is None else factors.absorbed
     left_out = (factors.areas > 0.0) & (factors.matrix.sum(axis=1) + factors.outside + factors.behind + absorbed == 0.0)
     if left_out.any():
-        raise ValueError(f"active: got {np.count_nonzero(left_out)} rows that were left out, want those of all faces")
+        raise ValueError(
+            f"active: got {np.count_nonzero(left_out)} rows without rays, want view factors of all faces; compute them "
+            "without active="
+        )
 
 
 def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """(N, k), J = emitted + share F J, by following the radiation of each column; and by equations where that takes long.
+    """Return J = emitted + share F J, (N, k), by following each column's radiation from reflection to reflection.
+
+    Where that converges slowly, corrections come from solved equations.
 
     Raises:
-        ValueError: shares by which nothing is ever lost.
+        ValueError: reflectances with which almost nothing is ever lost.
     """
-    kept = float(np.max(share * matrix.sum(axis=1), initial=0.0))  # of what is under way, from one step to the next
+    kept = float(
+        np.max(share * matrix.sum(axis=1), initial=0.0)
+    )  # largest share that is reflected onto other faces at each step
     close = max(_PRECISION * (1.0 - kept), _EXACT)
     scale = np.max(np.abs(emitted), axis=0, initial=0.0)
     emitted = np.divide(emitted, scale, out=np.zeros_like(emitted), where=scale > 0.0)
@@ -75,12 +84,13 @@ def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.
             return scale * (leaving + lacking)
         leaving, before = leaving + (lacking if step < _STEPS else _corrections(matrix, lacking, share)), apart
     raise ValueError(
-        f"reflectance: got up to {share.max():g}, by which {kept:.6g} of the radiation comes back each time; want less"
+        f"reflectance: got up to {share.max():g}, with which {kept:.6g} of the radiation remains after each reflection, "
+        "want less"
     )
 
 
 def _corrections(matrix: "csr_array", lacking: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """(N, k), what to add to each column, to some digits."""
+    """Return the (N, k) corrections of all columns, to a few digits, by GMRES."""
     linear = imported("scipy.sparse.linalg")
     operator, gmres = linear.LinearOperator, linear.gmres
     equations = operator(matrix.shape, matvec=lambda leaving: leaving - share * (matrix @ leaving), dtype=np.float64)
@@ -88,6 +98,7 @@ def _corrections(matrix: "csr_array", lacking: np.ndarray, share: np.ndarray) ->
 
 
 def _finite(value: Any, argument: str) -> np.ndarray:
+    """Return `value` as a float64 array; raise a ValueError if a number is not finite."""
     array = as_real(value, argument).astype(np.float64)
     if not np.isfinite(array).all():
         raise ValueError(f"{argument}: got {told(value)}, want finite numbers")

@@ -1,4 +1,4 @@
-"""Both directions of each pair pooled, and then adjusted so that all rows close: A_i F_ij = A_j F_ji."""
+"""Reciprocal view factors: both directions of each pair are pooled, then adjusted until all rows close."""
 
 from typing import TYPE_CHECKING
 
@@ -15,11 +15,12 @@ if TYPE_CHECKING:
 
 
 def reciprocal_factors(factors: RowFactors, surfaces: Surfaces) -> RowFactors:
-    """The factors made reciprocal and closed.
+    """Return the factors, adjusted to be reciprocal and closed.
 
-    Of all exchanges that close, those that are nearest to what was counted, as counts of independent rays differ: each pair
-    gives way by as much as its rays left it open. In a flat room the few rays to its low walls settle what these exchange
-    with floor and ceiling; one factor for each row would spoil that by what is unsure between floor and ceiling.
+    Among all exchanges that close, the result is nearest to the counts, in the metric of counts of independent rays: each
+    pair is adjusted in proportion to its uncertainty. In a flat room the few rays to the low walls determine the exchange of
+    walls with floor and ceiling. One factor per row would spoil this exchange with the uncertainty between floor and
+    ceiling.
 
     Warns:
         UserWarning: no exchange closes all rows.
@@ -38,10 +39,10 @@ def reciprocal_factors(factors: RowFactors, surfaces: Surfaces) -> RowFactors:
 
 
 class _Pooling:
-    """A_i F_ij of each pair, from both its sides weighted by rays per area."""
+    """Pooled exchange A_i F_ij of each pair: mean of both directions, weighted by rays per area."""
 
     def __init__(self, factors: RowFactors, areas: np.ndarray, densities: np.ndarray) -> None:
-        """Finds where both sides of each share go."""
+        """Compute the indices of both directions of each entry among the pairs."""
         size, row = len(areas), rows_of(factors.indptr)
         one, other = (a.astype(np.int64) * size + b for a, b in ((row, factors.indices), (factors.indices, row)))
         keys = np.concatenate([one, other])
@@ -55,7 +56,7 @@ class _Pooling:
         self._both = densities[self.rows] + densities[self.columns]
 
     def pooled(self, value: np.ndarray) -> np.ndarray:
-        """(pairs,) of the factors' (E,) values, or of what these are changed by."""
+        """Return the (pairs,) pooled exchange for the (E,) values of factors, or for changes of these values."""
         hits = self._hits * value
         sums = np.zeros(len(self._both))
         sums[self._here] = hits
@@ -64,7 +65,7 @@ class _Pooling:
         return sums
 
     def pairs(self, value: np.ndarray) -> "csr_array":
-        """The pooled values as a matrix of all surfaces."""
+        """Return the pooled values as a sparse matrix of all surfaces."""
         size = len(self._indptr) - 1
         return imported("scipy.sparse").csr_array((self.pooled(value), self.columns, self._indptr), shape=(size, size))
 
@@ -72,9 +73,9 @@ class _Pooling:
 def _variances(
     factors: RowFactors, pooling: _Pooling, closure: Closure, areas: np.ndarray
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Those of the closed factors, and of what rows lose: mean squares of draws of the errors of what was counted.
+    """Return the variances of the closed factors and of the rows' losses, as mean squares over draws of the counts' errors.
 
-    Each draw takes the way of the factors themselves, in linear order: pooled, and adjusted by what closes its rows again.
+    Each draw is processed as the factors, to first order: pooled, then adjusted to close the rows again.
     """
     exchange, rows, columns = closure.exchange, pooling.rows, pooling.columns
     draws = ErrorDraws(factors)
@@ -97,13 +98,13 @@ def _variances(
     for draw in range(draws.number):
         entries, others = changed(draw)
         shift = shifts[:, draw]
-        give = shift[rows]  # in place from here on: pairs are what takes the memory
+        give = shift[rows]  # in place from here on: arrays of pairs take most memory
         give += shift[columns]
         give *= slopes
         entries += give
         entries /= areas[rows]
         variance += np.square(entries, out=entries) / draws.number
-        del entries, give  # before the next draw needs as much
+        del entries, give  # frees memory before the next draw
         for name, change in others.items():
             adjusted = closure.less * (change + closure.yields * factors.others[name][0] * shift)
             of_others[name] += np.square(adjusted) / draws.number

@@ -1,4 +1,4 @@
-"""What view factors are: a sparse matrix between surfaces, what is beyond them, and what follows of it."""
+"""Result of `view_factors`: a sparse matrix between surfaces, shares that hit no front, and radiation computed from both."""
 
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -20,32 +20,33 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ViewFactors(Summary):
-    """View factors between N surfaces: the faces of a mesh, or groups of them.
+    """View factors between N surfaces: the faces of a mesh, or groups of faces.
 
-    Raw, each row of the matrix adds up to 1 with `outside`, `behind` and `absorbed`: its rays are counted, none is lost.
-    Where the number of rays is a power of two the sums of these float64 are exact, too; with `absorbed` they are rounded.
+    Without `reciprocal`, each row of the matrix adds up to 1 with `outside`, `behind` and `absorbed`, because every ray is
+    counted. If the number of rays is a power of two, the sums are exact in float64, except with `absorbed`.
 
     Attributes:
-        matrix: (N, N) scipy.sparse.csr_array of float64: the share of what leaves the front of surface i that first meets
-            the front of surface j.
-        standard_error: of the same pattern; of each entry. Entries of a row are not independent: their sum is known better.
-        outside: (N,) float64, what meets nothing.
-        outside_error: (N,) float64, its standard error.
-        behind: (N,) float64, what meets the back of a face, or a face without area.
-        behind_error: (N,) float64.
-        areas: (N,) float64, of the surfaces, in square units of the coordinates.
-        rays: (N,) int64, rays cast; 0 where it is known that they meet nothing.
-        status: (F,) uint8, a `PointStatus` of each face: OK, INACTIVE, or ZERO_NORMAL where it has no area.
-        skipped: faces that are not OK as `points`, faces that nothing stands above as `open_points`, their rays.
-        sky: (N,) float64, the part of `outside` that is above the horizon; None without `up`.
-        sky_error: (N,) float64 or None.
-        ground: (N,) float64, the other part, or None.
-        ground_error: (N,) float64 or None.
-        absorbed: (N,) float64, what faces swallow that let a part of the light through, on the way to where it ends; None
-            without such faces.
-        absorbed_error: (N,) float64 or None.
-        reflectance: (N,) float64, of the mesh's faces, of a group their mean by area; None if they are black.
-        names: of the N groups, where they were given by name; else None.
+        matrix: (N, N) scipy.sparse.csr_array of float64, share of the radiation from the front of surface i that first
+            hits the front of surface j.
+        standard_error: Standard error of each entry, with the pattern of `matrix`. Errors in a row are not independent: the
+            sum of a row is known better than its entries.
+        outside: (N,) float64, share that hits nothing.
+        outside_error: (N,) float64, standard error of `outside`.
+        behind: (N,) float64, share that hits the back of a face, or a face without area.
+        behind_error: (N,) float64, standard error of `behind`.
+        areas: (N,) float64, areas of the surfaces, in square units of the coordinates.
+        rays: (N,) int64, number of rays cast; 0 for faces whose rays are known to hit nothing.
+        status: (F,) uint8, a `PointStatus` of each face: OK, INACTIVE, or ZERO_NORMAL for a face without area.
+        skipped: Counts of skipped work: faces that are not OK as `points`, faces with nothing above their plane as
+            `open_points`, and the rays of the latter.
+        sky: (N,) float64, the part of `outside` above the horizon; None without `up`.
+        sky_error: (N,) float64, standard error of `sky`, or None.
+        ground: (N,) float64, the part of `outside` below the horizon, or None.
+        ground_error: (N,) float64, standard error of `ground`, or None.
+        absorbed: (N,) float64, share that transmitting faces absorb on the way; None without such faces.
+        absorbed_error: (N,) float64, standard error of `absorbed`, or None.
+        reflectance: (N,) float64, reflectance of the faces, for a group the mean by area; None if all faces are black.
+        names: Names of the N groups, if groups were given by name; else None.
     """
 
     matrix: "csr_array"
@@ -70,21 +71,21 @@ class ViewFactors(Summary):
     _counted: ClassVar[str] = "faces"
 
     def radiosity(self, emission: Any, reflectance: Any = None) -> np.ndarray:
-        """What leaves each surface, emitted or reflected: J = E + rho F J.
+        """Compute the radiosity of each surface, emitted plus reflected radiation: J = E + rho F J.
 
-        Solved by following the radiation from surface to surface, to 12 digits. What goes outside, meets a back or is
-        absorbed is lost; what comes from there is part of `emission`, as reflectance * outside * sky.
+        The radiation is followed from surface to surface until 12 digits are stable. Radiation that goes outside, hits a
+        back or is absorbed is lost. Radiation from outside must be part of `emission`, as reflectance * outside * sky.
 
         Args:
-            emission: (N,) or (N, k), for k wavelengths or times; or one number. In any unit of power per area.
-            reflectance: (N,) or one number, 0 to 1, diffuse; by default that of the mesh.
+            emission: Emitted power per area in any unit: (N,), (N, k) for k wavelengths or times, or one number.
+            reflectance: Diffuse reflectance, (N,) or one number, 0 to 1. Default: None, the reflectance of the mesh.
 
         Returns:
-            of the shape of the emission, float64, in its unit.
+            the radiosity, float64, in the shape and unit of `emission`; (N,) for one number.
 
         Raises:
-            TypeError, ValueError: no finite numbers, another shape, rows that `active` left out, no reflectance of a black
-                mesh, or one by which nothing is ever absorbed.
+            TypeError, ValueError: numbers that are not finite, another shape, factors with inactive faces, a missing
+                reflectance for a black mesh, or a reflectance with which nothing is ever absorbed.
 
         Example:
             >>> mesh = ws.load_mesh("courtyard")
@@ -94,45 +95,47 @@ class ViewFactors(Summary):
             (2080,) True
         """
         if reflectance is None and self.reflectance is None:
-            raise ValueError("reflectance: got None for factors of a black mesh, want numbers from 0 to 1")
+            raise ValueError(
+                "reflectance: got None for view factors of a mesh without a reflectance, want numbers from 0 to 1"
+            )
         return radiosity_of(self, emission, self.reflectance if reflectance is None else reflectance)
 
     def net_radiation(self, temperature: Any, emissivity: Any, *, outside: Any = None) -> NetRadiation:
-        """The heat that each surface loses by thermal radiation: what it emits, less what it absorbs of the others'.
+        """Compute the net heat loss of each surface by thermal radiation: emission minus absorbed radiation.
 
-        Surfaces are grey and diffuse, and opaque: they reflect 1 - emissivity, again and again. What meets a back is lost.
+        Surfaces are grey, diffuse and opaque: they reflect a share of 1 - emissivity, in all orders. Radiation that hits a
+        back is lost.
 
         Args:
-            temperature: (N,) or (N, k), for k times; or one number. In kelvin. Where surfaces have names, also a dictionary
-                from each name to a number, or to (k,).
-            emissivity: (N,), a dictionary from each name, or one number, above 0 to 1.
-            outside: what is seen beyond the mesh is black at this temperature in kelvin: one number, or (k,). A closed
-                room needs none.
+            temperature: Temperatures in kelvin: (N,), (N, k) for k times, or one number. For named surfaces also a
+                dictionary from each name to a number or to (k,).
+            emissivity: Emissivities above 0 and up to 1: (N,), a dictionary from each name, or one number.
+            outside: Temperature in kelvin of the black surroundings outside the mesh: one number, or (k,). Default: None,
+                for a closed room.
 
         Returns:
-            the net flux in W/m² and power in W of each surface; above 0 where it cools.
+            the net flux in W/m² and the power in W of each surface; positive where the surface cools.
 
         Raises:
-            TypeError, ValueError: no finite numbers, another shape, temperatures below 0, no such emissivity, names that
-                are not those of the surfaces, none `outside` where more than a thousandth of a row goes there, or rows that
-                `active` left out.
+            TypeError, ValueError: numbers that are not finite or out of range, another shape, unknown names, no `outside`
+                although more than a thousandth of a row goes there, or factors with inactive faces.
 
         Source: Hottel1967, chapter 3.
 
         Example:
             >>> v = ws.view_factors(ws.load_mesh("courtyard"), 256)
             >>> night = v.net_radiation(temperature=285.0, emissivity=0.9, outside=265.0)
-            >>> print(night.flux.shape, night.flux.max().round())  # W/m2, of what sees the whole sky
+            >>> print(night.flux.shape, night.flux.max().round())  # W/m2, of faces under the whole sky
             (2080,) 85.0
         """
         return net_radiation_of(self, temperature, emissivity, outside)
 
     def to_frame(self) -> Any:
-        """What is known of each surface as a table, without the matrix.
+        """Return the arrays with one number per surface as a table, without the matrix.
 
         Returns:
-            a pandas.DataFrame of a row for each surface, or a dictionary of arrays where pandas is not installed: the names,
-            where there are any, and all that is of shape (N,), by its name.
+            a pandas.DataFrame with a row for each surface; without pandas a dictionary of arrays. Columns are the names if
+            there are any, and all fields of shape (N,).
 
         Example:
             >>> factors = ws.view_factors(ws.load_mesh("courtyard"), 16, groups=np.repeat(["yard", "rest"], [848, 1232]))
@@ -144,16 +147,17 @@ class ViewFactors(Summary):
         return frame_of(names | {name: array for name, array in kept.items() if isinstance(array, np.ndarray)})
 
     def save(self, path: str | Path) -> None:
-        """Writes a file, complete or not at all; what it replaces stays until then.
+        """Write the view factors to a file; the file is complete or absent, and replaces an old one only when complete.
 
         Args:
-            path: .npz: all fields; scipy.sparse.load_npz reads the matrix from it, `load` all. A name that begins with
-                "vfsparse.inp": uDALES' list "i j F" from 1 on, what is below 5e-7 left out, and beside it its "svf.inp", the
-                rest of each row. .vf: View3D's text, all N^2 numbers, with emittances of 1.
+            path: Path of the file, whose name gives the format. A name in .npz holds all fields for `load`;
+                scipy.sparse.load_npz reads the matrix from it. A name that begins with "vfsparse.inp" holds uDALES' list
+                "i j F", numbered from 1, without factors below 5e-7; the rest of each row goes to "svf.inp" in the same
+                folder. A name in .vf holds View3D's text, all N^2 numbers, with emittances of 1.
 
         Raises:
-            TypeError, ValueError: another name, no file that can be written, or a text for rows that `active` left out.
-            OSError: it could not be written.
+            TypeError, ValueError: another name, a path that cannot be written, or a text format for inactive faces.
+            OSError: the file cannot be written.
 
         Example:
             >>> v = ws.view_factors(ws.load_mesh("courtyard"), 64)
@@ -166,16 +170,16 @@ class ViewFactors(Summary):
 
     @staticmethod
     def load(path: str | Path) -> "ViewFactors":
-        """Reads an .npz file of `save`.
+        """Read view factors from an .npz file written by `save`.
 
         Args:
-            path: the file.
+            path: Path of the file.
 
         Returns:
-            what was saved.
+            the view factors as they were saved.
 
         Raises:
-            TypeError, ValueError, OSError: no such file, or a damaged one; nothing in it is executed.
+            TypeError, ValueError, OSError: no such file, or a damaged one. Nothing in the file is executed.
 
         Example:
             >>> v = ws.view_factors(ws.load_mesh("courtyard"), 64, up=(0, 0, 1))

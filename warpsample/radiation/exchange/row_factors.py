@@ -1,4 +1,4 @@
-"""From counts of rays to factors of a row with their variances: of faces, and of groups of faces."""
+"""View factors of rows and their variances from counts of rays, for faces and for groups of faces."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,15 +17,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class RowFactors:
-    """Factors of rows of a matrix, as CSR has them, and of what meets no front.
+    """View factors of rows in the layout of a CSR matrix, and the shares of rays that hit no front.
 
     Attributes:
-        indptr: (N + 1,) int64.
-        indices: (E,) int32.
-        value: (E,) float64.
-        variance: (E,) float64, of the value.
-        others: name -> ((N,) value, (N,) variance): outside, behind, absorbed where faces let a part of the light through,
-            and sky and ground where there is an up.
+        indptr: (N + 1,) int64, start of each row.
+        indices: (E,) int32, column of each entry.
+        value: (E,) float64, view factors.
+        variance: (E,) float64, variance of each value.
+        others: Dictionary from name to ((N,) value, (N,) variance): outside, behind, absorbed for meshes with transmitting
+            faces, and sky and ground if `up` is given.
     """
 
     indptr: np.ndarray
@@ -36,9 +36,10 @@ class RowFactors:
 
 
 def factors_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
-    """The factors of each surface, by counts of all faces with so many rays each.
+    """Return the view factors of each surface from the counts of all faces.
 
-    `upward` is (F,) float64, the share of each face's hemisphere above the horizon; None: not asked for.
+    rays: number of rays per face. upward: (F,) float64, share of each face's hemisphere above the horizon; None to omit sky
+    and ground.
     """
     if surfaces.groups is not None:
         return _group_factors(counts, rays, upward, surfaces)
@@ -52,7 +53,7 @@ def factors_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: S
 def matrices_of(
     value: np.ndarray, error: np.ndarray, indices: np.ndarray, indptr: np.ndarray
 ) -> tuple["csr_array", "csr_array"]:
-    """Two square matrices, each with a pattern of its own: who drops entries of one in place leaves the other as it is."""
+    """Return two square CSR matrices with separate index arrays, so that changing one in place keeps the other."""
     csr_array = imported("scipy.sparse").csr_array
     kind, shape = np.int32 if len(indices) < 2**31 else np.int64, (len(indptr) - 1, len(indptr) - 1)
     pattern = indices.astype(kind, copy=False), indptr.astype(kind, copy=False)
@@ -61,7 +62,7 @@ def matrices_of(
 
 
 def _group_factors(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
-    """Those of groups: means of their faces' by area, whose errors are independent."""
+    """Return the view factors of groups: area means over the groups' faces, whose errors are independent."""
     groups, weights, size = surfaces.groups, surfaces.weights, len(surfaces.areas)
     face = np.repeat(np.arange(len(weights)), np.diff(counts.indptr))
     keys, entry = np.unique(groups[face].astype(np.int64) * size + counts.indices, return_inverse=True)
@@ -77,9 +78,9 @@ def _group_factors(counts: Counts, rays: int, upward: np.ndarray | None, surface
 
 
 def _kinds(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tuple[str, np.ndarray, np.ndarray]]:
-    """(name, (F, replicates) hits, (F,) the share where it is known exactly, else NaN) of what meets no front.
+    """Iterate over (name, (F, replicates) hits, (F,) exact share or NaN) of rays that hit no front.
 
-    Where all rays meet nothing, the horizon alone parts the sky from the ground.
+    Sky and ground have exact shares for faces all of whose rays hit nothing.
     """
     sky, ground, back, *absorbed = np.moveaxis(counts.special, 1, 0)
     nowhere = np.full(len(sky), np.nan)
@@ -96,7 +97,7 @@ def _kinds(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tup
 def _folded(
     parts: np.ndarray, variance: np.ndarray, weights: np.ndarray, into: np.ndarray, size: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Weighted sums of factors (E, replicates), which add up to a face's, and of their variances (E,)."""
-    # One after the other in the order of the faces: no block or thread changes a bit.
+    """Return weighted sums over the faces of each group: of factors per replicate, added up, and of variances (E,)."""
+    # Sums are in the order of the faces: bits do not depend on blocks or threads.
     sums = np.stack([np.bincount(into, weights * part, size) for part in parts.T], axis=1)
     return sums.sum(axis=1), np.bincount(into, np.square(weights) * variance, size)

@@ -1,4 +1,4 @@
-"""View factors from a mesh file into a file, for the command line."""
+"""The command `view-factors`: from a mesh file to a file of view factors."""
 
 from pathlib import Path
 from typing import Any
@@ -14,16 +14,16 @@ from warpsample.radiation.exchange.view_factors import view_factors
 
 
 def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dict[str, Any]) -> str:
-    """Computes and writes, complete or not at all; returns a sentence about what was written.
+    """Compute view factors and write them to a file, complete or absent; return a sentence about the result.
 
     Args:
-        mesh: the mesh file.
-        output: .npz, .vf, or vfsparse.inp and what follows.
-        groups: a text or an .npy of one whole number for each face; "part" for the named parts; None for no groups.
-        options: others of `view_factors`.
+        mesh: Path of the mesh file.
+        output: Path of the result: a name in .npz or .vf, or one that begins with vfsparse.inp.
+        groups: Path of a text or .npy file with one integer per face; "part" for the named parts; None for no groups.
+        options: Further arguments of `view_factors`.
 
     Raises:
-        TypeError, ValueError, OSError: an argument or a file that cannot be used; before anything is written.
+        TypeError, ValueError, OSError: an argument or a file cannot be used; nothing is written then.
     """
     check_factors_file(output, "--output", mesh, groups)
     found = view_factors(load_mesh(mesh), groups=_groups(groups), progress=True, **options)
@@ -32,9 +32,10 @@ def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dic
 
 
 def _groups(path: Path | None) -> Any:
+    """Read the groups of faces from a file; return "part" for named parts, and None without groups."""
     if path is None or path == Path("part"):
         return path and path.name
-    wants = "a text or an .npy of one whole number for each face, or part"
+    wants = "a text or .npy file with one whole number per face, or part"
     file = check_file(path, "--groups", wants)
     with naming_file("--groups", file, wants):
         if file.suffix == ".npy":
@@ -43,7 +44,7 @@ def _groups(path: Path | None) -> Any:
 
 
 def summary(found: ViewFactors) -> str:
-    """How many factors there are, by how many rays, and how well rows close and pairs agree."""
+    """Return a sentence with the number of factors and rays, and the errors of closure and reciprocity."""
     there = found.areas > 0.0
     absorbed = 0.0 if found.absorbed is None else found.absorbed
     closure = np.abs(found.matrix.sum(axis=1) + found.outside + found.behind + absorbed - 1.0)[there]
@@ -52,15 +53,15 @@ def summary(found: ViewFactors) -> str:
     skipped = found.skipped
     parts = [
         f"{found.matrix.nnz:,} view factors between {len(found.areas):,} surfaces by {found.rays.sum():,} rays",
-        f"closure to {closure.max(initial=0.0):.1g}",
-        f"reciprocity to {apart:.2g}",
+        f"largest error of closure {closure.max(initial=0.0):.1g}",
+        f"relative error of reciprocity {apart:.2g}",
         f"outside {found.areas @ found.outside / max(found.areas.sum(), np.finfo(float).tiny):.2g}",
         f"behind {found.areas @ found.behind / max(found.areas.sum(), np.finfo(float).tiny):.2g}",
     ]
     if skipped.open_points:
-        parts.append(f"{skipped.open_points:,} open faces cast none")
+        parts.append(f"{skipped.open_points:,} open faces cast no rays")
     if skipped.points:
         parts.append(f"{skipped.points:,} faces without area")
     if not found.matrix.nnz:
-        parts.append("no front faces another: those of a room must look inwards")
+        parts.append("no front faces another front: the normals of a room's faces must point inwards")
     return ", ".join(parts)

@@ -1,4 +1,4 @@
-"""What a row of the matrix stands for: a face, or a group of faces."""
+"""Rows of the view factor matrix: single faces, or groups of faces."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,19 +11,19 @@ from warpsample.host.engine import check_memory
 from warpsample.host.neighbours import as_ndarray
 from warpsample.mesh.mesh import Mesh
 
-_LARGEST = 2**31 - 2  # number of a group: a column is an int32, and so is how many there are
-_BYTES = 200  # of a row
+_LARGEST = 2**31 - 2  # largest group number: columns and their count are int32
+_BYTES = 200  # per row
 
 
 @dataclass(frozen=True, eq=False)
 class Surfaces:
-    """N faces or groups of F faces.
+    """N surfaces: faces, or groups of F faces.
 
     Attributes:
-        groups: (F,) int32, the group of each face; None: faces stand for themselves.
+        groups: (F,) int32, group of each face; None if each face is a surface.
         areas: (N,) float64, square units.
-        weights: (F,) float64, of a face in its group: its share of the area that has rays.
-        densities: (N,) float64, rays per area for one ray of each face: as many as those of equal weight would be; or 0.
+        weights: (F,) float64, each face's share of its group's area with rays.
+        densities: (N,) float64, effective number of rays per area for one ray per face, given the weights; 0 without rays.
     """
 
     groups: np.ndarray | None
@@ -32,20 +32,23 @@ class Surfaces:
     densities: np.ndarray
 
     def summed(self, values: np.ndarray) -> np.ndarray:
-        """(N,) sums of (F,) whole numbers."""
+        """Return the (N,) sums of (F,) integers over the faces of each surface."""
         if self.groups is None:
             return values
         return np.bincount(self.groups, values, len(self.areas)).astype(values.dtype)
 
     def means(self, values: np.ndarray) -> np.ndarray:
-        """(N,) float64 means by area of (F,) numbers."""
+        """Return the (N,) float64 area means of (F,) numbers over the faces of each surface."""
         if self.groups is None:
             return values.astype(np.float64)
         return np.bincount(self.groups, self.weights * values, len(self.areas))
 
 
 def surfaces_of(areas: np.ndarray, cast: np.ndarray, groups: np.ndarray | None) -> Surfaces:
-    """The surfaces of faces of some areas, (F,); `cast`, (F,) bool, says which have rays; groups: (F,) int32 or None."""
+    """Build the surfaces from the areas of faces, (F,).
+
+    cast: (F,) bool, the faces with rays. groups: (F,) int32, group of each face, or None.
+    """
     active = np.where(cast, areas, 0.0)
     if groups is None:
         return Surfaces(None, areas, cast.astype(np.float64), quotients(np.ones(len(areas)), active))
@@ -55,16 +58,16 @@ def surfaces_of(areas: np.ndarray, cast: np.ndarray, groups: np.ndarray | None) 
 
 
 def quotients(above: np.ndarray, below: np.ndarray) -> np.ndarray:
-    """above / below, 0 where that is 0."""
+    """Return above / below, and 0 where `below` is 0."""
     return np.divide(above, below, out=np.zeros_like(above), where=below > 0.0)
 
 
 def check_groups(groups: Any, mesh: Mesh) -> tuple[np.ndarray | None, tuple[str, ...] | None]:
-    """The group of each face, (F,) int32, a copy, and the names of the groups; None if there are none.
+    """Return the (F,) int32 group of each face as a copy, and the groups' names; None for absent groups or names.
 
     Raises:
-        TypeError, ValueError: not a whole number from 0 on, or a name, for each face.
-        MemoryError: a number so large that the rows up to it take more than is free.
+        TypeError, ValueError: not one integer from 0 on, or one name, for each face.
+        MemoryError: the rows up to the largest number need more memory than is free.
     """
     if groups is None:
         return None, None
@@ -85,12 +88,12 @@ def check_groups(groups: Any, mesh: Mesh) -> tuple[np.ndarray | None, tuple[str,
     if array.min() < 0 or array.max() > _LARGEST:
         raise ValueError(f"groups: got numbers from {array.min()} to {array.max()}, want {wants}")
     rows = int(array.max()) + 1
-    check_memory(_BYTES * rows, f"groups: the rows of {rows:,} groups", "number them from 0 on without gaps")
+    check_memory(_BYTES * rows, f"groups: the rows of {rows:,} groups", "number the groups from 0 on without gaps")
     return array.astype(np.int32), None
 
 
 def _parts(mesh: Mesh, groups: str) -> tuple[np.ndarray, tuple[str, ...]]:
-    """The named parts of a mesh as groups; "" is that of the faces that are in none."""
+    """Return the (F,) int32 named part of each face and the names; faces without a part get a group named ""."""
     if groups != "part":
         raise ValueError(f"groups: got {told(groups)}, want 'part', or an array with a number or a name for each face")
     if mesh.part is None:

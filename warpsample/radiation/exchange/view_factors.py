@@ -1,4 +1,4 @@
-"""View factors between the faces of a mesh, what is in the way included, by rays."""
+"""The call `view_factors`: view factors between the faces of a mesh, with occlusion, by ray casting."""
 
 from dataclasses import replace
 from typing import Any
@@ -20,7 +20,7 @@ from warpsample.radiation.exchange.surfaces import Surfaces, check_groups, surfa
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.scene import check_opaque
 
-_MOST_RAYS = 2**24  # of a face: a replicate is one task
+_MOST_RAYS = 2**24  # per face
 _MOST_REPLICATES = 64
 
 
@@ -67,15 +67,15 @@ def view_factors(
         progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
-        the matrix, its errors, what meets nothing, and what was done.
+        the matrix with standard errors, the shares that hit no front, the number of rays, and a status for each face.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
+        TypeError, ValueError: an argument has a wrong type, shape or value.
+        MemoryError: the result needs more memory than is free.
 
     Warns:
-        UserWarning: parts of the mesh are so far apart that its coordinates are too coarse for most of its faces; or, with
-            reciprocal, there are so few rays that no scaling closes all rows.
+        UserWarning: the coordinates are too coarse for most faces, because parts of the mesh are far apart; or, with
+            reciprocal, no scaling closes all rows, because there are too few rays.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")
@@ -105,7 +105,9 @@ def view_factors(
     status = _status(mesh, checked.active)
     is_good = has_status(status, PointStatus.OK)
     if active is not None and reciprocal:
-        raise ValueError("active: got a mask with reciprocal=True, want None: that takes the rays of both faces of a pair")
+        raise ValueError(
+            "active: got a mask with reciprocal=True, want None, since that needs rays from both faces of a pair"
+        )
     if reciprocal:
         check_opaque(mesh, "reciprocal")
     with bar(checked.progress, "casting rays"):
@@ -120,7 +122,7 @@ def view_factors(
 
 
 def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
-    """(F,) uint8, of each face."""
+    """Return the (F,) uint8 status of each face."""
     status = np.where(mesh.face_areas > 0.0, int(PointStatus.OK), int(PointStatus.ZERO_NORMAL)).astype(np.uint8)
     if active is not None:
         status[active == 0] = int(PointStatus.INACTIVE)
@@ -128,7 +130,7 @@ def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
 
 
 def _result(factors: RowFactors, surfaces: Surfaces, status: np.ndarray, cast: np.ndarray, rays: int) -> ViewFactors:
-    """The result of what was counted; `cast`: (F,) rays cast of the `rays` of each face."""
+    """Build the result from row factors; `cast` (F,) is the number of rays cast, `rays` the number per face with rays."""
     open_faces = int(np.count_nonzero(has_status(status, PointStatus.OK) & (cast == 0)))
     matrix, standard_error = matrices_of(factors.value, np.sqrt(factors.variance), factors.indices, factors.indptr)
     others = {}

@@ -1,1 +1,1 @@
-"""The quantities that the sun and the patches of the sky make, a file each."""
+"""Quantities of sun, sky and reflected light as the command line and stores compute them, one file each."""

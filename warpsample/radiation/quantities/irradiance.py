@@ -1,4 +1,4 @@
-"""Irradiance as a quantity."""
+"""Irradiance as a quantity of the command line."""
 
 from typing import Any
 
@@ -9,7 +9,7 @@ from warpsample.radiation.sky.irradiance import Irradiance, irradiance
 
 
 def _prepare(mesh: Mesh, _total: int, *, radiance: Any, **options: Any) -> Numbers:
-    """The irradiance by a picture that is read once."""
+    """Read the picture of the light once; return a function of points that computes their irradiance."""
     picture = read_picture(radiance)
     return lambda points, first: irradiance(mesh, points, picture, first_point=first, **options)
 

@@ -1,4 +1,4 @@
-"""The irradiation of a year or a period as a quantity."""
+"""Irradiation of a year or a period as a quantity of the command line."""
 
 from typing import Any
 
@@ -21,7 +21,7 @@ _OF_THE_LIGHT = ("weather", "period", "ground_albedo", "patches", "up", "north")
 
 
 def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | None, refine: Any, **given: Any) -> Numbers:
-    """The irradiation by a light, and what faces send back of it, which are computed once."""
+    """Compute the light and its reflections once; return a function that computes the irradiation of points."""
     parts = patches_of(mesh, refine)
     light = light_of(**{name: given[name] for name in _OF_THE_LIGHT})
     afar = WeatherAfar(light, series=False)

@@ -1,4 +1,4 @@
-"""The sky matrix as a quantity."""
+"""The sky matrix as a quantity of the command line."""
 
 from typing import Any
 
@@ -9,12 +9,16 @@ from warpsample.radiation.sky.patches import sky_patches
 from warpsample.radiation.sky.result import SkyMatrix
 from warpsample.radiation.sky.sky_matrix import sky_matrix
 
-_COPIES = 2  # in parts, and as a whole
-_BYTES = 8  # of a value and its error
+_COPIES = 2  # the parts, and the whole matrix
+_BYTES = 8  # per value and error
 
 
 def _prepare(mesh: Mesh, total: int, **options: Any) -> Numbers:
-    """The rows of the points; refuses more of them than fit into memory."""
+    """Return a function of points that computes their rows of the sky matrix.
+
+    Raises:
+        MemoryError: the rows of all points need more memory than is free.
+    """
     patches = len(sky_patches(options["patches"]))
     what = f"{total:,} rows of {patches:,} patches and their errors"
     check_memory(_COPIES * _BYTES * total * patches, what, "take fewer points, or coarser --patches")

@@ -1,4 +1,4 @@
-"""The hours in which points see the sun, and these as a quantity."""
+"""Sun hours of points: the call `sun_hours`, and the quantity of the command line."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ from warpsample.tracing.placed_points import PlacedPoints
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SunHours(ExactResult):
-    """Number of hours in which P points see the sun: `value` (P,), and (P,) `standard_error` 0, `rays` 0 and `status`.
+    """Number of sun hours of P points: `value` (P,), with zeros (P,) as `standard_error` and `rays`, and `status` (P,).
 
     An hour counts if in its middle the sun's centre is above the horizon, in front of the point and not hidden by the mesh.
     """
@@ -38,7 +38,7 @@ def sun_hours(
     first_point: int = 0,
     workers: int | None = None,
 ) -> SunHours:
-    """Count the hours of a period in which each point sees the sun, at its position in the middle of each hour.
+    """Count the hours of a period in which each point sees the sun; the sun is placed at mid-hour.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
@@ -52,11 +52,11 @@ def sun_hours(
         workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
-        value (P,), the hours, and for each point a status.
+        value (P,), the number of hours, and a status for each point.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: as for `irradiation`.
-        ModuleNotFoundError: pvlib is missing; says how to install it.
+        ModuleNotFoundError: pvlib is not installed.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")
@@ -65,7 +65,7 @@ def sun_hours(
         (2080,) 15 hours
     """
     mesh = as_mesh(mesh)
-    total = len(PlacedPoints.of(mesh, points))  # which checks them, where no sun is up to do it
+    total = len(PlacedPoints.of(mesh, points))  # checks the points even if the sun never rises
     options = {"weather": weather, "period": period, "up": up, "north": north, "seed": seed, "workers": workers}
     return _prepare(mesh, total, **options)(points, first_point)
 
@@ -73,7 +73,7 @@ def sun_hours(
 def _prepare(
     mesh: Mesh, _total: int, *, weather: Any, period: Any, up: Any, north: Any, seed: int, workers: int | None
 ) -> Numbers:
-    """The hours of sun by a weather file that is read once."""
+    """Read the weather file once; return a function of points that counts their sun hours."""
     found = read_weather(weather, period)
     suns = sun_directions(found.chosen(found.sun_altitude > 0.0), sky_patches(up=up, north=north).frame)
 

@@ -1,1 +1,1 @@
-"""Light that faces send back, once or many times: diffuse reflections between the faces of a mesh."""
+"""Diffuse reflections between the faces of a mesh, in all orders."""

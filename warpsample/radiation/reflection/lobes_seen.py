@@ -1,4 +1,4 @@
-"""What the rays of points meet: shares of their lobes, patch by patch, as rows of a sparse matrix."""
+"""Rays over cosine lobes, and the share of each lobe that each patch fills, as rows of a sparse matrix."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -16,17 +16,18 @@ from warpsample.tracing.trace_all import trace_all
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-_BLOCK = 1 << 20  # rays that stand at a time
-_NOTHING, _AFAR = -1, -2  # in place of a patch
+_BLOCK = 1 << 20  # rays in memory at a time
+_NOTHING, _AFAR = -1, -2  # codes instead of a patch: no light, and light outside the mesh
 
 
 @dataclass(frozen=True, eq=False)
 class Targets:
-    """What light comes from: N patches, and what is beyond the mesh.
+    """Sources of light for rays: N patches, and the light outside the mesh.
 
     Attributes:
-        patches: the N patches.
-        beyond: (M, 3) directions that meet nothing -> (M, columns) sparse, the light from there in each column.
+        patches: N patches of faces.
+        beyond: Function from (M, 3) directions of rays that hit nothing to the (M, columns) sparse light from there; None if
+            this light is not needed.
     """
 
     patches: Patches
@@ -35,11 +36,11 @@ class Targets:
 
 @dataclass(frozen=True, eq=False)
 class Shares:
-    """What lobes see, in rows of sparse matrices.
+    """Shares of cosine lobes, in rows of sparse matrices.
 
     Attributes:
-        patches: (P, N), shares of the lobes that patches fill; a ray has an entry of its own.
-        beyond: (P, columns), the lobes' means of the light beyond the mesh; None where that was not asked for.
+        patches: (P, N) shares of the lobes that patches fill; each ray has a separate entry.
+        beyond: (P, columns) means of the light outside the mesh over the lobes; None if not needed.
     """
 
     patches: "csr_array"
@@ -48,11 +49,11 @@ class Shares:
 
 @dataclass(frozen=True, eq=False)
 class LobeRays:
-    """n rays from each of P points, about their normals.
+    """n rays from each of P points, distributed over the cosine lobes about their normals.
 
     Attributes:
-        points: the points.
-        directions: (P, n, 3) float32, zero where a point has none.
+        points: The P points.
+        directions: (P, n, 3) float32, zero for points without a normal.
     """
 
     points: SurfacePoints
@@ -60,15 +61,18 @@ class LobeRays:
 
     @property
     def way(self) -> np.ndarray:
-        """(P n, 3), the directions ray by ray."""
+        """(P n, 3) directions, ray by ray."""
         return self.directions.reshape(-1, 3)
 
     def start(self, rays: np.ndarray) -> np.ndarray:
-        """(K, 3), where some of them start."""
+        """Return the (K, 3) starts of the rays with the given indices."""
         return self.points.position[rays // self.directions.shape[1]]
 
     def leaving(self, normals: np.ndarray) -> np.ndarray:
-        """(P n,) bool: not those that leave a point behind its own face, as they may about the smooth normal of a texel."""
+        """Return the (P n,) mask of the rays that start towards the front side of their point's face.
+
+        The smooth normal of a texel may direct rays behind the face.
+        """
         own = np.where((self.points.face >= 0)[:, None], normals[self.points.face], self.points.normal)
         with np.errstate(invalid="ignore"):
             side = np.einsum("pk,pk->p", own, self.points.normal)
@@ -77,12 +81,12 @@ class LobeRays:
 
 @dataclass(frozen=True, eq=False)
 class Met:
-    """What some rays meet, ray by ray.
+    """Hits of rays, ray by ray.
 
     Attributes:
-        ray: (M,) int64, ascending.
-        column: (M,) int32, of the patches; or what there is in place of one.
-        share: (M,) float32, of the light from there that arrives.
+        ray: (M,) int64, index of the ray, ascending.
+        column: (M,) int32, number of the patch, or _NOTHING or _AFAR.
+        share: (M,) float32, share of the light from there that arrives.
     """
 
     ray: np.ndarray
@@ -91,7 +95,7 @@ class Met:
 
 
 def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> Shares:
-    """What the lobes see in the mean of so many points."""
+    """Return the shares of the lobes, as means over each `together` consecutive points."""
     mesh, csr_array = targets.patches.mesh, imported("scipy.sparse").csr_array
     reflects_and_transmits = mesh.transmits and bool((mesh.transmittance[targets.patches.face] > 0.0).any())
     met = (_met_along if reflects_and_transmits else _met_first)(targets.patches, rays, workers)
@@ -114,7 +118,7 @@ def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | 
 
 
 def _met_first(patches: Patches, rays: LobeRays, workers: int | None) -> Met:
-    """What the rays meet first that is opaque."""
+    """Return the first opaque hit of each ray."""
     hits = trace(patches.mesh, rays.points, rays.directions, workers=workers)
     face, distance = hits.face.ravel(), hits.distance.ravel()
     column = patches.met(face, rays.way, distance, rays.start)
@@ -124,7 +128,7 @@ def _met_first(patches: Patches, rays: LobeRays, workers: int | None) -> Met:
 
 
 def _met_along(patches: Patches, rays: LobeRays, workers: int | None) -> Met:
-    """All that the rays meet, up to where nothing is left: what a face sends goes through those before it."""
+    """Return all hits of each ray until no light is left; transmitting faces attenuate the light of faces behind them."""
     hits = trace_all(patches.mesh, rays.points, rays.directions, workers=workers)
     number = np.diff(hits.first)
     ray = np.repeat(np.arange(len(number)), number)
@@ -135,7 +139,7 @@ def _met_along(patches: Patches, rays: LobeRays, workers: int | None) -> Met:
         left[ray[at]] *= patches.mesh.transmittance[hits.face[at]]
     column = patches.met(hits.face, rays.way[ray], hits.distance, lambda rows: rays.start(ray[rows]))
     last = np.where(rays.way.any(axis=1), _AFAR, _NOTHING)
-    after = hits.first[1:]  # where what is behind all faces of a ray is put in
+    after = hits.first[1:]  # positions for the entries of light behind all faces of a ray
     return Met(np.insert(ray, after, np.arange(len(number))), np.insert(column, after, last), np.insert(share, after, left))
 
 
@@ -150,7 +154,10 @@ def lobes_seen(
     together: int = 1,
     workers: int | None = None,
 ) -> Iterator[tuple[slice, Shares]]:
-    """(points, what they see) block by block: what `count` rays of each see, in the mean of `together` points."""
+    """Iterate over blocks (slice of points, shares of their lobes).
+
+    Each point has `count` rays; shares are means over each `together` consecutive points.
+    """
     step = max(1, _BLOCK // (count * together)) * together
     for first in range(0, len(points), step):
         rows = slice(first, min(first + step, len(points)))

@@ -1,4 +1,4 @@
-"""The parts of a mesh that send light back, each evenly: both sides of its faces, or of equal parts of these."""
+"""Patches of a mesh that reflect uniformly: both sides of each reflecting face, or of equal parts of a face."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -15,22 +15,22 @@ from warpsample.mesh.mesh import Mesh, lengths
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
 
-_BYTES = 64  # of a patch
-_MOST_CUTS = 2**10  # of an edge
-_USUALLY_MORE = 2**13  # patches than sides of faces that reflect
+_BYTES = 64  # per patch
+_MOST_CUTS = 2**10  # parts per edge
+_USUALLY_MORE = 2**13  # patches beyond the number of sides of reflecting faces
 
 
 @dataclass(frozen=True, eq=False)
 class Patches:
-    """N patches: for each face that reflects, those of its front and then those of its back.
+    """N patches: for each reflecting face, the patches of its front, then the patches of its back.
 
     Attributes:
-        mesh: whose faces they are of.
-        cuts: (F,) int64, into how many parts each edge of a face is cut, which makes as many squared of the face; 0 where
-            it reflects nothing.
-        face: (N,) int64, of each patch.
-        back: (N,) bool, whether it is on the back of the face.
-        part: (N,) int64, which part of the face it is: row by row away from the edge of the first and third corner.
+        mesh: Mesh of the faces.
+        cuts: (F,) int64, number of parts of each edge of a face; the face has the square of this number. 0 for faces that
+            do not reflect.
+        face: (N,) int64, face of each patch.
+        back: (N,) bool, whether the patch is on the back of the face.
+        part: (N,) int64, number of the part in the face, row by row away from the edge of the first and third corner.
     """
 
     mesh: Mesh
@@ -40,24 +40,24 @@ class Patches:
     part: np.ndarray
 
     def __len__(self) -> int:
-        """How many patches there are."""
+        """Return the number of patches."""
         return len(self.face)
 
     @property
     def reflectance(self) -> np.ndarray:
-        """(N,) float64, that of the face of each."""
+        """(N,) float64 reflectance of each patch's face."""
         return self.mesh.reflectance[self.face].astype(np.float64)
 
     def met(
         self, face: np.ndarray, directions: np.ndarray, distance: np.ndarray, start: Callable[[np.ndarray], np.ndarray]
     ) -> np.ndarray:
-        """(M,) int32, the patch that each of M rays meets, -1 where it sends nothing back.
+        """Return the (M,) int32 number of the patch that each of M rays hits, or -1 for no reflecting face.
 
         Args:
-            face: (M,), -1 for none.
-            directions: (M, 3) of the rays.
-            distance: (M,), to the face.
-            start: (K,) of the M rays -> (K, 3) float64, where they start.
+            face: (M,) face that each ray hits, -1 for none.
+            directions: (M, 3) directions of the rays.
+            distance: (M,) distance to the face.
+            start: Function from the (K,) indices of rays to their (K, 3) float64 starts.
         """
         first, parts = (table[face] for table in self._tables)
         back = np.einsum("ij,ij->i", self.mesh.face_normals[face], directions) > 0.0
@@ -70,13 +70,16 @@ class Patches:
 
     @cached_property
     def _tables(self) -> tuple[np.ndarray, np.ndarray]:
-        """(F + 1,) int32, the first patch of each face, and how many are on a side; -1 and 0 of none, as after the last."""
+        """First patch of each face and patches per side, (F + 1,) int32 each; -1 and 0 for no patch, as in the last row."""
         parts = np.append(np.square(self.cuts), 0)
         first = np.cumsum(2 * parts) - 2 * parts
         return np.where(parts > 0, first, -1).astype(np.int32), parts.astype(np.int32)
 
     def places(self, count: int, seed: int) -> SurfacePoints:
-        """`count` random places on each patch, evenly spread, patch by patch; their normals are those of their sides."""
+        """Return `count` random positions on each patch, patch by patch, uniform by area.
+
+        Normals are those of the patch's side.
+        """
         square = sample_square("fibonacci", len(self), count, seed=seed_for("places", seed)).astype(np.float64)
         square = np.where(square.sum(axis=2, keepdims=True) > 1.0, 1.0 - square, square).reshape(-1, 2)
         patch = np.repeat(np.arange(len(self)), count)
@@ -91,11 +94,11 @@ class Patches:
 
 
 def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
-    """The patches of a mesh, of edges that are at most as long as `refine`; None if all faces are black.
+    """Return the patches of a mesh, with edges not longer than `refine`; None if all faces are black.
 
     Raises:
-        TypeError, ValueError: no such length.
-        MemoryError: more patches than there is memory for.
+        TypeError, ValueError: `refine` is not a positive length.
+        MemoryError: the patches need more memory than is free.
     """
     longest = None if refine is None else check_number(refine, "refine", 1e-12, inf)
     if not mesh.reflects:
@@ -106,7 +109,7 @@ def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
     cuts = _cuts(edges, _usual(edges) if longest is None else longest)
     parts = np.square(cuts)
     total = 2 * int(parts.sum())
-    check_memory(_BYTES * total, f"refine: {total:,} parts of faces that reflect", "take a larger refine=")
+    check_memory(_BYTES * total, f"refine: {total:,} parts of faces that reflect", "pass a larger refine=")
     face = np.repeat(np.arange(len(cuts)), 2 * parts)
     rank = np.arange(total) - np.repeat(np.cumsum(2 * parts) - 2 * parts, 2 * parts)
     back = rank >= parts[face]
@@ -114,12 +117,15 @@ def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
 
 
 def _cuts(edges: np.ndarray, longest: float) -> np.ndarray:
-    """(F,) int64, into how many parts faces with such longest edges are cut; 0 where that is 0."""
+    """Return the (F,) int64 number of parts per edge for faces with the given longest edges; 0 for an edge of 0."""
     return np.where(edges > 0.0, np.clip(np.ceil(edges / longest), 1, _MOST_CUTS), 0).astype(np.int64)
 
 
 def _usual(edges: np.ndarray) -> float:
-    """The length that makes about so many patches more than there are sides: those of the faces with the longest edges."""
+    """Return the default longest edge, which makes about 8,192 patches more than sides.
+
+    The faces with the longest edges are cut.
+    """
     low, high = 0.0, float(edges.max(initial=1e-300))
     for _ in range(40):
         middle = 0.5 * (low + high)
@@ -129,7 +135,7 @@ def _usual(edges: np.ndarray) -> float:
 
 
 def _part_at(mesh: Mesh, face: np.ndarray, places: np.ndarray, cuts: np.ndarray) -> np.ndarray:
-    """(M,) int64, which part of its face each place is in."""
+    """Return the (M,) int64 number of the part of a face that contains each position."""
     corner, first, second = (mesh.vertices[mesh.faces[face, k]] for k in range(3))
     across, away = mesh.cross_products[face], places - corner
     area = np.einsum("ij,ij->i", across, across)
@@ -142,7 +148,7 @@ def _part_at(mesh: Mesh, face: np.ndarray, places: np.ndarray, cuts: np.ndarray)
 
 
 def _corner_of(part: np.ndarray, cuts: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(row, column, 1 if it is turned round) of parts, the other way round."""
+    """Return (row, column, 1 if rotated by half a turn) of the parts with the given numbers."""
     row = (cuts - np.ceil(np.sqrt(np.square(cuts) - part))).astype(np.int64)
     rest = part - row * (2 * cuts - row)
     return row, rest // 2, rest % 2

@@ -1,11 +1,11 @@
-"""All orders of diffuse reflection between faces: what each patch sends back, and what of it points receive.
+"""All orders of diffuse reflection between faces: radiosity of each patch, and reflected light at points.
 
-What a patch sends back is found from what its own rays meet, light from afar and other patches: that makes an equation
-each, J = rho (E + F J) (Goral1984). What a point receives by reflection is the mean of J over what its rays meet: pi times
-the mean of the radiance J / pi.
+The radiosity J of patches solves J = rho (E + F J) (Goral1984). The irradiance E and the view factors F come from rays of
+the patches, which hit distant light or other patches. A point's reflected irradiance is the mean of J over the patches that
+its rays hit: pi times the mean of the radiance J / pi.
 
-All of this is done several times, by other random numbers: the mean is the result, and the differences tell its error, that
-of the patches, which all points share, and that of a point's own rays alike.
+All steps are repeated with independent random numbers. The mean is the result. The differences give the standard error,
+which contains the error of the patches, common to all points, and the error of the point's own rays.
 """
 
 from collections.abc import Callable, Hashable
@@ -30,26 +30,26 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 REPLICATES = 8
-"""Independent runs of all."""
+"""Number of independent runs."""
 
 _FEWER = 16
-"""By so much fewer are the rays of a patch than those of a point, whose rays meet many patches, and average their errors."""
+"""Ratio between the rays of a point and of a patch; a point's rays hit many patches, which averages their errors."""
 
-_FEWEST_RAYS, _FEWEST_PLACES = 1 << 17, 1 << 12  # of all patches of a replicate together
-_LEAST_RAYS, _MOST_PLACES = 8, 32  # of a patch and a replicate
-_TOGETHER = 256  # columns of light that are followed at a time
-_MANY = 4  # columns, from which on it takes less time to add up the rays that meet the same patch first
-_BYTES_OF_RAY = 40  # of a patch
+_FEWEST_RAYS, _FEWEST_PLACES = 1 << 17, 1 << 12  # per run, over all patches
+_LEAST_RAYS, _MOST_PLACES = 8, 32  # per patch and run
+_TOGETHER = 256  # columns of light that are computed at a time
+_MANY = 4  # least number of columns for which summing the rays to the same patch saves time
+_BYTES_OF_RAY = 40  # per ray of a patch
 
 
 @dataclass(frozen=True, eq=False)
 class Probes:
-    """What finds the light on N patches.
+    """Rays and positions that sample the distant light on N patches.
 
     Attributes:
-        at: P places, P / N on each patch, patch by patch.
-        beyond: (N, columns), the means of the light beyond the mesh over the patches' lobes.
-        options: of further rays.
+        at: P sample positions, P / N on each patch, patch by patch.
+        beyond: (N, columns) means of the light outside the mesh over the patches' lobes.
+        options: Options of further rays.
     """
 
     at: PlacedPoints
@@ -57,34 +57,34 @@ class Probes:
     options: RayOptions
 
     def means(self, values: np.ndarray, columns: int) -> np.ndarray:
-        """(N, columns) float64, the means over patches of (P, columns) numbers of the places."""
+        """Return the (N, columns) float64 means over each patch's sample positions of (P, columns) numbers."""
         return values.reshape(self.beyond.shape[0], -1, columns).mean(axis=1, dtype=np.float64)
 
 
 class Afar(Protocol):
-    """Light from afar, T columns of it: colours, or hours.
+    """Distant light with T columns: colours, or hours.
 
     Attributes:
-        size: T.
+        size: Number of columns T.
     """
 
     size: int
 
     def targets(self, patches: Patches, workers: int) -> Targets:
-        """What rays of patches are sorted by, with so many threads."""
+        """Return the targets for rays of the patches; `workers` is the number of threads."""
 
     def falling(self, probes: Probes, columns: slice) -> np.ndarray:
-        """(N, some of T) float64, the irradiance of N patches by some columns of the light."""
+        """Return the float64 irradiance of N patches by some columns of the light, one row per patch."""
 
 
 @dataclass(frozen=True, eq=False)
 class Reflected:
-    """What P points receive by reflection.
+    """Reflected light at P points.
 
     Attributes:
         value: (P, T) float64, irradiance.
-        error: (P, T) float64, its standard error.
-        rays: of each point.
+        error: (P, T) float64, standard error of `value`.
+        rays: Number of rays per point.
     """
 
     value: np.ndarray
@@ -94,18 +94,18 @@ class Reflected:
 
 @dataclass(frozen=True, eq=False)
 class Reflections:
-    """The light that patches send back, found several times.
+    """Light that patches reflect, from several independent runs.
 
     Attributes:
-        patches: N of them.
-        leaving: of each replicate (N, T) float32, radiosity.
+        patches: N patches.
+        leaving: For each run, (N, T) float32, radiosity.
     """
 
     patches: Patches
     leaving: tuple[np.ndarray, ...]
 
     def at(self, points: SurfacePoints, count: int, options: RayOptions) -> Reflected:
-        """What points receive of it, by `count` rays of each, or a few less."""
+        """Compute the reflected irradiance at points; `count` rays per point, rounded down to a multiple of the runs."""
         count = max(1, count // REPLICATES)
         shape = len(points), self.leaving[0].shape[1]
         mean, squares = np.zeros(shape), np.zeros(shape)
@@ -121,9 +121,9 @@ class Reflections:
 
 
 def kept_on(mesh: Mesh, key: Hashable, find: Callable[[], Reflections]) -> Reflections:
-    """What was found last of a mesh, if it is of that key; else it is found: for calls over many parts of the points.
+    """Return the reflections cached on a mesh if their key is `key`; else compute and cache them.
 
-    Threads that want it at once wait for the first.
+    For calls over many parts of the points. Threads with the same mesh wait for the first computation.
     """
     with making:
         known, found = vars(mesh).get("_reflections", (None, None))
@@ -134,15 +134,15 @@ def kept_on(mesh: Mesh, key: Hashable, find: Callable[[], Reflections]) -> Refle
 
 
 def reflections_of(patches: Patches, afar: Afar, count: int, options: RayOptions) -> Reflections:
-    """What patches send back of light from afar, in a call by `count` rays of a point, by the seed and workers of options.
+    """Compute the light that patches reflect; `count` is the number of rays per point of the call.
 
     Raises:
-        ValueError: faces that reflect all, and lose nothing.
-        MemoryError: more patches and columns than there is memory for.
+        ValueError: faces that reflect all light and lose none.
+        MemoryError: patches and columns need more memory than is free.
     """
     size = len(patches) * (4 * REPLICATES * afar.size + _BYTES_OF_RAY * (count // (_FEWER * REPLICATES)))
     what = f"the light of {len(patches):,} sides or parts of faces in {afar.size:,} columns, by {count:,} rays"
-    check_memory(size, what, "take a shorter period, fewer rays, or a larger refine=")
+    check_memory(size, what, "pass a shorter period, a smaller count, or a larger refine=")
     runs = []
     for number in range(REPLICATES):
         own = RayOptions.of(0, seed=_seed("reflections", number, options.seed), workers=options.workers)
@@ -151,18 +151,19 @@ def reflections_of(patches: Patches, afar: Afar, count: int, options: RayOptions
 
 
 def _seed(purpose: str, number: int, seed: int) -> int:
+    """Return the seed of a purpose and a run."""
     return seed_for(f"{purpose} {number}", seed)
 
 
 def _together(seen: "csr_array", columns: int) -> "csr_array":
-    """Shares of which those of the same patch are added up, where that saves time for so many columns of light."""
+    """Sum the entries of the same patch in each row, if this saves time for the number of columns; return the matrix."""
     if columns >= _MANY:
         seen.sum_duplicates()
     return seen
 
 
 def _leaving(patches: Patches, afar: Afar, count: int, options: RayOptions) -> np.ndarray:
-    """(N, T) float32, what each patch sends back, by one set of random numbers."""
+    """Compute the radiosity of each patch, (N, T) float32, in one run."""
     number = len(patches)
     if number == 0:
         return np.zeros((0, afar.size), np.float32)

@@ -1,1 +1,1 @@
-"""Sky patches, and how much of each one points see."""
+"""Sky patches, the sky matrix, and irradiance from distant light."""

@@ -1,6 +1,7 @@
-"""Rows of a sky matrix times a sky, in float64: sums over the patches in one order, whichever points are together.
+"""Product of the rows of a sky matrix and a sky, in float64.
 
-A library's product of matrices is as fast, but its last bits depend on the number of rows.
+The order of summation is fixed, so that a row's result does not depend on the other rows. A library's matrix product is as
+fast, but its last bits depend on the number of rows.
 """
 
 import numpy as np
@@ -11,7 +12,7 @@ from warpsample.host.engine import run
 from warpsample.host.locks import once
 from warpsample.maths.numerics import ZERO
 
-_ROWS = 8  # a task: each number of the sky is loaded once for them
+_ROWS = 8  # per task: each number of the sky is loaded once for all of them
 _COLUMNS = 64  # at a time
 _ROWS_IN_KERNEL = wp.constant(wp.int32(_ROWS))
 _SUMS = 2 * _ROWS * _COLUMNS
@@ -19,10 +20,10 @@ _SUMS = 2 * _ROWS * _COLUMNS
 
 @wp.struct
 class Fold:
-    """Scalars and addresses.
+    """Scalars and addresses of the product's arrays.
 
-    value, error: (rows, patches) float32, of the points (rows,) int64. weights: (patches, columns) float64. sums, errors:
-    (P, columns) float32.
+    value, error: (rows, patches) float32. points: (rows,) int64, the result's row of each row. weights: (patches, columns)
+    float64. sums, errors: (P, columns) float32.
     """
 
     rows: wp.int64
@@ -42,13 +43,15 @@ FoldArgs = type(Fold().__ctype__())
 def fold_rows(
     value: np.ndarray, error: np.ndarray, points: np.ndarray, *, weights: np.ndarray, out: list[np.ndarray], workers: int
 ) -> None:
-    """Writes what rows of a matrix sum to, and the standard error of that, the patches' being independent.
+    """Write the weighted sums of a matrix's rows and their standard errors; errors of patches are taken as independent.
 
     Args:
-        value: (B, K) float32; error too.
-        points: (B,) int64, the rows of the results.
-        weights: (K, T) float64, contiguous.
-        out: sums and errors, (P, T) float32 each.
+        value: (B, K) float32, rows of the matrix.
+        error: (B, K) float32, standard errors of `value`.
+        points: (B,) int64, the row of `out` for each row of `value`.
+        weights: (K, T) float64, contiguous: T skies.
+        out: the arrays to write, sums and errors, (P, T) float32 each.
+        workers: number of CPU threads.
     """
     fold = FoldArgs(rows=len(points), patches=weights.shape[0], columns=weights.shape[1])
     fold.value, fold.error, fold.points, fold.weights = (a.ctypes.data for a in (value, error, points, weights))
@@ -65,7 +68,7 @@ def fold_rows(
 
 @wp.func
 def _add(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint64):
-    """Adds factor * weight to each sum."""
+    """Add factor * weight to each sum."""
     w = wp.array(ptr=weights, shape=(_COLUMNS,), dtype=wp.float64)
     total = wp.array(ptr=sums, shape=(_COLUMNS,), dtype=wp.float64)
     i = wp.int32(0)
@@ -76,7 +79,7 @@ def _add(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint
 
 @wp.func
 def _add_squares(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint64):
-    """Adds (factor * weight)^2 to each sum."""
+    """Add (factor * weight)^2 to each sum."""
     w = wp.array(ptr=weights, shape=(_COLUMNS,), dtype=wp.float64)
     total = wp.array(ptr=sums, shape=(_COLUMNS,), dtype=wp.float64)
     i = wp.int32(0)
@@ -88,7 +91,7 @@ def _add_squares(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums:
 
 @once
 def _fold_kernel() -> wp.Kernel:
-    """A kernel with a task for each _ROWS rows."""
+    """Build the kernel that multiplies _ROWS rows per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def fold_sky(fold: Fold, first_task: wp.int64):

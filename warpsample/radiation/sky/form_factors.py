@@ -1,9 +1,10 @@
-"""The share of a lobe that a sky patch takes, in closed form, wherever the point's horizon cuts it.
+"""Form factors of sky patches in closed form, including patches that the point's horizon cuts.
 
 In the patches' frame (east, north, up) a direction at altitude a and azimuth p has the cosine n_z sin a + h(p) cos a to a
-normal n, h(p) = H cos(p - p_n). Its integral over the altitude, n_z sin^2 a / 2 + h (a + sin a cos a) / 2, is to be
-integrated over the azimuth at the upper edge of what is above the horizon, less at the lower edge. Along the horizon that is
-a total differential but for the angle that the horizon turns by about n: by Stokes, as for the area of a polygon.
+normal n, with h(p) = H cos(p - p_n). The integral over the altitude is n_z sin^2 a / 2 + h (a + sin a cos a) / 2. It is
+integrated over the azimuth along the upper edge of the visible part, minus the same along the lower edge. On the horizon the
+integrand is a total differential plus half the horizon's turning angle about n, by Stokes' theorem, as for the area of a
+polygon.
 """
 
 import numpy as np
@@ -13,22 +14,23 @@ from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.radiation.sky.patches import SkyPatches
 
 FAINT = 2.0**-12
-"""A cosine to the normal below which rays are not cast: what lies so low adds 1e-8 of a patch's azimuths."""
+"""Cosine to the normal below which no rays are cast: directions below it add at most 1e-8 of a patch's azimuth width."""
 
 _COLUMNS = 20  # of the table
 _FAINT = wp.constant(wp.float64(FAINT))
 _PI = wp.constant(wp.float64(np.pi))
 _INVERSE_PI = wp.constant(wp.float64(1.0 / np.pi))
-_UPRIGHT = wp.constant(wp.float64(1e-12))  # less of a normal lies in the horizontal plane than counts
+_UPRIGHT = wp.constant(wp.float64(1e-12))  # a horizontal part of the normal below this is taken as 0
 
 
 @wp.struct
 class Patch:
-    """A patch as kernels see it; angles in radians, in the patches' frame.
+    """Edges and constants of one sky patch for kernels; angles in radians, in the patches' frame.
 
-    Azimuths, their sines and cosines, half the chord's sagitta; sines, cosines and tangents of the altitudes of the lower
-    and the upper edge; the integrals of cos^2 up to them; the moment: the integral of the direction over the patch; how much
-    lower than the zenith the upper and the lower edge are.
+    first, last: azimuths of the sides, with sines and cosines. bulge: 1 - cos of half the width, 2 if wider than pi. *_low,
+    *_high: sine, cosine and tangent of the altitudes of the lower and the upper edge; along_*: integrals of cos^2 up to the
+    edge. moment: integral of the direction over the patch. top, bottom: drops of the upper and lower edge, 1 -
+    sin(altitude).
     """
 
     first: wp.float64
@@ -52,7 +54,7 @@ class Patch:
 
 
 def table_of(patches: SkyPatches) -> np.ndarray:
-    """(K, 20) float64: the numbers of `Patch`."""
+    """Return the (K, 20) float64 table of the fields of `Patch`, one row per sky patch."""
     (low, high), (first, last) = np.radians(patches.altitudes).T, np.radians(patches.azimuths).T
     table = np.zeros((len(patches), _COLUMNS))
     table[:, 0:6] = np.stack([first, last, np.sin(first), np.cos(first), np.sin(last), np.cos(last)], axis=1)
@@ -65,20 +67,23 @@ def table_of(patches: SkyPatches) -> np.ndarray:
     table[:, 15:18] = np.stack(
         [(table[:, 3] - table[:, 5]) * along, (table[:, 4] - table[:, 2]) * along, (last - first) * up], axis=1
     )
-    table[-1, 15:17] = 0.0  # all around
+    table[-1, 15:17] = 0.0  # the cap: the horizontal moment is 0 by symmetry
     table[:, 18:20] = 2.0 * np.square(np.sin(0.5 * (0.5 * np.pi - np.stack([high, low], axis=1))))
     return table
 
 
 @wp.func
 def patch_at(table: wp.uint64, k: wp.int32) -> Patch:
-    """The k-th patch."""
+    """Return the k-th patch of the table."""
     return wp.array(ptr=table, shape=(k + 1,), dtype=Patch)[k]
 
 
 @wp.func
 def _turned(x: wp.float64, nz: wp.float64, level: wp.float64) -> wp.float64:
-    """By which angle about the normal the horizon turns from the normal's azimuth to x beyond it; and h' a / 2 there."""
+    """Return the antiderivative of the integral along the horizon at azimuth x, measured from the normal's.
+
+    Half of: h'(x) a(x), plus the angle by which the horizon turns about the normal.
+    """
     s = wp.sin(x)
     c = wp.cos(x)
     return HALF * (level * s * wp.atan2(-level * c, nz) - wp.atan2(nz * s, c) + nz * x)
@@ -86,7 +91,10 @@ def _turned(x: wp.float64, nz: wp.float64, level: wp.float64) -> wp.float64:
 
 @wp.func
 def _below_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
-    """The integral from the normal's azimuth to x, 0 to pi, beyond it, at the lower edge of what is above the horizon."""
+    """Return the integral along the lower edge of a patch's visible part.
+
+    x, 0 to pi: upper limit, an azimuth measured from the normal's.
+    """
     total = HALF * nz * patch.sin_low * patch.sin_low * wp.min(x, w_low)
     total += level * patch.along_low * wp.sin(wp.min(x, w_low))
     if x > w_low and w_high > w_low:
@@ -99,7 +107,10 @@ def _below_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.floa
 
 @wp.func
 def _odd_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
-    """What `_below_edge` gives, from -2 pi to 2 pi: the integrand is even about the normal's azimuth and its opposite."""
+    """Extend `_below_edge` to x from -2 pi to 2 pi.
+
+    The integrand is even about the normal's azimuth and about the opposite azimuth.
+    """
     size = wp.abs(x)
     total = _below_edge(wp.min(size, TWO * _PI - size), nz, level, w_low, w_high, patch)
     if size > _PI:
@@ -109,20 +120,23 @@ def _odd_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float6
 
 @wp.func
 def reaches(slope: wp.float64, level: wp.float64) -> wp.float64:
-    """How far from the normal's azimuth, 0 to pi, the horizon of a normal is below the altitude of a tangent slope / n_z."""
+    """Return the azimuth difference from the normal, 0 to pi, up to which the horizon is below an altitude.
+
+    slope: n_z times the tangent of the altitude. level: length of the normal's horizontal part.
+    """
     return wp.acos(wp.clamp(-slope / level, -ONE, ONE))
 
 
 @wp.func
 def azimuth_near(n: wp.vec3d, middle: wp.float64) -> wp.float64:
-    """The normal's azimuth, within pi of a patch's middle."""
+    """Return the normal's azimuth, plus the multiple of 2 pi that brings it within pi of `middle`."""
     azimuth = wp.atan2(n[0], n[1])
     return azimuth + TWO * _PI * wp.round((middle - azimuth) / (TWO * _PI))
 
 
 @wp.func
 def _cut(n: wp.vec3d, level: wp.float64, patch: Patch) -> wp.float64:
-    """pi times the share of a patch that the horizon cuts; n_z at least 0."""
+    """Return pi times the form factor of a patch that the horizon cuts, for n_z of at least 0."""
     w_low = reaches(n[2] * patch.tan_low, level)
     w_high = reaches(n[2] * patch.tan_high, level)
     azimuth = azimuth_near(n, HALF * (patch.first + patch.last))
@@ -134,7 +148,7 @@ def _cut(n: wp.vec3d, level: wp.float64, patch: Patch) -> wp.float64:
 
 @wp.func
 def highest(n: wp.vec3d, patch: Patch) -> wp.vec3d:
-    """The direction of a patch that is farthest above the point's horizon."""
+    """Return the direction in a patch that is highest above the point's horizon."""
     level = wp.sqrt(n[0] * n[0] + n[1] * n[1])
     azimuth = azimuth_near(n, HALF * (patch.first + patch.last))
     s = patch.sin_last
@@ -148,7 +162,7 @@ def highest(n: wp.vec3d, patch: Patch) -> wp.vec3d:
     h = n[0] * s + n[1] * c
     sine = patch.sin_low
     cosine = patch.cos_low
-    if n[2] * patch.cos_low > h * patch.sin_low:  # rising there
+    if n[2] * patch.cos_low > h * patch.sin_low:  # the cosine increases with altitude at the lower edge
         sine = patch.sin_high
         cosine = patch.cos_high
         if n[2] * patch.cos_high < h * patch.sin_high:
@@ -159,7 +173,7 @@ def highest(n: wp.vec3d, patch: Patch) -> wp.vec3d:
 
 @wp.func
 def open_form_factor(n: wp.vec3d, patch: Patch) -> wp.float64:
-    """The integral of max(0, n.w) / pi over a patch, for a unit normal in the patches' frame."""
+    """Return the integral of max(0, n.w) / pi over a patch, for a unit normal n in the patches' frame."""
     level = wp.sqrt(n[0] * n[0] + n[1] * n[1])
     at_first = n[0] * patch.sin_first + n[1] * patch.cos_first
     at_last = n[0] * patch.sin_last + n[1] * patch.cos_last

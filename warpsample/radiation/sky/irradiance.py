@@ -1,4 +1,4 @@
-"""Irradiance under light from afar: a picture of it all around, or a function of the direction."""
+"""Irradiance from distant light, given as a picture of the whole sphere or as a function of the direction."""
 
 from dataclasses import dataclass, replace
 from hashlib import sha256
@@ -32,17 +32,17 @@ from warpsample.tracing.placed_points import PlacedPoints
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-_BRIGHTEST = 1e37  # of a picture: pi times that is a float32
+_BRIGHTEST = 1e37  # in a picture: pi times this number still fits into a float32
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Irradiance(Estimate):
-    """The irradiance of P points; an `Estimate` that also has what faces send back.
+    """Irradiance at P points; an `Estimate` with the part that faces reflect.
 
     Attributes:
-        reflected: of `value`'s shape and unit, the part of it that comes from faces, by all orders of reflection; None if
-            they are black.
-        reflected_error: its standard error; None if they are black.
+        reflected: Part of `value` from faces, by all orders of reflection, in the same shape and unit; None if all
+            faces are black.
+        reflected_error: Standard error of `reflected`; None if all faces are black.
     """
 
     reflected: NDArray[np.float32] | None = None
@@ -91,8 +91,8 @@ def irradiance(
         the radiance is; its standard error, the part that faces reflect, and for each point the rays cast and a status.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
+        TypeError, ValueError: an argument has a wrong type, shape or value.
+        MemoryError: the result needs more memory than is free.
 
     Example:
         >>> mesh, sky = ws.load_mesh("courtyard"), np.linspace(2.0, 0.0, 16)[:, None].repeat(32, axis=1)  # bright above
@@ -104,7 +104,7 @@ def irradiance(
     plan = plan_of(at, count, **options)
     axis, patches = as_unit(up, "up"), patches_of(at.mesh, refine)
     if patches is not None and plan.tolerance is not None:
-        raise ValueError(f"tolerance: got {told(plan.tolerance)} for a mesh that reflects, want None")
+        raise ValueError(f"tolerance: got {told(plan.tolerance)} for a mesh with a reflectance, want None")
     if isinstance(radiance, wp.Function):
         with naming_function("radiance"):
             integrand = integrand_of(radiance, argument="radiance", device=plan.options.memory.device)
@@ -118,12 +118,12 @@ def irradiance(
 
 @dataclass(frozen=True, eq=False)
 class _Shining:
-    """Light from afar by a function of the direction.
+    """Distant light whose radiance is a function of the direction.
 
     Attributes:
-        summed: what a ray brings.
-        size: 1, or 3 colours.
-        known_by: what tells the light from others; None: the function.
+        summed: sum over rays that gives the irradiance.
+        size: number of colours, 1 or 3.
+        known_by: text that identifies the light in the cache of reflected light; None: the function identifies it.
     """
 
     summed: RaySum
@@ -131,7 +131,7 @@ class _Shining:
     known_by: str | None = None
 
     def at(self, plan: Plan) -> Irradiance:
-        """The irradiance of points that comes from there."""
+        """Compute the irradiance of a plan's points from this light, without reflections."""
         found = estimate(plan, self.summed)
         if self.size == self.summed.integrand.channels:
             return found
@@ -139,7 +139,7 @@ class _Shining:
         return replace(found, **{name: getattr(found, name)[:, 0] for name in numbers})
 
     def targets(self, patches: Patches, workers: int) -> Targets:
-        """Patches; beyond them the radiance of the direction, 0 where that is not finite."""
+        """Return the targets of rays: the patches, and the light's radiance for rays that hit nothing, 0 if not finite."""
         csr_array = imported("scipy.sparse").csr_array
 
         def beyond(directions: np.ndarray) -> "csr_array":
@@ -151,12 +151,12 @@ class _Shining:
         return Targets(patches, beyond)
 
     def falling(self, probes: Probes, columns: slice) -> np.ndarray:
-        """The irradiance of patches, by their own rays."""
+        """Return the irradiance of patches by this light, from rays of the patches."""
         return pi * probes.beyond.toarray()[:, columns]
 
 
 def _shining_picture(picture: np.ndarray, up: tuple[float, ...]) -> _Shining:
-    """The light of a picture, (H, W) or (H, W, 3)."""
+    """Return the distant light of a picture, (H, W) or (H, W, 3); `up` is the direction of row 0."""
     pixels = picture if picture.ndim == 3 else picture[..., None]
     pixels = np.ascontiguousarray(np.broadcast_to(pixels, (*picture.shape[:2], 3)))
     known_by = f"{sha256(pixels.tobytes()).hexdigest()} {pixels.shape} {up}"
@@ -164,7 +164,10 @@ def _shining_picture(picture: np.ndarray, up: tuple[float, ...]) -> _Shining:
 
 
 def _reflected(patches: Patches, light: _Shining, plan: Plan) -> Reflected:
-    """What the points of a plan receive from patches under a light; what these send back is found once for a mesh."""
+    """Return the light that the points of a plan receive from patches.
+
+    The radiosity of the patches is cached on the mesh.
+    """
     if len(plan.at) == 0:
         return Reflected(*np.zeros((2, 0, light.size)), 0)
     light_of = light.known_by or light.summed.integrand.function
@@ -174,7 +177,10 @@ def _reflected(patches: Patches, light: _Shining, plan: Plan) -> Reflected:
 
 
 def _with_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
-    """The sum of light from afar and from faces; its t distribution is that of Welch and Satterthwaite."""
+    """Return the sum of distant and reflected irradiance.
+
+    Its degrees of freedom are those of Welch and Satterthwaite.
+    """
     good = has_status(found.status, PointStatus.OK)
     more, error = (np.where(good[:, None], a, 0.0).reshape(found.value.shape) for a in (reflected.value, reflected.error))
     own, other = np.square(found.spread.astype(np.float64)), np.square(error)
@@ -193,7 +199,11 @@ def _with_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
 
 
 def _picture(radiance: Any) -> np.ndarray:
-    """A picture of radiances, (H, W) or (H, W, 3) float32; refuses anything else."""
+    """Return the picture of `radiance`, an array or a path, as (H, W) or (H, W, 3) float32.
+
+    Raises:
+        TypeError, ValueError: another shape, or numbers outside 0 to 1e37.
+    """
     got = "got"
     if isinstance(radiance, str | PathLike):
         got, radiance = f"got {str(radiance)!r} with", read_picture(radiance)
@@ -203,5 +213,5 @@ def _picture(radiance: Any) -> np.ndarray:
     with np.errstate(over="ignore"):
         picture = picture.astype(np.float32)
     if not (picture.min() >= 0.0 and picture.max() <= _BRIGHTEST):
-        raise ValueError(f"radiance: {got} numbers that are below 0, above {_BRIGHTEST:g} or not finite, want none of these")
+        raise ValueError(f"radiance: {got} numbers below 0, above {_BRIGHTEST:g} or not finite, want 0 to {_BRIGHTEST:g}")
     return picture

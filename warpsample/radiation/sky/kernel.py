@@ -1,4 +1,4 @@
-"""One row of a sky matrix a task: its patches are looked into, and those of which nothing is known get the rays."""
+"""Kernel that computes a row of a sky matrix per task: patches are proven open or closed, or sampled with rays."""
 
 import warp as wp
 
@@ -16,9 +16,9 @@ from warpsample.tracing.sight.point import ShadingPoint, orient_point, place_poi
 from warpsample.tracing.sight.shafts import VECTORS_BYTES
 
 CONCENTRATION = 4.0
-"""How many times as densely patches may be sampled as `count` rays would sample the lobe, where little of that is sky.
+"""Largest ratio between the ray density on patches and that of `count` rays over the whole lobe, for points with little sky.
 
-What is found of other patches must not matter: the same rays are cast wherever the tree's boxes are."""
+The density does not depend on proofs about other patches, so the rays do not depend on the tree's boxes."""
 
 _CONCENTRATION = wp.constant(wp.float64(CONCENTRATION))
 _FLOATS = workspace_floats(WEIGHTS, packets=True)
@@ -26,7 +26,7 @@ _FLOATS = workspace_floats(WEIGHTS, packets=True)
 
 @wp.func
 def _in_frame(sky: SkyRows, n: wp.vec3) -> wp.vec3d:
-    """A normal in the frame of the patches: east, north, up; unit in float64."""
+    """Return a normal in the patches' frame (east, north, up), as a float64 unit vector."""
     frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
     v = in_double(n)
     return wp.normalize(wp.vec3d(wp.dot(frame[0], v), wp.dot(frame[1], v), wp.dot(frame[2], v)))
@@ -34,14 +34,17 @@ def _in_frame(sky: SkyRows, n: wp.vec3) -> wp.vec3d:
 
 @once
 def _looker_into_patches(glass: bool) -> wp.Function:
-    """A function that finds out what is known of a point's patches."""
+    """Build the Warp function that classifies the patches of a point as open, closed or unknown."""
     look = looker(glass)
 
     @wp.func
     def look_into(
         sky: SkyRows, tree: Accelerator, point: ShadingPoint, n: wp.vec3d, local: wp.int32, search: wp.bool, row: wp.int64
     ):
-        """Writes the form factors of all patches, were nothing there, and what is known of each in place of its error."""
+        """Write each patch's form factor without occlusion to `value`, and its state to `error`.
+
+        States are those of `shafts`, and 0 for a patch below the horizon.
+        """
         at = wp.uint64(row) * wp.uint64(sky.patches) * wp.uint64(4)
         value = wp.array(ptr=sky.value + at, shape=(sky.patches,), dtype=wp.float32)
         error = wp.array(ptr=sky.error + at, shape=(sky.patches,), dtype=wp.float32)
@@ -73,12 +76,12 @@ def _looker_into_patches(glass: bool) -> wp.Function:
 
 @once
 def _row_filler(glass: bool) -> wp.Function:
-    """A function that fills a row."""
+    """Build the Warp function that computes one row of the sky matrix."""
     look_into, sum_rays = _looker_into_patches(glass), patch_sum(glass)
 
     @wp.func
     def fill_row(sky: SkyRows, tree: Accelerator, point: ShadingPoint, row: wp.int64):
-        """Writes a point's row; (rays cast, patches open, closed, below the horizon)."""
+        """Write a point's row; return (rays cast, patches open, closed, below the horizon)."""
         seen, local, opened = open_around(tree, point)
         n = _in_frame(sky, point.n)
         look_into(sky, seen, point, n, local, opened, row)
@@ -118,7 +121,10 @@ def _row_filler(glass: bool) -> wp.Function:
 
 @once
 def sky_kernel(glass: bool = False) -> wp.Kernel:
-    """A kernel with a task for each point, in the order of the placement; `glass`: some faces let part of light through."""
+    """Build the kernel that computes sky matrix rows, one point per task in the placement's order.
+
+    `glass` is for meshes with transmitting faces.
+    """
     fill_row = _row_filler(glass)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)

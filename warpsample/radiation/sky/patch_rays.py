@@ -1,4 +1,4 @@
-"""The rays of one patch: spread over the part of it above the point's horizon, traced, and summed by their cosines."""
+"""Rays of one sky patch: directions above the point's horizon are sampled, traced, and summed with their cosines."""
 
 import warp as wp
 
@@ -16,7 +16,7 @@ from warpsample.tracing.sight.point import ShadingPoint
 from warpsample.tracing.sight.rays import glass_transmittance, move_rays_near, prepare_rays, rays_blocked, whole_vectors
 
 WEIGHTS = 2 * CHUNK
-"""Floats for the weights of a chunk's rays; a chunk more than there are, as all loops run over whole vectors."""
+"""Number of floats for the weights of a chunk's rays: twice the chunk, because loops run over whole vectors."""
 
 _FAINT = wp.constant(wp.float32(FAINT))
 _LEAST_CUBE = wp.constant(wp.float32(1e-12))
@@ -25,15 +25,14 @@ _prepare, _blocked = prepare_rays(), rays_blocked()
 
 @wp.struct
 class SkyRows:
-    """Scalars and addresses of the rows of a sky matrix, a point each.
+    """Scalars and addresses of the rows of a sky matrix, one row per point.
 
-    placement: of the points. normals, active: (P, 3) float32, (P,) uint8 or 0.
-    count: rays of a point at most. patches: their number, with the addresses of `form_factors.table_of`, their
-    shafts, and of the (3, 3) float64 of their frame. groups: their number, with where they begin, (groups + 1,) int32, and
-    their shafts. skip: whether what is known of a patch replaces its rays.
-    by_task: whether the i-th task writes the i-th row, else that of its point. value, error: (rows, patches) float32.
-    glass: the faces that let some light through, if any.
-    tally, status: (P, 4) int32, rays cast and patches open, closed and below the horizon; (P,) uint8, why not.
+    placement: placement of the points. normals, active: (P, 3) float32, (P,) uint8 or 0. count: largest number of rays per
+    point. patches: number of patches. table: see `form_factors.table_of`. shafts: shafts of the patches. frame: (3, 3)
+    float64, the patches' frame. groups: number of groups. begins: (groups + 1,) int32, first patch of each group.
+    group_shafts: shafts of the groups. skip: 1 if proofs about a patch replace its rays. by_task: 1 if the i-th task writes
+    row i, 0 if it writes the row of its point. value, error: (rows, patches) float32. glass: transmitting faces, if any.
+    tally: (P, 4) int32, rays cast and patches open, closed and below the horizon. status: (P,) uint8, `PointStatus`.
     """
 
     placement: Placement
@@ -65,9 +64,10 @@ SkyRowsArgs = type(SkyRows().__ctype__())
 def _spread(
     sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, per_replicate: wp.int32, at: wp.int32, length: wp.int32
 ):
-    """Writes directions of a patch's rays, both replicates one after the other, from the at-th on, and their weights.
+    """Write directions and weights of `length` rays of a patch, from the at-th ray on.
 
-    They are about as dense as the cosine: linear in the height along a column, and columns by their weights.
+    The second replicate's rays follow those of the first. The density is nearly proportional to the cosine: linear in the
+    height along a column, with columns chosen by weight.
     """
     weights = wp.array(ptr=point.own, shape=(WEIGHTS,), dtype=wp.float32)
     frame = wp.array(ptr=sky.frame, shape=(9,), dtype=wp.float64)
@@ -115,7 +115,7 @@ def _spread(
 
 @wp.func
 def _weighing_anything(point: ShadingPoint, length: wp.int32) -> wp.uint64:
-    """The set of the rays of a chunk that have a weight."""
+    """Return the set of a chunk's rays with a weight above 0."""
     rays = NO_RAYS
     for i in range(length):
         rays = rays | wp.where(float_at(point.own, i) > 0.0, ray_set(i), NO_RAYS)
@@ -124,7 +124,7 @@ def _weighing_anything(point: ShadingPoint, length: wp.int32) -> wp.uint64:
 
 @wp.func
 def _to_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, n: wp.vec3d, patch: Patch):
-    """Prepares one ray, to where a patch is highest above the point's horizon."""
+    """Prepare one ray towards the direction in a patch that is highest above the point's horizon."""
     frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
     w = highest(n, patch)
     d = w[0] * frame[0] + w[1] * frame[1] + w[2] * frame[2]
@@ -135,7 +135,7 @@ def _to_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.
 
 @once
 def patch_sum(glass: bool) -> wp.Function:
-    """A function that casts the rays of a patch, of a mesh with faces that let some light through, or without."""
+    """Build the Warp function that casts a patch's rays; `glass` is for meshes with transmitting faces."""
 
     @wp.func
     def sum_rays(
@@ -148,9 +148,9 @@ def patch_sum(glass: bool) -> wp.Function:
         patch: Patch,
         per_replicate: wp.int32,
     ):
-        """(share of the k-th patch that is seen, its standard error as a share, rays cast), by two replicates of rays.
+        """Return (visible share of the k-th patch, the share's standard error, rays cast), from two replicates of rays.
 
-        A share of the rays' weights: where none is blocked, it is 1 in every bit.
+        The share is a quotient of weights: exactly 1 if no ray is blocked.
         """
         free = ZERO
         free_first = ZERO
@@ -179,7 +179,7 @@ def patch_sum(glass: bool) -> wp.Function:
                     all_first += wp.where(in_first, weight, ZERO)
         error = ZERO
         if all == ZERO:
-            # Few rays that are all but parallel to the horizon: one where the patch is highest above it.
+            # All rays are almost parallel to the horizon: cast one ray where the patch is highest above the horizon.
             cast = 1
             _to_highest(sky, tree, point, local, n, patch)
             share = wp.where(_blocked(tree, point, local, ray_set(0), 1) != NO_RAYS, ZERO, ONE)
@@ -187,7 +187,7 @@ def patch_sum(glass: bool) -> wp.Function:
                 share = wp.float64(glass_transmittance(sky.glass, point, 0))
         else:
             share = free / all
-            # The replicates' deviations from the share add up to 0: one is half of their difference.
+            # The two replicates deviate from the share by opposite amounts: each deviation is half of their difference.
             error = wp.abs(free_first - share * all_first) * TWO / all
         return share, error, cast
 

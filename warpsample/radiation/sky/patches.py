@@ -1,7 +1,7 @@
-"""The patches of the sky that Radiance and its followers count: Tregenza's 145, and Reinhart's finer ones.
+"""Patches of the sky as Radiance counts them: Tregenza's 145, and Reinhart's finer subdivisions.
 
-A row of patches lies between two altitudes; a patch of it is centred on an azimuth, clockwise from north, so that the first
-of each row straddles north. The last patch is a cap about the zenith.
+A row of patches lies between two altitudes. Each patch is centred on an azimuth, clockwise from north, so that the first
+patch of a row straddles north. The last patch is a cap around the zenith.
 """
 
 from dataclasses import dataclass
@@ -17,27 +17,28 @@ from warpsample.host.locks import read_only
 from warpsample.host.summary import Summary
 
 MULTIPLES = {"tregenza": 1, "reinhart2": 2, "reinhart4": 4}
-"""Radiance's MF of each set of patches: into how many rows, and columns, a patch of Tregenza's is cut."""
+"""Radiance's subdivision factor MF by name: number of rows, and of columns, that replace one of Tregenza's."""
 
 _COLUMNS = (30, 30, 24, 24, 18, 12, 6)  # of Tregenza's rows, from the horizon on
-_PARALLEL = 1e-9  # the sine of the angle between up and north, below which north is none
+_PARALLEL = 1e-9  # least sine of the angle between up and north
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SkyPatches(Summary):
-    """The patches of a sky, row by row from the horizon to the zenith; in each row clockwise as seen from above.
+    """Patches of a sky, row by row from the horizon to the zenith, in each row clockwise as seen from above.
 
-    The k-th is Radiance's sky patch k + 1, the row k + 1 of its matrices; their row 0, the ground, is not among them.
+    Patch k is Radiance's sky patch k + 1, row k + 1 of its matrices. Radiance's row 0, the ground, is not included.
 
     Attributes:
         name: "tregenza", "reinhart2" or "reinhart4".
-        up: towards the zenith, unit.
-        north: unit, and perpendicular to up.
-        directions: (K, 3) float64, unit, towards the centres, in the coordinates of up and north.
-        solid_angles: (K,) float64, in steradians; together 2 pi.
-        rows: (K,) int64, the row that each is in, from 0 at the horizon.
-        altitudes: (K, 2) float64, of the lower and the upper edge, in degrees.
-        azimuths: (K, 2) float64, of the two sides, in degrees clockwise from north; the first patch of a row begins below 0.
+        up: Unit vector towards the zenith.
+        north: Unit vector towards north, perpendicular to `up`.
+        directions: (K, 3) float64, unit vectors towards the centres, in the coordinates of `up` and `north`.
+        solid_angles: (K,) float64, in steradians, with the sum 2 pi.
+        rows: (K,) int64, row of each patch, 0 at the horizon.
+        altitudes: (K, 2) float64, altitude of the lower and the upper edge, in degrees.
+        azimuths: (K, 2) float64, azimuths of the two sides, in degrees clockwise from north; the first patch of a row begins
+            below 0.
     """
 
     name: str
@@ -52,28 +53,30 @@ class SkyPatches(Summary):
     _counted: ClassVar[str] = "patches"
 
     def __len__(self) -> int:
-        """How many patches there are."""
+        """Return the number of patches."""
         return len(self.solid_angles)
 
     @property
     def frame(self) -> np.ndarray:
-        """(3, 3) float64: rows that point east, north and up."""
+        """(3, 3) float64 array of the unit vectors towards east, north and up."""
         return np.array([np.cross(self.north, self.up), self.north, self.up])
 
 
 def sky_patches(name: str = "tregenza", *, up: Any = (0.0, 0.0, 1.0), north: Any = (0.0, 1.0, 0.0)) -> SkyPatches:
-    """The patches of a sky.
+    """Return the patches into which the sky is divided, with directions and solid angles.
 
     Args:
-        name: "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305); rows of different ones do not nest.
-        up: (3,), towards the zenith, of any length.
-        north: (3,), of any length; what of it is along up is left out. East is north x up, +x by default.
+        name: Set of patches, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305), whose rows do not nest. Default:
+            "tregenza".
+        up: (3,) vector of any length towards the zenith. Default: (0.0, 0.0, 1.0).
+        north: (3,) vector of any length, not along `up`; its part across `up` counts. East is north x up. Default:
+            (0.0, 1.0, 0.0).
 
     Returns:
-        their directions, solid angles, rows and edges.
+        the patches' directions, solid angles, rows and edges.
 
     Raises:
-        TypeError, ValueError: an unknown name, no directions, or a north along up; names it.
+        TypeError, ValueError: an unknown name, a vector that is no direction, or a north along up.
 
     Example:
         >>> patches = ws.sky_patches("tregenza")
@@ -86,13 +89,13 @@ def sky_patches(name: str = "tregenza", *, up: Any = (0.0, 0.0, 1.0), north: Any
     towards -= (towards @ zenith) * zenith
     length = np.linalg.norm(towards)
     if length < _PARALLEL:
-        wants = f"a direction apart from up {told(up)}, as (0, 0, -1) where +y is up"
+        wants = f"a direction not parallel to up {told(up)}, such as (0, 0, -1) for up = (0, 1, 0)"
         raise ValueError(f"north: got {told(north)}, which is along up, want {wants}")
     return _patches_of(name, multiple, zenith.tobytes(), (towards / length).tobytes())
 
 
 def patches_at(sky: SkyPatches, directions: np.ndarray) -> np.ndarray:
-    """(M,) int64, the patch that each of (M, 3) unit directions is in; -1 below the horizon."""
+    """Return the patch that contains each of (M, 3) unit directions, as (M,) int64; -1 below the horizon."""
     east, north, up = sky.frame @ directions.T.astype(np.float64)
     number = np.bincount(sky.rows)
     first = np.cumsum(number) - number
@@ -104,7 +107,7 @@ def patches_at(sky: SkyPatches, directions: np.ndarray) -> np.ndarray:
 
 @lru_cache(maxsize=8)
 def _patches_of(name: str, multiple: int, up: bytes, north: bytes) -> SkyPatches:
-    """The patches of a sky by its checked arguments: the same ones for the same bits."""
+    """Return the patches for checked arguments; equal bits return the same cached object."""
     zenith, towards = np.frombuffer(up), np.frombuffer(north)
     rows, low, high, first, last = _edges(multiple)
     middle, across = np.radians(0.5 * (low + high)), np.radians(0.5 * (first + last))
@@ -119,7 +122,7 @@ def _patches_of(name: str, multiple: int, up: bytes, north: bytes) -> SkyPatches
 
 
 def _edges(multiple: int) -> tuple[np.ndarray, ...]:
-    """(row, lower and upper altitude, first and last azimuth) of each patch, in degrees."""
+    """Return (row, lower and upper altitude, first and last azimuth) of each patch, in degrees."""
     columns = np.array([*(np.repeat(_COLUMNS, multiple) * multiple), 1])
     step = 90.0 / (len(columns) - 0.5)
     rows = np.repeat(np.arange(len(columns)), columns)

@@ -1,4 +1,4 @@
-"""What the kernel needs of a sky besides its points, made once for each of the last few skies."""
+"""Arrays of a sky that the kernel needs, cached for the last eight skies."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -12,14 +12,14 @@ from warpsample.radiation.sky.shafts import groups_of, shafts_of
 
 @dataclass(frozen=True, eq=False)
 class PreparedSky:
-    """Arrays of K patches in G groups.
+    """Arrays of a sky with K patches in G groups.
 
     Attributes:
         table: (K, 20) float64, see `table_of`.
-        frame: (3, 3) float64, that of the patches.
-        begins: (G + 1,) int32, see `groups_of`.
-        shafts: (K, 3, 16) float32, of the patches.
-        group_shafts: (G, 3, 16) float32, of the groups.
+        frame: (3, 3) float64, the patches' frame.
+        begins: (G + 1,) int32, first patch of each group, see `groups_of`.
+        shafts: (K, 3, 16) float32, shafts of the patches.
+        group_shafts: (G, 3, 16) float32, shafts of the groups.
     """
 
     table: np.ndarray
@@ -31,7 +31,10 @@ class PreparedSky:
 
 @lru_cache(maxsize=8)
 def prepared(sky: SkyPatches) -> PreparedSky:
-    """The arrays of a sky; `sky_patches` gives the same sky again for the same arguments."""
+    """Return the kernel's arrays of a sky.
+
+    The arrays are cached by the object `sky`; `sky_patches` returns the same object for equal arguments.
+    """
     begins = groups_of(sky)
     return PreparedSky(
         table=table_of(sky),

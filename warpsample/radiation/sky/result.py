@@ -1,4 +1,4 @@
-"""The result of a sky matrix: numbers for each point and patch, their errors, and what was skipped."""
+"""Result of a sky matrix: values and errors for each point and patch, and counts of the skipped work."""
 
 from dataclasses import dataclass
 from math import pi
@@ -19,14 +19,14 @@ _FORMATS = (".npz", ".mtx")
 
 @dataclass(frozen=True)
 class SkySkipped:
-    """How much work a sky matrix was spared, without a change to the result.
+    """Counts of the work that a sky matrix skipped without changing the result.
 
     Attributes:
-        points: without numbers: inactive, without a normal, nowhere.
-        open_points: that no ray was cast from.
-        open_patches: of all points together, above the horizon and met by nothing: their share is known.
-        closed_patches: filled by one triangle: 0.
-        patches_below: of the point's own horizon: 0.
+        points: Number of points without a result: inactive, without a normal, or without a finite position.
+        open_points: Number of points that cast no ray and have an open patch.
+        open_patches: Number of patches above the horizon that nothing blocks, over all points; the share is exact.
+        closed_patches: Number of patches that one triangle fills, over all points; the share is 0.
+        patches_below: Number of patches below the point's own horizon, over all points; the share is 0.
     """
 
     points: int = 0
@@ -38,19 +38,19 @@ class SkySkipped:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SkyMatrix(PointResult):
-    """The share of its lobe that each of K patches lights at each of P points; or sums over the patches.
+    """Share of each point's cosine lobe that each of K sky patches fills, for P points; or sums over the patches.
 
     Attributes:
-        value: (P, K) float32, the integral of visibility times max(0, n.w) over the patch, over pi: pi times this times the
-            patch's radiance is its irradiance, and the sum over the patches the sky view factor. With `fold` (P,) or (P, T).
-            0 where the status is not 0.
-        standard_error: of the same shape, from two independent randomisations of each patch's rays; 0 where all agree. It is
-            right on average, not at each patch.
-        rays: (P,) int32, rays cast.
+        value: (P, K) float32, integral of visibility times max(0, n.w) over the patch, divided by pi. A value times pi and
+            the patch's radiance is an irradiance. The sum over the patches is the sky view factor. With `fold`, (P,) or
+            (P, T). 0 where the status is not 0.
+        standard_error: Standard error in the shape of `value`, from two independent randomisations of each patch's rays; 0
+            where both agree. It is right on average, not for each patch.
+        rays: (P,) int32, number of rays cast.
         status: (P,) uint8, a `PointStatus`.
-        skipped: what was not done.
-        patches: the sky.
-        folded: whether the values are sums over the patches.
+        skipped: Counts of the skipped work.
+        patches: Patches of the sky.
+        folded: Whether the values are sums over the patches.
     """
 
     value: NDArray[np.float32]
@@ -64,16 +64,16 @@ class SkyMatrix(PointResult):
     _axes: ClassVar[tuple[str, ...]] = ("patch",)
 
     def save(self, path: Any) -> None:
-        r"""Writes a file, complete or not at all.
+        r"""Write the result to a file; the file is complete or absent.
 
         Args:
-            path: .npz, the arrays by name with the patches' directions and solid_angles; or .mtx, a matrix of Radiance's
-                that `dctimestep` and `rmtxop` read: a row for each point, the ground's column of zeros first, then pi
-                times the values, as of `rcontrib`.
+            path: Path of the file. A name in .npz holds the arrays by name, with the patches' directions and solid_angles.
+                A name in .mtx holds a Radiance matrix for `dctimestep` and `rmtxop`: a row for each point, the ground's
+                column of zeros first, then pi times the values, as `rcontrib` writes.
 
         Raises:
-            TypeError, ValueError: no such path, or a folded matrix as .mtx.
-            OSError: it cannot be written.
+            TypeError, ValueError: another file name, or a folded matrix as .mtx.
+            OSError: the file cannot be written.
 
         Example:
             >>> import pathlib, tempfile
@@ -89,7 +89,9 @@ class SkyMatrix(PointResult):
         if target.suffix not in _FORMATS:
             raise ValueError(f"path: got {str(path)!r}, want {wants}")
         if target.suffix == ".mtx" and self.folded:
-            raise ValueError(f"path: got {str(path)!r} for sums of shape {self.value.shape}, want .npz, or no fold")
+            raise ValueError(
+                f"path: got {str(path)!r} for sums of shape {self.value.shape}, want .npz, or a matrix without fold"
+            )
         check_output(target, "path")
         with complete_or_absent(target) as stream:
             if target.suffix == ".mtx":

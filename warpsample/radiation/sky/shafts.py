@@ -1,4 +1,4 @@
-"""The shafts about sky patches: whether one is empty, or whether one triangle fills it."""
+"""Shafts around sky patches: pyramids from a point that may be proven empty, or filled by one triangle."""
 
 import numpy as np
 import warp as wp
@@ -12,26 +12,29 @@ from warpsample.tracing.sight.search import EMPTY, OCCUPIED, search_shaft
 from warpsample.tracing.sight.shafts import aim_at, shaft_vectors
 
 OPEN, CLOSED, UNKNOWN = 1, 2, 3
-"""What is known of a patch: nothing is in it; one triangle fills it; neither."""
+"""States of a shaft: empty, filled by one triangle, or neither of the two."""
 
-_INSIDE = wp.constant(wp.float32(2.0**-17))  # by which a shaft must be within a triangle: directions are rounded by 2^-20
+_INSIDE = wp.constant(wp.float32(2.0**-17))  # margin by which a triangle must cover a shaft: directions are rounded by 2^-20
 
 _SECTORS = {"tregenza": 6, "reinhart2": 12, "reinhart4": 12}
-"""Sectors of each row: of a number of patches that it divides."""
+"""Number of sectors of azimuth per row; the number of patches in a row is a multiple of it, except in the last rows."""
 
 
 def groups_of(patches: SkyPatches) -> np.ndarray:
-    """(G + 1,) int32, where groups of neighbours in a row begin: all in a sector, so that one shaft holds each group."""
+    """Return the (G + 1,) int32 index of the first patch of each group.
+
+    A group is the patches of one row in one sector of azimuths, so that one shaft contains the group.
+    """
     sectors = np.floor((patches.azimuths.mean(axis=1) + 1e-6) * _SECTORS[patches.name] / 360.0)
     changes = (np.diff(patches.rows) != 0) | (np.diff(sectors) != 0)
     return np.array([0, *(np.flatnonzero(changes) + 1), len(patches)], np.int32)
 
 
 def shafts_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
-    """(G, 3, 16) float32, the shafts about groups of patches, as `shaft_vectors` has them; starts as of `groups_of`.
+    """Return the (G, 3, 16) float32 shafts around groups of patches, in the layout of `shaft_vectors`.
 
-    Two planes are at the azimuths; one goes through the upper corners, and one touches the lower edge in its middle. About
-    the cap, the last, there is a square pyramid.
+    `starts` is as `groups_of` returns. Two planes are at the azimuths, one goes through the upper corners, and one touches
+    the lower edge in its middle. The shaft of the cap, the last, is a square pyramid.
     """
     low, high = np.radians(patches.altitudes[starts[:-1]]).T
     first, last = np.radians(patches.azimuths[starts[:-1], 0]), np.radians(patches.azimuths[starts[1:] - 1, 1])
@@ -52,20 +55,21 @@ def shafts_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
 
 
 def _towards(azimuth: np.ndarray, along: np.ndarray, up: np.ndarray) -> np.ndarray:
-    """(K, 3) unit vectors with those shares along an azimuth and upwards."""
+    """Return (K, 3) unit vectors with the given components along an azimuth and upwards."""
     vectors = np.stack(np.broadcast_arrays(along * np.sin(azimuth), along * np.cos(azimuth), up), axis=1)
     return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
 
 
 @once
 def looker(glass: bool) -> wp.Function:
-    """A function that looks into a shaft, of a mesh with faces that let some light through, or without."""
+    """Build the Warp function that classifies a shaft; `glass` is for meshes with transmitting faces."""
 
     @wp.func
     def look(tree: Accelerator, among: Glass, point: ShadingPoint, local: wp.int32, vectors: wp.uint64, filled: wp.uint64):
-        """(what is known of a shaft from a point, the leaf with the triangle that fills it or else `filled`).
+        """Return (OPEN, CLOSED or UNKNOWN, leaf): the state of a shaft, and the leaf with the triangle that fills the shaft.
 
-        `filled`, if not 0, is the address of a leaf that filled another shaft, and is looked at too.
+        If no such leaf is found, the second value is `filled`: 0, or the address of a leaf that filled another shaft and is
+        tested, too.
         """
         aim_at(vectors, point)
         found = search_shaft(tree, point, local)

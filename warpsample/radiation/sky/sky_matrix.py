@@ -1,4 +1,4 @@
-"""The sky as points see it: of each patch, the share of their lobe that it lights."""
+"""The call `sky_matrix`: the share of each point's cosine lobe that each sky patch fills."""
 
 from math import prod
 from typing import Any
@@ -23,8 +23,8 @@ from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.rays import RAY_WORK
 
-_BLOCK_BYTES = 1 << 25  # of the rows that stand at a time where they are folded
-_BYTES_OF_NUMBER = 8  # a value and its error
+_BLOCK_BYTES = 1 << 25  # of the rows in memory at a time while the matrix is folded
+_BYTES_OF_NUMBER = 8  # per value and error
 
 
 @with_options(CastPointKeywords)
@@ -39,7 +39,7 @@ def sky_matrix(
     fold: Any = None,
     **options: Unpack[CastPointKeywords],
 ) -> SkyMatrix:
-    """Compute the share of the lobe that each patch of the sky lights at each point: direct daylight coefficients.
+    """Compute the share of each point's cosine lobe that each sky patch fills: direct daylight coefficients divided by pi.
 
     An empty patch has its exact share and costs no ray, as does a patch that a single triangle fills, with 0. Each other
     patch gets its share of `count` rays, but at least 2; fewer where less than a quarter of the lobe is sky. Rays of a patch
@@ -63,11 +63,12 @@ def sky_matrix(
         progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
-        value (P, K), or (P,) or (P, T), its standard error, the patches, and for each point the rays cast and a status.
+        value (P, K), or with `fold` (P,) or (P, T), the standard error, the patches, and for each point the number of rays
+        cast and a status.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
+        TypeError, ValueError: an argument has a wrong type, shape or value.
+        MemoryError: the result needs more memory than is free.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")
@@ -83,12 +84,12 @@ def sky_matrix(
 
 
 def sky_seen(plan: Plan, sky: SkyPatches, fold: np.ndarray | None) -> SkyMatrix:
-    """The matrix of a sky at the points of a plan, or that times `fold`, (K,) or (K, T) finite numbers."""
+    """Compute the sky matrix at a plan's points, or its product with `fold`, (K,) or (K, T) finite numbers."""
     columns = len(sky) if fold is None else prod(fold.shape[1:])
     check_memory(
         _BYTES_OF_NUMBER * len(plan.at) * columns,
         f"{len(plan.at):,} rows of {columns:,} numbers and their errors",
-        "take the points in parts" if fold is not None else "take the points in parts, or pass fold",
+        "pass fewer points at a time" if fold is not None else "pass fewer points at a time, or pass fold",
     )
     with bar(plan.options.progress, "casting rays", len(plan.at)):
         rows = _Rows(plan, sky)
@@ -97,7 +98,11 @@ def sky_seen(plan: Plan, sky: SkyPatches, fold: np.ndarray | None) -> SkyMatrix:
 
 
 def _check_fold(fold: Any, patches: int) -> np.ndarray:
-    """`fold` as (K,) or (K, T) finite numbers of float32 or float64."""
+    """Return `fold` as a (K,) or (K, T) array of float32 or float64.
+
+    Raises:
+        TypeError, ValueError: not numbers, another shape, or a number that is not finite.
+    """
     wants = f"finite numbers of shape ({patches},) or ({patches}, T), one for each patch"
     array = as_real(fold, "fold", wants)
     if array.ndim not in (1, 2) or array.shape[0] != patches or array.size == 0:
@@ -108,23 +113,23 @@ def _check_fold(fold: Any, patches: int) -> np.ndarray:
 
 
 class _Rows:
-    """The points of a plan under a sky, and the arrays that their rows are written to."""
+    """Points of a plan under a sky, and the arrays to which their rows are written."""
 
     def __init__(self, plan: Plan, sky: SkyPatches) -> None:
-        """Finds where the rays of the points start."""
+        """Place the start of the points' rays, and allocate the arrays."""
         self.plan, self.sky, points = plan, sky, len(plan.at)
         self.tally = np.zeros((points, 4), np.int32)
         self.status = np.zeros(points, np.uint8)
         self.placement = plan.at.facing(plan.options) if points else None
 
     def whole(self) -> list[np.ndarray]:
-        """The matrix and its errors."""
+        """Compute the matrix and its standard errors, (P, K) each."""
         out = [np.zeros((len(self.status), len(self.sky)), np.float32) for _ in range(2)]
         self._run(*out, self._order(), False)
         return out
 
     def folded(self, fold: np.ndarray) -> list[np.ndarray]:
-        """The matrix times (K,) or (K, T), and the errors of that; a block of points at a time."""
+        """Compute the matrix times `fold`, (K,) or (K, T), and the standard errors, one block of points at a time."""
         weights = np.array(fold.reshape(len(fold), -1), np.float64, order="C")
         out = [np.zeros((len(self.status), weights.shape[1]), np.float32) for _ in range(2)]
         order = self._order()
@@ -141,7 +146,7 @@ class _Rows:
         return [array.reshape(len(array), *fold.shape[1:]) for array in out]
 
     def skipped(self) -> SkySkipped:
-        """What was not done."""
+        """Return counts of the work that was skipped."""
         uncast = (self.tally[:, 0] == 0) & has_status(self.status, PointStatus.OK)
         _cast, open_, closed, below = self.tally.sum(axis=0, dtype=np.int64).tolist()
         return SkySkipped(
@@ -153,12 +158,13 @@ class _Rows:
         )
 
     def _order(self) -> np.ndarray | None:
+        """Return the order in which points are processed, (P,) int64; None for the order of the rows."""
         if not len(self.status):
             return None
         return self.plan.at.order(self.placement, self.plan.count, self.plan.options.workers)
 
     def _run(self, value: np.ndarray, error: np.ndarray, order: np.ndarray | None, by_task: bool) -> None:
-        """Writes the rows of points."""
+        """Launch the kernel, which writes the rows of the points in `order`; with `by_task` the i-th point writes row i."""
         plan, options, points = self.plan, self.plan.options, len(self.status) if order is None else len(order)
         if not points:
             return

@@ -1,4 +1,7 @@
-"""How rays are spread over a patch: about as the cosine is, from column to column and along each, above the horizon."""
+"""Sampling of directions in a sky patch with a density nearly proportional to the cosine, above the horizon only.
+
+A column is the part of the patch at one azimuth. A direction's drop is 1 - sin(altitude).
+"""
 
 import warp as wp
 
@@ -6,7 +9,7 @@ from warpsample.maths.numerics import HALF, TWO, ZERO, greater, lesser, sincos_t
 from warpsample.radiation.sky.form_factors import Patch, azimuth_near, reaches
 
 LEAST: wp.float32 = wp.constant(wp.float32(1e-20))
-"""What keeps a quotient of two numbers that are 0 from being none."""
+"""Number added to denominators, so that 0 / 0 gives 0."""
 
 _ALIKE = wp.constant(wp.float32(0.05))
 _BENT = wp.constant(wp.float32(0.2))
@@ -19,9 +22,9 @@ _UPRIGHT = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def _azimuths(n: wp.vec3d, patch: Patch):
-    """(first, width), in turns, of the azimuths at which some of a patch is above the horizon.
+    """Return (first, width), in turns, of the azimuths at which part of a patch is above the horizon.
 
-    Of all of the patch's, if those are two intervals, with a hill of the horizon between.
+    If these azimuths form two intervals, return the whole width of the patch.
     """
     first = patch.first
     last = patch.last
@@ -29,7 +32,7 @@ def _azimuths(n: wp.vec3d, patch: Patch):
     if level > _UPRIGHT:
         half = reaches(wp.where(n[2] < ZERO, n[2] * patch.tan_low, n[2] * patch.tan_high), level)
         middle = azimuth_near(n, HALF * (first + last))
-        if last - first > _PI:  # the cap, which has all
+        if last - first > _PI:  # the cap, which spans all azimuths
             first = middle - half
             last = middle + half
         elif middle + half - TWO * _PI <= first and middle - half + TWO * _PI >= last:
@@ -40,10 +43,10 @@ def _azimuths(n: wp.vec3d, patch: Patch):
 
 @wp.struct
 class Slope:
-    """What a patch is spread by: its normal in the frame, the drops of its upper and lower edge, how its width is filled.
+    """Parameters for sampling a patch: the normal in the patches' frame, the edges, and the columns' weights.
 
-    A direction's drop is how much lower than the zenith it is: near that the height itself would have lost it.
-    first, width: of the azimuths, in turns. start, end: the roots of how much the columns at the two weigh, of 1.
+    top, bottom: drops of the upper and lower edge; near the zenith a drop keeps digits that the height loses. first, width:
+    azimuths, in turns. start, end: square roots of the weights of the first and last column, relative to the greater.
     """
 
     nx: wp.float32
@@ -59,22 +62,25 @@ class Slope:
 
 @wp.func
 def turned_by(slope: Slope, share: wp.float32) -> wp.vec2:
-    """(cosine, sine) of the azimuth at a share of the width."""
+    """Return (cosine, sine) of the azimuth at a fraction of the patch's width."""
     turn = slope.first + slope.width * share
     return sincos_turns(wp.where(turn < 1.0, turn, turn - 1.0))
 
 
 @wp.func
 def _cosine_at(level: wp.float32, nz: wp.float32, drop: wp.float32) -> wp.float32:
-    """The cosine to the normal at a drop; 0 below the horizon."""
+    """Return the cosine to the normal at a drop; 0 below the horizon."""
     return greater(level * wp.sqrt(drop * (2.0 - drop)) + nz * (1.0 - drop), 0.0)
 
 
 @wp.func
 def column_at(slope: Slope, cs: wp.vec2) -> wp.vec4:
-    """(upper drop, how much lower the other is, the cosines at both) of what is above the horizon of a column."""
+    """Return the part of a column above the horizon.
+
+    As (upper drop, extent in drop, cosine at the upper end, cosine at the lower end).
+    """
     level = slope.nx * cs[1] + slope.ny * cs[0]
-    # What lies above the horizon is above it in height for a normal that points up, else below.
+    # A column's visible part is above the horizon's height if the normal points up, else below that height.
     downwards = slope.nz < 0.0
     horizon = 1.0 + wp.where(downwards, -level, level) / wp.sqrt(level * level + slope.nz * slope.nz + LEAST)
     upper = wp.where(downwards, greater(horizon, slope.top), slope.top)
@@ -84,13 +90,13 @@ def column_at(slope: Slope, cs: wp.vec2) -> wp.vec4:
 
 @wp.func
 def weight_of(column: wp.vec4) -> wp.float32:
-    """About the integral of the cosine over a column."""
+    """Return a column's weight, about twice the integral of the cosine over the column."""
     return column[1] * (column[2] + column[3])
 
 
 @wp.func
 def slope_of(n: wp.vec3d, patch: Patch) -> Slope:
-    """How a patch is spread; its columns weigh about as the square of what is linear between its sides."""
+    """Return the sampling parameters of a patch; column weights are interpolated as the square of a linear function."""
     slope = Slope()
     slope.nx = wp.float32(n[0])
     slope.ny = wp.float32(n[1])
@@ -104,7 +110,7 @@ def slope_of(n: wp.vec3d, patch: Patch) -> Slope:
     end = wp.sqrt(weight_of(column_at(slope, turned_by(slope, 1.0))))
     middle = wp.sqrt(weight_of(column_at(slope, turned_by(slope, 0.5))))
     most = wp.max(start, end)
-    # All columns alike where they are, or where there is a hill or a valley between.
+    # Uniform columns if the two weights agree, or if the middle is not on the line between them.
     alike = wp.abs(end - start) <= _ALIKE * most
     slope.start = 1.0
     slope.end = 1.0
@@ -116,7 +122,10 @@ def slope_of(n: wp.vec3d, patch: Patch) -> Slope:
 
 @wp.func
 def cube_root(x: wp.float32) -> wp.float32:
-    """The cube root of a number from 1e-12 to 2, to 2e-7: from the bits, then two of Halley's steps."""
+    """Return the cube root of a number from 1e-12 to 2, with relative error 2e-7.
+
+    From the number's bits, and two Halley steps.
+    """
     y = wp.cast(wp.int32(wp.float32(wp.cast(x, wp.int32)) * _THIRD) + _ROOT_SEED, wp.float32)
     y = y * (y * y * y + 2.0 * x) / (2.0 * y * y * y + x)
     return y * (y * y * y + 2.0 * x) / (2.0 * y * y * y + x)

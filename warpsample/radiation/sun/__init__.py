@@ -1,1 +1,1 @@
-"""The sun: from where it stands, which points see it."""
+"""Direct sunlight: the sun positions that each surface point sees."""

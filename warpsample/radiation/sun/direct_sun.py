@@ -1,4 +1,4 @@
-"""The call `direct_sun`: which suns each point sees, or what they add up to."""
+"""The call `direct_sun`: the sun positions that each point sees, or a weighted sum over these positions."""
 
 from dataclasses import dataclass
 from math import radians, sin
@@ -27,10 +27,10 @@ from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, unit_in_double, vector_in_double
 from warpsample.tracing.rays import RAY_WORK
 
-_MOST_DISC = 45.0  # degrees: the shaft about it is still a narrow one
+_MOST_DISC = 45.0  # degrees: the pyramid of directions around the disc is still narrow
 _MOST_SUNS = 2**24
-_FEW_RAYS = 16  # of a point: to look around it takes as long
-_BYTES_PER_POINT = 64
+_FEW_RAYS = 16  # per point: opening the tree around a point takes as long as tracing these rays
+_BYTES_PER_POINT = 64  # besides the result
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,17 +45,21 @@ class SunCall:
     cosine: bool = False
 
     def answer(self, tally: np.ndarray | None = None) -> np.ndarray:
-        """What `direct_sun` gives; and in (P, 3) int32 how many suns were found how, see `Suns`."""
+        """Return the array that `direct_sun` returns.
+
+        If `tally` (P, 3) int32 is given, write for each point the number of suns proven lit, of rays blocked by a remembered
+        triangle, and of rays cast.
+        """
         points, suns = len(self.at), len(self.directions)
         columns = suns if self.weights is None else self.weights[0].size
         shares = self.disc > 0.0 or self._transmits
         kind: Any = np.float64 if self.weights is not None else np.float32 if shares else np.uint8
         needed = points * (columns * np.dtype(kind).itemsize + _BYTES_PER_POINT)
         what = "suns" if self.weights is None else "sums"
-        check_memory(needed, f"{columns:,} {what} of {points:,} points", "take the points in parts")
+        check_memory(needed, f"{columns:,} {what} of {points:,} points", "pass fewer points at a time")
         answer = np.zeros((points, columns), kind)
         if points:
-            with bar(self.options.progress, "looking at suns"):
+            with bar(self.options.progress, "casting rays to the sun"):
                 self._run(answer, tally)
         if self.weights is not None:
             return answer.reshape(points, *self.weights.shape[1:])
@@ -66,7 +70,7 @@ class SunCall:
         return self.at.mesh.transmits
 
     def _run(self, answer: np.ndarray, tally: np.ndarray | None) -> None:
-        """Fills the answer."""
+        """Launch the kernel, which fills `answer` and `tally`."""
         at, workers, suns = self.at, self.options.workers, len(self.directions)
         placement = at.two_sided(self.options, MOST_DISTANCE)
         order = at.order(placement, suns, workers)
@@ -83,7 +87,7 @@ class SunCall:
         run(sun_kernel(self.disc > 0.0, self._transmits), len(answer), inputs, cpu(), workers=workers, work=work)
 
     def _args(self, tree: SunTree, placement: PlacementArgs) -> SunsArgs:
-        """What the kernel needs of the suns and the call."""
+        """Return the kernel's arguments for these suns, without the addresses of the mesh and of the results."""
         options, radius = self.options, radians(0.5 * self.disc)
         return SunsArgs(
             placement=placement,
@@ -122,7 +126,7 @@ def direct_sun(
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts. A Mesh keeps its tree from call to call.
-        points: P of them, as for `ambient_occlusion`.
+        points: P SurfacePoints, as for `ambient_occlusion`.
         directions: (T, 3) towards the sun, at least one, of any length above 0.
         weights: (T,) or (T, M) finite numbers to sum over the suns in float64, times the lit share, such as 1 for hours or
             the direct normal irradiance in W/m2. Default: None, the array (P, T).
@@ -138,12 +142,13 @@ def direct_sun(
         progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
-        (P, T), bool, or with a disc float32, the share of it that is seen; float32 also for a mesh that light goes through,
-        the share that arrives; with weights (P,) or (P, M) float64. Points without a normal or a finite position have 0.
+        (P, T) bool, whether each point sees each sun. With `disc`, (P, T) float32, the visible fraction of the disc. For a
+        mesh with a transmittance, (P, T) float32, the transmitted fraction. With weights, (P,) or (P, M) float64. Points
+        without a normal or a finite position get 0.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
+        TypeError, ValueError: an argument has a wrong type, shape or value.
+        MemoryError: the result needs more memory than is free.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")
@@ -157,12 +162,16 @@ def direct_sun(
     weights = None if weights is None else _check_weights(weights, len(towards))
     cosine = check_flag(cosine, "cosine")
     if cosine and weights is None:
-        raise ValueError("cosine: got True without weights, want weights, which it multiplies")
+        raise ValueError("cosine: got True without weights, want weights for the cosine to multiply; or pass cosine=False")
     return SunCall(at, towards, weights, checked, check_number(disc, "disc", 0.0, _MOST_DISC), cosine).answer()
 
 
 def _check_directions(value: Any) -> np.ndarray:
-    """(T, 3) float32 or float64, contiguous, none of them zero."""
+    """Return `directions` as a contiguous (T, 3) array of float32 or float64.
+
+    Raises:
+        TypeError, ValueError: not numbers, another shape, a zero vector, or a number that is not finite.
+    """
     array = as_real(value, "directions")
     if array.ndim != 2 or array.shape[1] != 3 or not 1 <= len(array) <= _MOST_SUNS:
         raise ValueError(f"directions: got shape {array.shape}, want (T, 3), T from 1 to {_MOST_SUNS}")
@@ -175,17 +184,21 @@ def _check_directions(value: Any) -> np.ndarray:
 
 
 def _check_weights(value: Any, suns: int) -> np.ndarray:
-    """(T,) or (T, M) float64, contiguous."""
+    """Return `weights` as a contiguous (T,) or (T, M) float64 array.
+
+    Raises:
+        TypeError, ValueError: not numbers, another shape, or a number that is not finite.
+    """
     array = as_real(value, "weights")
     if array.ndim not in (1, 2) or len(array) != suns or array.size == 0:
         raise ValueError(f"weights: got shape {array.shape}, want ({suns},) or ({suns}, M), a row for each direction")
     if not np.isfinite(array).all():
-        raise ValueError("weights: got one that is not finite, want finite numbers")
+        raise ValueError("weights: got NaN or infinity, want finite numbers")
     return np.ascontiguousarray(array, np.float64)
 
 
 def _unit(directions: np.ndarray) -> np.ndarray:
-    """(T, 3) float32 unit vectors, with the bits that `trace` makes of these directions."""
+    """Return the (T, 3) float32 unit vectors of directions, rounded exactly as `trace` rounds them."""
     unit = np.empty(directions.shape, np.float32)
     inputs = [directions.ctypes.data, directions.dtype == np.float64, unit.ctypes.data]
     run(_unit_kernel(), len(unit), inputs, cpu(), workers=1, work=len(unit))
@@ -194,7 +207,7 @@ def _unit(directions: np.ndarray) -> np.ndarray:
 
 @once
 def _unit_kernel() -> wp.Kernel:
-    """A kernel with a task for each direction."""
+    """Build the kernel that normalises directions, one direction per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def to_unit(directions: wp.uint64, doubles: wp.int32, unit: wp.uint64, first_task: wp.int64):

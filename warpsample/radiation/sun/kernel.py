@@ -1,4 +1,7 @@
-"""The suns that a point sees, in one kernel: groups are proven lit or dark, the rest is traced; no ray is stored."""
+"""Kernel that finds the suns each point sees.
+
+Groups of suns are proven lit or dark, or rays are cast to their suns; no ray is stored.
+"""
 
 import warp as wp
 
@@ -26,12 +29,12 @@ from warpsample.tracing.sight.rays import glass_transmittance
 
 _FLOATS = workspace_floats(OWN_FLOATS)
 _TALLIES = 3
-_WHOLE = wp.constant(wp.float64(2.0**-18))  # so far above the horizon no rounded ray of a disc is below it
+_WHOLE = wp.constant(wp.float64(2.0**-18))  # a disc this far above the horizon has no ray that rounding moves below it
 
 
 @wp.func
 def _add_weights(suns: Suns, view: View, column: wp.int32, factor: wp.float64):
-    """Adds a sun's weights, times a factor, to the point's sums."""
+    """Add the weights of one sun, times a factor, to the point's sums."""
     row = wp.uint64(8 * suns.channels)
     total = wp.array(ptr=suns.answer + wp.uint64(view.point.index) * row, shape=(suns.channels,), dtype=wp.float64)
     weights = wp.array(ptr=suns.weights + wp.uint64(column) * row, shape=(suns.channels,), dtype=wp.float64)
@@ -43,7 +46,7 @@ def _add_weights(suns: Suns, view: View, column: wp.int32, factor: wp.float64):
 
 @once
 def _keeper(shares: bool) -> wp.Function:
-    """A function that stores or adds a sun that is lit, or a share of it."""
+    """Build the Warp function that records a lit sun, or the lit share of a sun, in the result."""
 
     @wp.func
     def keep(suns: Suns, view: View, column: wp.int32, share: wp.float32, cosine: wp.float64):
@@ -60,11 +63,11 @@ def _keeper(shares: bool) -> wp.Function:
 
 @once
 def _left_of(glass: bool) -> wp.Function:
-    """A function that tells what is left of the light of a ray that nothing blocks."""
+    """Build the Warp function that returns the transmitted share of an unblocked ray."""
 
     @wp.func
     def left(suns: Suns, view: View, k: wp.int32) -> wp.float32:
-        """The share that the k-th prepared ray gets through the faces that let some through, if there are any."""
+        """Return the share of light that transmitting faces leave of the k-th prepared ray; 1 if `glass` is false."""
         share = wp.float32(1.0)
         if wp.static(glass):
             share = glass_transmittance(suns.glass, view.point, k)
@@ -75,14 +78,14 @@ def _left_of(glass: bool) -> wp.Function:
 
 @once
 def _points_looker(glass: bool) -> wp.Function:
-    """A function that looks at the suns of a group, each a point."""
+    """Build the Warp function that tests the suns of a group as points, without discs."""
     keep, left = _keeper(glass), _left_of(glass)
 
     @wp.func
     def look_at_points(
         suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
     ):
-        """Looks at the suns of a group, each a point."""
+        """Record the lit suns of a group; cast a ray to each sun that the group's state leaves undecided."""
         aimed = wp.int32(0)
         k = wp.int32(0)
         while k < GROUP:
@@ -99,7 +102,7 @@ def _points_looker(glass: bool) -> wp.Function:
                     cast = word(view, CAST)
                     if not blocked(suns, whole, seen, view, k, cosine):
                         keep(suns, view, column, left(suns, view, k), cosine)
-                    elif shaft != wp.uint64(0) and cast != word(view, CAST):  # by a triangle that was not known
+                    elif shaft != wp.uint64(0) and cast != word(view, CAST):  # blocked by a new triangle
                         state = wp.where(darkened(view, shaft), DARK, state)
             k += 1
 
@@ -108,14 +111,17 @@ def _points_looker(glass: bool) -> wp.Function:
 
 @once
 def _disc_share(glass: bool) -> wp.Function:
-    """A function that casts the rays to a disc."""
+    """Build the Warp function that casts rays to a sun's disc and returns the lit share."""
     left = _left_of(glass)
 
     @wp.func
     def share_of(
         suns: Suns, whole: Accelerator, seen: Accelerator, view: View, column: wp.int32, sun: wp.vec3, state: wp.int32
     ) -> wp.float32:
-        """The share of a disc that is above the horizon and not blocked; none is if it is LIT."""
+        """Return the share of a disc that is above the horizon and not blocked.
+
+        Rays well above the horizon are not cast if the disc is known to be LIT.
+        """
         dark = wp.int32(0)
         lost = wp.float32(0.0)
         aim_at_disc(suns, seen, view, column, sun)
@@ -137,14 +143,14 @@ def _disc_share(glass: bool) -> wp.Function:
 
 @once
 def _discs_looker(glass: bool) -> wp.Function:
-    """A function that looks at the suns of a group, each a disc."""
+    """Build the Warp function that tests the suns of a group as discs."""
     keep, proven, share_of = _keeper(True), prover(glass), _disc_share(glass)
 
     @wp.func
     def look_at_discs(
         suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
     ):
-        """Looks at the suns of a group, each a disc."""
+        """Record the lit share of each disc of a group; cast rays to discs that no proof decides."""
         k = wp.int32(0)
         while k < GROUP:
             sun = sun_of(suns, group, k)
@@ -166,12 +172,12 @@ def _discs_looker(glass: bool) -> wp.Function:
 
 @once
 def _looker(disc: bool, glass: bool) -> wp.Function:
-    """A function that looks at all suns."""
+    """Build the Warp function that tests all suns from one point."""
     look, proven = (_discs_looker if disc else _points_looker)(glass), prover(glass)
 
     @wp.func
     def look_all(suns: Suns, accelerator: Accelerator, view: View):
-        """Walks the tree of suns, without what is below a node that is proven lit or dark."""
+        """Traverse the tree of suns; skip the nodes below a node that is proven lit or dark."""
         view, seen = opened(suns, accelerator, view)
         node = wp.int32(0)
         while node < suns.nodes:
@@ -191,9 +197,9 @@ def _looker(disc: bool, glass: bool) -> wp.Function:
 
 @once
 def sun_kernel(disc: bool, glass: bool = False) -> wp.Kernel:
-    """A kernel with a task for each point, in the order of the placement, for suns that are points or discs.
+    """Build the kernel that tests all suns, one point per task in the placement's order.
 
-    With `glass` there may be faces that let some light through, and the answers are shares.
+    `disc` selects discs instead of points. `glass` is for meshes with transmitting faces; the results are then shares.
     """
     look_all = _looker(disc, glass)
 

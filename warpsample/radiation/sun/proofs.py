@@ -1,4 +1,4 @@
-"""What a point knows of a shaft about suns without a ray: that it meets nothing, or that one triangle blocks all of it."""
+"""Proofs about a shaft of sun directions that need no ray: nothing blocks the shaft, or one triangle blocks all of it."""
 
 import warp as wp
 
@@ -15,18 +15,21 @@ from warpsample.tracing.sight.shafts import CORNERS, aim_at, corner_of, triangle
 MET: wp.int32 = wp.constant(wp.int32(0))
 LIT: wp.int32 = wp.constant(wp.int32(1))
 DARK: wp.int32 = wp.constant(wp.int32(2))
-"""What is known of a shaft: nothing; none of its rays meets anything; all do, or are below the horizon."""
+"""States of a shaft. MET: undecided. LIT: no ray hits anything. DARK: each ray is blocked or below the horizon."""
 
 _AVERTED = wp.constant(wp.float32(-(2.0**-18)))
 
 
 COVER_MARGIN: wp.float32 = wp.constant(wp.float32(2.0**-19))
-"""By which a shaft must be within a triangle that darkens it: directions are rounded by at most 2^-20.4."""
+"""Margin by which a triangle must cover a shaft to block all of its rays; rounding moves directions by at most 2^-20.4."""
 
 
 @wp.func
 def opened(suns: Suns, tree: Accelerator, view: View):
-    """(the point, the tree as its rays see it); the tree is opened around the point if anything may be skipped."""
+    """Return the point and the tree as its rays see it.
+
+    If rays may be skipped, the tree is opened around the point.
+    """
     view.skips = suns.skip != 0 and not is_far_off(view.point.position)
     if view.skips:
         tree, local, _opened = open_around(tree, view.point)
@@ -36,7 +39,7 @@ def opened(suns: Suns, tree: Accelerator, view: View):
 
 @wp.func
 def highest(vectors: wp.uint64, n: wp.vec3) -> wp.float32:
-    """The greatest cosine of a shaft's corners to a unit vector: none of its directions has a greater one above 0."""
+    """Return the greatest cosine between a shaft's corners and a unit vector; if positive, a bound for the whole shaft."""
     most = wp.float32(-1.0)
     for i in range(CORNERS):
         most = greater(most, wp.dot(corner_of(vectors, i), n))
@@ -45,7 +48,7 @@ def highest(vectors: wp.uint64, n: wp.vec3) -> wp.float32:
 
 @wp.func
 def darkened(view: View, vectors: wp.uint64) -> wp.bool:
-    """Whether one known triangle blocks all rays of a shaft."""
+    """Return whether one of the point's remembered triangles blocks all rays of a shaft."""
     known = known_triangles(view)
     if known == 0:
         return False
@@ -56,7 +59,7 @@ def darkened(view: View, vectors: wp.uint64) -> wp.bool:
 
 @wp.func
 def _met(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
-    """Whether a ray of a shaft may meet something."""
+    """Return whether a ray of a shaft may hit something."""
     if seen.starts == 0 and view.local == 0:
         return False
     aim_at(vectors, view.point)
@@ -68,11 +71,14 @@ def _met(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
 
 @once
 def prover(glass: bool) -> wp.Function:
-    """A function that tells what is known of a shaft, of a mesh with faces that let some light through, or without."""
+    """Build the Warp function that classifies a shaft as MET, LIT or DARK; `glass` is for meshes with transmitting faces."""
 
     @wp.func
     def proven(suns: Suns, seen: Accelerator, view: View, vectors: wp.uint64) -> wp.int32:
-        """MET, LIT or DARK. Of what is LIT, rays below `LEAST_COSINE` are to be traced all the same."""
+        """Return the state of a shaft: MET, LIT or DARK.
+
+        Rays of a LIT shaft with a cosine below `LEAST_COSINE` must be traced all the same.
+        """
         if highest(vectors, view.point.n) < _AVERTED:
             return DARK
         if darkened(view, vectors):

@@ -1,4 +1,4 @@
-"""The rays of a point towards a group of suns, or towards the points of a sun's disc; and whether one is blocked."""
+"""Rays from a point to a group of suns or to positions on a sun's disc, and the test whether a ray is blocked."""
 
 import warp as wp
 
@@ -16,13 +16,13 @@ from warpsample.tracing.sight.point import move_ray_near
 from warpsample.tracing.sight.rays import first_hit, prepare_rays
 
 DISC_RAYS = 16
-"""Rays to a disc that is neither proven lit nor dark: its share errs by 0.037 (RMS) where a straight edge cuts it."""
+"""Number of rays to a disc that is neither proven lit nor dark; the error of a share is 0.037 (RMS) at a straight edge."""
 
 LEAST_COSINE: wp.float64 = wp.constant(wp.float64(2.0**-12))
-"""The cosine from which on what is below the horizon does not matter to a ray, as to those of an estimate."""
+"""Cosine below which rays must be traced against the whole mesh, including geometry below the horizon."""
 
 GROUP_BYTES: wp.uint64 = wp.constant(wp.uint64(3 * 4 * GROUP))
-"""Bytes of a group's directions, and of a shaft's vectors."""
+"""Size in bytes of a group's directions, and of a shaft's vectors."""
 
 _GROUP_FLOATS = 3 * GROUP
 _hit = first_hit(True)
@@ -31,20 +31,20 @@ _prepare = prepare_rays()
 
 @wp.func
 def sun_number(suns: Suns, group: wp.int32, k: wp.int32) -> wp.int32:
-    """The caller's row of the k-th sun of a group."""
+    """Return the row of the k-th sun of a group in the caller's array of directions."""
     return int_at(suns.columns, GROUP * group + k)
 
 
 @wp.func
 def sun_of(suns: Suns, group: wp.int32, k: wp.int32) -> wp.vec3:
-    """The direction towards the k-th sun of a group; zero if it has fewer."""
+    """Return the unit direction towards the k-th sun of a group; the zero vector if the group has fewer suns."""
     rows = wp.array(ptr=suns.groups + wp.uint64(group) * GROUP_BYTES, shape=(_GROUP_FLOATS,), dtype=wp.float32)
     return wp.vec3(rows[k], rows[GROUP + k], rows[2 * GROUP + k])
 
 
 @wp.func
 def aim_at_group(suns: Suns, seen: Accelerator, view: View, group: wp.int32):
-    """Makes the rays towards the suns of a group."""
+    """Prepare rays towards the suns of a group."""
     k = wp.int32(0)
     while k < GROUP:  # a range of 16 would be unrolled, and take seconds to compile
         set_direction(view.point.chunk, k, sun_of(suns, group, k))
@@ -57,7 +57,7 @@ def aim_at_group(suns: Suns, seen: Accelerator, view: View, group: wp.int32):
 
 @wp.func
 def aim_at_disc(suns: Suns, seen: Accelerator, view: View, column: wp.int32, sun: wp.vec3):
-    """Makes the rays towards points of a sun's disc, evenly spread over its solid angle."""
+    """Prepare rays towards positions on a sun's disc, uniform in solid angle."""
     frame = frame_about(sun)
     key = stream_key(view.point.key, wp.uint32(column))
     chunk = view.point.chunk
@@ -74,7 +74,7 @@ def aim_at_disc(suns: Suns, seen: Accelerator, view: View, column: wp.int32, sun
 
 @wp.func
 def _remember(suns: Suns, view: View, face: wp.int32):
-    """Keeps a triangle that blocked a ray, in the place of the oldest."""
+    """Store a triangle that blocked a ray in the point's leaf; the oldest triangle is replaced."""
     corners = vec3i_at(suns.faces, face)
     lane = word(view, NEXT)
     a = vec3_at(suns.vertices, corners[0])
@@ -86,7 +86,10 @@ def _remember(suns: Suns, view: View, face: wp.int32):
 
 @wp.func
 def blocked(suns: Suns, whole: Accelerator, seen: Accelerator, view: View, k: wp.int32, cosine: wp.float64) -> wp.bool:
-    """Whether the k-th prepared ray, of that cosine to the normal, meets anything; known triangles are tried first."""
+    """Return whether the k-th prepared ray hits anything; `cosine` is between the ray and the normal.
+
+    The point's remembered triangles are tested first.
+    """
     column = column_of(view.point.chunk, k)
     reach = float_at(column, REACH)
     if not (reach > 0.0):

@@ -1,7 +1,7 @@
-"""Sun positions in groups of neighbours, each with a shaft about it: what is proven of a shaft is true of all its suns.
+"""Sun positions in groups of neighbours, each group with a shaft around it: a proof about the shaft holds for all its suns.
 
-The groups are the leaves of a complete binary tree, in which the suns of a node are halved across their widest axis. A shaft
-is a pyramid from the point: four planes about the suns, or about their discs.
+The groups are the leaves of a complete binary tree; each node's suns are halved across their widest axis. A shaft is a
+pyramid from the point: four planes around the suns, or around their discs.
 """
 
 from dataclasses import dataclass
@@ -13,24 +13,24 @@ import numpy as np
 from warpsample.tracing.sight.shafts import shaft_vectors
 
 GROUP = 16
-"""Suns of a group, at most: as many as are looked at at once."""
+"""Largest number of suns in a group; a group's suns are tested together."""
 
-_MOST_KEPT = 1 << 16  # suns of a tree that is kept: 3 MB, with discs 15
-_WIDEST = 0.6  # radians from its axis: a shaft that is wider meets something anyway
-_NO_AXIS = 0.5  # of the suns along their mean: shafts end long before
+_MOST_KEPT = 1 << 16  # suns of a cached tree: 3 MB, with discs 15 MB
+_WIDEST = 0.6  # radians from the axis: wider shafts nearly always hit something
+_NO_AXIS = 0.5  # least cosine of the suns to their mean direction
 
 
 @dataclass(frozen=True, eq=False)
 class SunTree:
-    """Unit directions towards suns, T of them, in G groups.
+    """Tree of T unit directions towards suns, with G groups as leaves and N nodes.
 
     Attributes:
         groups: (G, 3, 16) float32, x, y, z of directions; 0 where a group has fewer suns.
-        columns: (G, 16) int32, their rows in the caller's array.
-        spans: (N, 4) int32 of the nodes, each before its children: first group, the one after the last, the node after all
-            that are below this one, and whether its shaft is of use.
+        columns: (G, 16) int32, row of each sun in the caller's array.
+        spans: (N, 4) int32, nodes in depth-first order: first group, group after the last, next node that is no descendant,
+            and 1 if the node's shaft is usable, else 0.
         shafts: (N, 3, 16) float32, x, y, z of inward normals of planes, from the second on, and directions of the corners.
-        disc_shafts: (G, 16, 3, 16) float32, likewise of each sun's disc; empty without discs.
+        disc_shafts: (G, 16, 3, 16) float32, the same for each sun's disc; empty without discs.
     """
 
     groups: np.ndarray
@@ -41,15 +41,15 @@ class SunTree:
 
     @classmethod
     def of(cls, directions: np.ndarray, disc: float) -> "SunTree":
-        """The tree of (T, 3) float32 unit vectors, at least one, with discs of that diameter in degrees.
+        """Return the tree of (T, 3) float32 unit vectors, T at least 1; `disc` is the angular diameter in degrees.
 
-        The last few are kept, by content, since calls for other points most often have the same suns.
+        Trees of the last four sets of suns are cached, because calls for further points mostly have the same suns.
         """
         return _kept(directions.tobytes(), disc) if len(directions) <= _MOST_KEPT else cls.built(directions, disc)
 
     @classmethod
     def built(cls, directions: np.ndarray, disc: float) -> "SunTree":
-        """A new tree."""
+        """Build a tree of suns; arguments as for `SunTree.of`, without the cache."""
         count, radius = len(directions), radians(0.5 * disc)
         levels = max(0, int(np.ceil(np.log2(count / GROUP))))
         bounds = [(np.arange(2**level + 1) * count) >> level for level in range(levels + 1)]
@@ -77,17 +77,18 @@ class SunTree:
 
 @lru_cache(maxsize=4)
 def _kept(directions: bytes, disc: float) -> SunTree:
+    """Return the cached tree for the bytes of (T, 3) float32 directions, or build the tree."""
     return SunTree.built(np.frombuffer(directions, np.float32).reshape(-1, 3), disc)
 
 
 def _members(bounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The part that each row is in, and its place there."""
+    """Return the part that each row belongs to, and the row's index in the part."""
     of = np.repeat(np.arange(len(bounds) - 1), np.diff(bounds))
     return of, np.arange(bounds[-1]) - bounds[of]
 
 
 def _sorted(directions: np.ndarray, bounds: np.ndarray) -> np.ndarray:
-    """The order in which each part is sorted along the axis on which it is widest."""
+    """Return the order of rows that sorts each part along the axis on which the part is widest."""
     low, high = (f.reduceat(directions, bounds[:-1]) for f in (np.minimum, np.maximum))
     of, lane = _members(bounds)
     along = np.full((len(bounds) - 1, np.diff(bounds).max()), np.inf, np.float32)  # parts differ in size by at most one
@@ -97,7 +98,7 @@ def _sorted(directions: np.ndarray, bounds: np.ndarray) -> np.ndarray:
 
 
 def _places(levels: int) -> list[np.ndarray]:
-    """Where the nodes of each level are, if each is before its children."""
+    """Return the indices of the nodes of each level, in depth-first order."""
     places = [np.zeros(1, np.int64)]
     for level in range(levels):
         below = 2 ** (levels - level) - 1
@@ -106,7 +107,7 @@ def _places(levels: int) -> list[np.ndarray]:
 
 
 def _shafts(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """(N, 3, 16) shafts about the discs of each part of the suns, and whether they are of use."""
+    """Return the (N, 3, 16) shafts around each part's suns or discs, and an (N,) mask of the usable shafts."""
     first, size = bounds[:-1], np.diff(bounds)
     total = np.add.reduceat(suns, first)
     length = np.linalg.norm(total, axis=1, keepdims=True)
@@ -118,7 +119,7 @@ def _shafts(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[np.nda
     for side in (across, aside):
         along = _dots(suns, side, size)
         angle, half = np.arctan2(along, forward), 0.0
-        if radius:  # the angle at which the disc is seen in that plane
+        if radius:  # half the disc's angular width in that plane
             half = np.arcsin(np.minimum(1.0, np.sin(radius) / np.hypot(along, forward)))
         low, high = np.minimum.reduceat(angle - half, first), np.maximum.reduceat(angle + half, first)
         of_use &= np.maximum(-low, high) < _WIDEST
@@ -131,14 +132,14 @@ def _shafts(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[np.nda
 
 
 def _dots(suns: np.ndarray, vectors: np.ndarray, size: np.ndarray) -> np.ndarray:
-    """The dot product of each sun and its part's vector."""
+    """Return the dot product of each sun and the vector of the sun's part."""
     return np.einsum("ij,ij->i", suns, np.repeat(vectors, size, axis=0))
 
 
 def _sides(
     suns: np.ndarray, axis: np.ndarray, forward: np.ndarray, first: np.ndarray, size: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Two unit vectors across each axis, along and across which its suns lie."""
+    """Return two unit vectors perpendicular to each axis: along the part's widest spread of suns, and across this spread."""
     least = np.eye(3)[np.abs(axis).argmin(axis=1)]
     x = np.cross(axis, least) / np.maximum(np.linalg.norm(np.cross(axis, least), axis=1, keepdims=True), 1e-3)
     y = np.cross(axis, x)

@@ -1,4 +1,4 @@
-"""The arguments of the suns' kernel, and one point as it sees the suns: what it knows, and memory to work in."""
+"""Arguments of the sun kernel, and the state of one point: remembered triangles, counters and working memory."""
 
 import warp as wp
 
@@ -9,29 +9,27 @@ from warpsample.tracing.sight.leaves import OWN_LEAF_FLOATS
 from warpsample.tracing.sight.point import ShadingPoint
 
 KNOWN, NEXT, PROVEN, REMEMBERED, CAST = range(5)
-"""Words of a point: known triangles in their leaf, and where the next one goes; suns found lit by a shaft; rays that a known
-triangle blocked; rays cast."""
+"""Indices of a point's counters: remembered triangles, lane for the next one, suns that a shaft proves lit, rays that a
+remembered triangle blocked, and rays cast."""
 
 WORDS = 5
 
 OWN_FLOATS = 16 * -(-(OWN_LEAF_FLOATS + WORDS) // 16)
-"""float32 numbers that a point needs: a leaf of triangles that blocked rays of it, and the words."""
+"""Number of float32 values of working memory per point: a leaf of remembered triangles, and the counters."""
 
 _WORDS_BYTES = wp.constant(wp.uint64(4 * OWN_LEAF_FLOATS))
 
 
 @wp.struct
 class Suns:
-    """Scalars and addresses of points, of a `SunTree` and of where the answers go.
+    """Scalars and addresses of the points, of a `SunTree` and of the results.
 
-    placement: of the points; its starts are for both sides of its normals, those of the faces.
-    normals, active: (P, 3) float32, (P,) uint8 or 0: of the points.
-    count, nodes: suns and nodes of the tree. directions: (count, 3), as the caller gave them.
-    vertices, faces: of the scene.
-    sine, one_minus_cos: of the disc's radius.
-    weights: (count, channels) float64 or 0. cosine: whether they are multiplied by it.
-    answer: (P, count) uint8 or float32, or (P, channels) float64; all 0.
-    tally: (P, 3) int32 or 0: the last three words of the points. glass: the faces that let some light through, if any.
+    placement: placement of the points, whose rays may start on either side of the face. normals, active: (P, 3) float32,
+    (P,) uint8 or 0. count, nodes: numbers of suns and of nodes of the tree. directions: (count, 3), the caller's array.
+    vertices, faces: arrays of the scene. sine, one_minus_cos: functions of the disc's angular radius. weights: (count,
+    channels) float64 or 0. cosine: 1 to multiply the weights by the cosine, else 0. answer: (P, count) uint8 or float32, or
+    (P, channels) float64; zeros at the start. tally: (P, 3) int32 or 0, for the last three counters of each point. glass:
+    transmitting faces, if any.
     """
 
     placement: Placement
@@ -66,10 +64,10 @@ SunsArgs = type(Suns().__ctype__())
 
 @wp.struct
 class View:
-    """A shading point, with what it knows of the suns.
+    """Shading point with the state of the search for suns.
 
-    local: mask of the triangles of its local leaf. skips: whether anything may be proven. known: address of the leaf of
-    triangles that blocked rays of the point. words: address of its words.
+    local: mask of the triangles of the point's local leaf. skips: whether rays may be skipped. known: address of the leaf of
+    triangles that blocked rays of the point. words: address of the point's counters.
     """
 
     point: ShadingPoint
@@ -81,7 +79,7 @@ class View:
 
 @wp.func
 def view_of(point: ShadingPoint) -> View:
-    """A point that knows nothing yet."""
+    """Return the initial state of a point, without remembered triangles."""
     view = View()
     view.point = point
     view.known = point.own
@@ -91,25 +89,25 @@ def view_of(point: ShadingPoint) -> View:
 
 @wp.func
 def word(view: View, i: wp.int32) -> wp.int32:
-    """One of the point's words."""
+    """Return the i-th counter of a point."""
     return int_at(view.words, i)
 
 
 @wp.func
 def add(view: View, i: wp.int32, more: wp.int32):
-    """Adds to one of the point's words."""
+    """Increase the i-th counter of a point by `more`."""
     set_int(view.words, i, word(view, i) + more)
 
 
 @wp.func
 def known_triangles(view: View) -> wp.int32:
-    """Mask of the known triangles."""
+    """Return the bit mask of the remembered triangles."""
     return (1 << word(view, KNOWN)) - 1
 
 
 @wp.func
 def cosine_to(n: wp.vec3, d: wp.vec3) -> wp.float64:
-    """The cosine between two float32 unit vectors, without rounding the products."""
+    """Return the float64 dot product of two float32 unit vectors; the products are exact."""
     x = wp.float64(n[0]) * wp.float64(d[0])
     y = wp.float64(n[1]) * wp.float64(d[1])
     return x + y + wp.float64(n[2]) * wp.float64(d[2])

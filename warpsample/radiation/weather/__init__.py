@@ -1,1 +1,1 @@
-"""Weather files, the sky's radiance and a year's irradiation."""
+"""Weather files, radiance of the sky, and irradiation of a year."""

@@ -1,4 +1,4 @@
-"""The light of a period as what faces reflect: what sun, sky and ground bring to patches of them."""
+"""Distant light of a period for reflections: irradiance of patches of faces from sun, sky and ground."""
 
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -18,16 +18,16 @@ from warpsample.tracing.placed_points import PlacedPoints
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-_SUNS = 512  # that the places of one replicate look at
+_SUNS = 512  # from twice this number on, the sample positions of a replicate test a random choice of suns
 
 
 @dataclass(frozen=True, eq=False)
 class WeatherAfar:
-    """The light of a period: its sum in kWh/m², or W/m² in each of the hours in which there is any.
+    """Distant light of a period: one column with the sum in kWh/m², or a column in W/m² for each hour with light.
 
     Attributes:
-        light: of the period.
-        series: whether hours stay apart.
+        light: Light of the period.
+        series: Whether each hour is a column.
     """
 
     light: Light
@@ -35,11 +35,11 @@ class WeatherAfar:
 
     @property
     def size(self) -> int:
-        """The number of hours with light, or 1."""
+        """Number of columns: hours with light, or 1."""
         return len(self.light.sky_rows) if self.series else 1
 
     def targets(self, patches: Patches, _workers: int) -> Targets:
-        """Patches; beyond them those of the sky, and the ground."""
+        """Return the targets of rays: the patches, and for rays that hit nothing the sky's patches and the ground."""
         sky, csr_array = self.light.sky, imported("scipy.sparse").csr_array
 
         def beyond(directions: np.ndarray) -> "csr_array":
@@ -50,7 +50,7 @@ class WeatherAfar:
         return Targets(patches, beyond)
 
     def falling(self, probes: Probes, columns: slice) -> np.ndarray:
-        """Sky and ground by the rays of the patches, the sun at their places."""
+        """Return the irradiance of patches: sky and ground from the patches' rays, the sun at their sample positions."""
         light = self.light
         if not self.series:
             bright = summed(np.concatenate([np.pi * light.radiance, light.ground[None]]))
@@ -64,7 +64,10 @@ class WeatherAfar:
 
 
 def _fewer_suns(light: Light, seed: int) -> Light:
-    """The light of a period with one sun of several neighbours, drawn at random, as strong as all; with all of few."""
+    """Return the light with at most about 1,000 suns.
+
+    Of each run of neighbouring suns one is drawn at random, with the radiation of the run. Few suns are all kept.
+    """
     step = len(light.sun) // _SUNS
     if step < 2:
         return light
@@ -75,12 +78,12 @@ def _fewer_suns(light: Light, seed: int) -> Light:
 
 
 def summed(hourly: np.ndarray) -> np.ndarray:
-    """The sum over the hours, the last axis, of W/m² in kWh/m²."""
+    """Return the sum over hours, the last axis, of W/m² as kWh/m²."""
     return hourly.sum(axis=-1) / 1000.0
 
 
 def direct_light(at: PlacedPoints, options: RayOptions, light: Light, series: bool) -> np.ndarray:
-    """What the sun brings: (P,) kWh/m², or (P, S) W/m² in the hours in which it shines."""
+    """Compute the sun's irradiation (P,) in kWh/m²; with `series` its irradiance (P, S) in W/m², for hours with sun."""
     if len(light.sun) == 0:
         return np.zeros((len(at), 0) if series else len(at))
     if not series:

@@ -1,4 +1,4 @@
-"""What an EPW file must be, so that pvlib reads it rightly: it takes nearly anything."""
+"""Checks of EPW files before pvlib reads them, because pvlib accepts nearly any file."""
 
 import re
 from pathlib import Path
@@ -9,11 +9,11 @@ import numpy as np
 from warpsample.host.arguments import told
 
 _HEADER = 8  # lines, the first LOCATION, the last DATA PERIODS
-_FIELDS = 16  # of a row, up to the diffuse radiation; pvlib names 35, and some files have fewer
+_FIELDS = 16  # per row, up to the diffuse radiation; pvlib names 35 fields, and some files have fewer
 _PVLIB_FIELDS = 35
 _DIRECT = 14  # the field of the direct radiation, from 0
 _YEAR = re.compile("(1[89]|2[01])[0-9]{2}")
-_STRONGEST = 1500.0  # W/m²: outside the atmosphere it is 1,412, and what is missing is told as 9999
+_STRONGEST = 1500.0  # W/m²: 1,412 outside the atmosphere; files mark missing values with 9999
 _LIMITS = {"latitude": 90, "longitude": 180, "time zone": 14, "altitude": 9000}  # degrees, hours, metres
 _DAYS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
 
@@ -22,12 +22,13 @@ YEAR = [(month, day, hour) for month in range(1, 13) for day in range(1, _DAYS[m
 
 
 def checked_text(path: Path) -> str:
-    """The place, and rows of 35 fields with date, hour and radiation alone: pvlib trips over much of what else may be there.
+    """Return the text of an EPW file with the fields that are read: place, dates, hours and radiation.
 
-    It shifts the columns of longer rows, guesses wrong types, and takes a quotation mark to begin many lines of text.
+    Rows have 35 fields; unused fields are empty, because pvlib fails on many contents. It shifts the columns of longer rows,
+    guesses wrong types, and takes a quotation mark as the start of a text of many lines.
 
     Raises:
-        ValueError: other lines than those of 8,760 hours.
+        ValueError: the lines are not those of 8,760 hours.
     """
     lines = re.split("\r\n|\r|\n", path.read_bytes().decode("utf-8-sig", errors="replace"))
     for number, name in ((1, "LOCATION"), (_HEADER, "DATA PERIODS")):
@@ -40,20 +41,24 @@ def checked_text(path: Path) -> str:
             raise ValueError(f"line {number} has {len(row)} fields, want at least {_FIELDS}, up to the diffuse radiation")
     if len(rows) != len(YEAR):
         leap = ", with 29 February" if len(rows) == len(YEAR) + 24 else ""
-        raise ValueError(f"it has {len(rows):,} hours{leap}, want the {len(YEAR):,} of a year without 29 February")
+        raise ValueError(f"the file has {len(rows):,} hours{leap}, want the {len(YEAR):,} of a year without 29 February")
     for number, (row, right) in enumerate(zip(rows, YEAR, strict=True), _HEADER + 1):
         if tuple(map(str.strip, row[1:4])) not in (tuple(map(str, right)), tuple(f"{part:02}" for part in right)):
             date = "month {}, day {}, hour {}"
-            raise ValueError(f"line {number} is of {date.format(*row[1:4])}, want {date.format(*right)}")
+            raise ValueError(f"line {number} is for {date.format(*row[1:4])}, want {date.format(*right)}")
         if not _YEAR.fullmatch(row[0].strip()):
-            raise ValueError(f"line {number} is of the year {told(row[0])}, want one from 1800 to 2199")
+            raise ValueError(f"line {number} is for the year {told(row[0])}, want one from 1800 to 2199")
     between, after = [""] * (_DIRECT - 4), [""] * (_PVLIB_FIELDS - _FIELDS)
     kept = [",".join([*row[:4], *between, *row[_DIRECT:_FIELDS], *after]) for row in rows]
     return "\n".join([lines[0], *["-"] * (_HEADER - 1), *kept])
 
 
 def _check_place(line: str) -> None:
-    """Refuses a first line without the numbers of a place."""
+    """Check that the first line has the latitude, longitude, time zone and altitude of a place.
+
+    Raises:
+        ValueError: fields are missing or out of range.
+    """
     fields = line.split(",")
     if len(fields) < 10:
         raise ValueError(
@@ -65,10 +70,10 @@ def _check_place(line: str) -> None:
 
 
 def radiation(table: Any, column: str, name: str) -> np.ndarray:
-    """The radiation of each hour in one column of a file, (8760,) W/m².
+    """Return the radiation of each hour from one column of a file, (8760,) W/m².
 
     Raises:
-        ValueError: numbers that are missing or cannot be.
+        ValueError: values are missing or out of range.
     """
     values = table[column].to_numpy(np.float64)
     bad = np.flatnonzero(~((values >= 0.0) & (values <= _STRONGEST)))

@@ -1,4 +1,4 @@
-"""What a year's sun and sky bring to points of a mesh, by the weather of a file."""
+"""The call `irradiation`: radiation from sun, sky, ground and reflections at points of a mesh, with weather from a file."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -23,25 +23,27 @@ from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.placed_points import PlacedPoints
 
-_BYTES = 5 * 4 + 5 * 8  # of each point and hour: five results, and what they are made of in float64
+_BYTES = 5 * 4 + 5 * 8  # per point and hour: five results in float32, and their parts in float64
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Irradiation(PointResult):
-    """What each of P points receives on its surface: in a period (P,), in kWh/m²; or in each of T hours (P, T), in W/m².
+    """Radiation received at P points: in a period (P,), in kWh/m², or in each of T hours (P, T), in W/m².
 
     Attributes:
-        value: float32, the sum of all parts; 0 where the status is not 0.
-        standard_error: of the same shape and unit, of all parts but the sun's, which is exact for the sun's centre.
-        direct: of the same shape and unit, from the sun.
-        diffuse: from the sky.
-        ground: from the ground beyond the mesh.
-        hours: (T,) datetime64[m], where each hour of the period begins, in local standard time.
-        rays: (P,) int32, rays cast to the sky and the ground, without those to the sun.
+        value: float32, sum of all parts; 0 where the status is not 0.
+        standard_error: Standard error of all parts except the sun's, which is exact for the sun's centre; in the shape and
+            unit of `value`.
+        direct: Part from the sun, in the shape and unit of `value`.
+        diffuse: Part from the sky, in the shape and unit of `value`.
+        ground: Part from the ground outside the mesh, in the shape and unit of `value`.
+        hours: (T,) datetime64[m], begin of each hour of the period, in local standard time.
+        rays: (P,) int32, number of rays cast to the sky and the ground, without rays to the sun.
         status: (P,) uint8, a `PointStatus`.
-        skipped: what was not done for the sky.
-        reflected: of the same shape and unit, from faces, by all orders of reflection; None if they are black.
-        reflected_error: its standard error; None if they are black.
+        skipped: Counts of the work skipped for the sky.
+        reflected: Part from faces, by all orders of reflection, in the shape and unit of `value`; None if all faces
+            are black.
+        reflected_error: Standard error of `reflected`; None if all faces are black.
     """
 
     value: NDArray[np.float32]
@@ -112,14 +114,14 @@ def irradiation(
         progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
-        value (P,) in kWh/m² of the period, or with `series` (P, T) in W/m²; its standard error, its parts, and for each
-        point the rays cast and a status.
+        value (P,) in kWh/m² for the period, or with `series` (P, T) in W/m²; the standard error, the parts of the value, and
+        for each point the number of rays cast and a status.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used, or a file that is not the weather of a
-            year; names it, what it got and what it wants.
-        ModuleNotFoundError: pvlib or pyradiance is missing; says how to install them.
-        MemoryError: more than is free.
+            year.
+        ModuleNotFoundError: pvlib or pyradiance is not installed.
+        MemoryError: the result needs more memory than is free.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")
@@ -138,11 +140,11 @@ def irradiation(
 
 
 def received(plan: Plan, light: Light, series: bool, reflections: Reflections | None = None) -> Irradiation:
-    """What the points of a plan receive by a light: its sums over the period in kWh/m², or each hour in W/m²."""
+    """Compute the radiation that a plan's points receive: sums over the period in kWh/m², or each hour in W/m²."""
     hours = len(light.hours)
     if series:
         size = _BYTES * len(plan.at) * hours
-        check_memory(size, f"{hours:,} hours of {len(plan.at):,} points", "take fewer points, or a shorter period")
+        check_memory(size, f"{hours:,} hours of {len(plan.at):,} points", "pass fewer points, or a shorter period")
     sky = sky_seen(plan, light.sky, light.radiance if series else summed(light.radiance))
     options = replace(plan.options, seed=seed_for("ground", plan.options.seed))
     ground = sky_seen(replace(plan, options=options), light.below, np.ones(len(light.below)))
@@ -171,7 +173,7 @@ def received(plan: Plan, light: Light, series: bool, reflections: Reflections | 
 
 
 def _with_reflected(found: Irradiation, reflected: Reflected, light: Light) -> Irradiation:
-    """The sum of what comes from afar and from faces."""
+    """Return the sum of distant and reflected light."""
     value, error = reflected.value, reflected.error
     if found.value.ndim == 2:
         value, error = (_each_hour(part, light.sky_rows, len(light.hours)) for part in (value, error))
@@ -187,7 +189,7 @@ def _with_reflected(found: Irradiation, reflected: Reflected, light: Light) -> I
 
 
 def _each_hour(part: np.ndarray, rows: np.ndarray, hours: int) -> np.ndarray:
-    """(P, hours) float32, 0 but in some hours."""
+    """Return (P, hours) float32 with the columns of `part` at `rows`, and 0 in the other hours."""
     made = np.zeros((len(part), hours), np.float32)
     made[:, rows] = part
     return made

@@ -1,4 +1,4 @@
-"""The light of a period: where the sun stands, what it brings, and how bright sky and ground are."""
+"""Light of a period: directions and radiation of the sun, and radiances of sky and ground."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -17,15 +17,15 @@ class Light:
     """Sun, sky and ground in the T hours of a period.
 
     Attributes:
-        sky: patches of the sky above.
-        below: patches of the half below the horizon, through which the ground is seen.
-        hours: (T,) datetime64[m], where each hour begins.
-        sun_rows: (S,) hours in which the sun shines.
-        sun: (S, 3) unit vectors towards it, in the mesh's coordinates.
-        direct: (S,) W/m², across these directions.
-        sky_rows: (L,) hours in which there is any light.
-        radiance: (K, L) W/m²/sr, of each patch.
-        ground: (L,) W/m² that leave the ground.
+        sky: Patches of the sky.
+        below: Patches of the half-sphere below the horizon, where the ground is visible.
+        hours: (T,) datetime64[m], begin of each hour.
+        sun_rows: (S,) indices of the hours in which the sun shines.
+        sun: (S, 3) unit vectors towards the sun, in the mesh's coordinates.
+        direct: (S,) direct normal irradiance, in W/m².
+        sky_rows: (L,) indices of the hours with any light.
+        radiance: (K, L) radiance of each patch, in W/m²/sr.
+        ground: (L,) radiation that the ground reflects, in W/m².
     """
 
     sky: SkyPatches
@@ -39,7 +39,7 @@ class Light:
     ground: np.ndarray
 
     def only(self, columns: slice) -> "Light":
-        """The light of some of the L hours in which there is any."""
+        """Return the light of a slice of the L hours with light."""
         rows = self.sky_rows[columns]
         shining = np.isin(self.sun_rows, rows)
         return replace(
@@ -54,12 +54,12 @@ class Light:
 
 
 def light_of(weather: Any, *, period: Sequence[str] | None, ground_albedo: Any, patches: Any, up: Any, north: Any) -> Light:
-    """The light that the weather of a file makes; arguments as of `irradiation`."""
+    """Return the light of a period from a weather file; arguments as for `irradiation`."""
     albedo, sky = check_number(ground_albedo, "ground_albedo", 0.0, 1.0), sky_patches(patches, up=up, north=north)
     found = read_weather(weather, period)
     shining = (found.direct_normal > 0.0) & (found.sun_altitude > 0.0)
     lit = shining | (found.diffuse_horizontal > 0.0)
-    rows = np.flatnonzero(lit) if lit.any() else np.zeros(1, np.int64)  # a polar night has an hour without light
+    rows = np.flatnonzero(lit) if lit.any() else np.zeros(1, np.int64)  # a period without light keeps one dark hour
     horizontal = found.diffuse_horizontal + np.where(shining, found.direct_normal * np.sin(found.sun_altitude), 0.0)
     return Light(
         sky=sky,
@@ -75,7 +75,7 @@ def light_of(weather: Any, *, period: Sequence[str] | None, ground_albedo: Any, 
 
 
 def sun_directions(weather: Weather, axes: np.ndarray) -> np.ndarray:
-    """Unit vectors (T, 3) towards the sun in the coordinates of a mesh, whose axes to east, north and up are (3, 3)."""
+    """Return (T, 3) unit vectors towards the sun in mesh coordinates; `axes` (3, 3) are east, north and up."""
     altitude, azimuth = weather.sun_altitude, weather.sun_azimuth
     level = np.cos(altitude)
     return np.stack([level * np.sin(azimuth), level * np.cos(azimuth), np.sin(altitude)], axis=1) @ axes

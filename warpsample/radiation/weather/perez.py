@@ -1,4 +1,4 @@
-"""The sky's radiance, patch by patch and hour by hour: the model of Perez1993, by Radiance's `gendaymtx`."""
+"""Radiance of the sky by patch and hour: the model of Perez1993, computed by Radiance's `gendaymtx`."""
 
 from functools import lru_cache
 from typing import Any
@@ -13,15 +13,14 @@ from warpsample.radiation.weather.weather import Weather
 
 
 def perez_sky(weather: Weather, patches: str) -> np.ndarray:
-    """(K, T) float64, W/m²/sr: the radiance of each sky patch in each of T hours, without the sun.
+    """Return the radiance of each sky patch in each of T hours, without the sun, (K, T) float64 in W/m²/sr.
 
-    gendaymtx scales the sky by the sum of the patches' solid angles times the sine of their centres, which is 0.5 to 0.04 %
-    off the integral that their share of a lobe is. So each hour is scaled here: on an open horizontal plane the diffuse
-    radiation of the file comes in.
+    gendaymtx normalises the sky with the patches' solid angles times the sine of their centres, which differs from the exact
+    integral by 0.5 to 0.04 %. So each hour is scaled here: an open horizontal plane receives the file's diffuse radiation.
 
     Raises:
-        ModuleNotFoundError: pyradiance is missing; says how to install it.
-        RuntimeError: gendaymtx gave something else than was asked for.
+        ModuleNotFoundError: pyradiance is not installed.
+        RuntimeError: the output of gendaymtx has another size or numbers that are not finite.
     """
     share = _horizontal_shares(sky_patches(patches))
     if len(weather.hours) == 0:
@@ -29,30 +28,34 @@ def perez_sky(weather: Weather, patches: str) -> np.ndarray:
     shape = len(share), len(weather.hours)
     radiance = _gendaymtx(_pyradiance(), _wea(weather), MULTIPLES[patches], shape).astype(np.float64)
     received = np.pi * (share @ radiance)
-    dark = received == 0.0  # below 1e-4 W/m² gendaymtx has no sky
+    dark = received == 0.0  # gendaymtx returns 0 below 1e-4 W/m²
     radiance *= np.where(dark, 0.0, weather.diffuse_horizontal) / np.where(dark, 1.0, received)
     return radiance
 
 
 def _horizontal_shares(sky: SkyPatches) -> np.ndarray:
-    """(K,) each patch's exact share of the lobe of an open horizontal plane; they add up to 1."""
+    """Return the (K,) exact share of each patch in the cosine lobe of an open horizontal plane; their sum is 1."""
     low, high = np.square(np.sin(np.radians(sky.altitudes.T)))
     return np.radians(np.diff(sky.azimuths, axis=1)[:, 0]) * (high - low) / (2.0 * np.pi)
 
 
 @lru_cache(maxsize=1)
 def _gendaymtx(pyradiance: Any, hours: bytes, split: int, shape: tuple[int, int]) -> np.ndarray:
-    """(K, T) float32, of which the last is kept: 10 MB of a year and the default patches, and half a second."""
+    """Return the (K, T) float32 radiances that gendaymtx computes for hours in Radiance's format.
+
+    The last result is cached: for a year and the default patches 10 MB, and half a second.
+    """
     content = pyradiance.gendaymtx(
         hours, outform="f", mfactor=split, sky_only=True, solar_radiance=True, sky_color=[1, 1, 1]
     )
-    found = read_matrix(content, "gendaymtx")[1:, :, 0]  # without the ground, and grey
+    found = read_matrix(content, "gendaymtx")[1:, :, 0]  # without the ground; the three colours are equal
     if found.shape != shape or not np.isfinite(found).all():
         raise RuntimeError(f"gendaymtx: got {found.shape} numbers, want {shape[0]} patches of {shape[1]} hours")
     return np.ascontiguousarray(found)
 
 
 def _pyradiance() -> Any:
+    """Import pyradiance; raise a ModuleNotFoundError that states how to install it."""
     try:
         return imported("pyradiance")
     except ModuleNotFoundError:
@@ -60,9 +63,10 @@ def _pyradiance() -> Any:
 
 
 def _wea(weather: Weather) -> bytes:
-    """The hours in Radiance's format, whose places are degrees to the west, each with its middle as its time.
+    """Return the hours in Radiance's WEA format, as bytes.
 
-    It has no zones beyond 12 hours: those of Samoa or Kiribati, 13 and 14, are told as the same hours of the day before.
+    WEA counts degrees to the west, and the time is the middle of the hour. Time zones beyond 12 hours are invalid: hours of
+    Samoa or Kiribati, with zones 13 and 14, are written as the same hours of the day before.
     """
     days = round(weather.time_zone / 24.0)
     head = [

@@ -1,4 +1,4 @@
-"""The weather of a year from an EPW file: radiation hour by hour, and where the sun stands."""
+"""Weather of a year from an EPW file: hourly radiation, and positions of the sun."""
 
 import re
 from collections.abc import Sequence
@@ -19,24 +19,24 @@ from warpsample.host.locks import imported
 from warpsample.host.summary import Summary
 from warpsample.radiation.weather.epw import YEAR, checked_text, radiation
 
-_NIGHT = -10.0  # degrees: in an hour whose middle is as deep, the sun is down all the time
+_NIGHT = -10.0  # degrees: if the sun is lower at mid-hour, it is below the horizon for the whole hour
 _PERIOD = re.compile(r"(\d\d)-(\d\d)(?:T(\d\d))?")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Weather(Summary):
-    """Hours of radiation at a place.
+    """Hourly radiation at a place.
 
     Attributes:
-        latitude: degrees north.
-        longitude: degrees east.
-        time_zone: hours that local standard time is ahead of UTC.
-        altitude: metres above the sea.
-        hours: (T,) datetime64[m], where each hour begins, in local standard time.
-        direct_normal: (T,) W/m² from the sun, on a plane across its direction.
-        diffuse_horizontal: (T,) W/m² from the sky, on a horizontal plane.
-        sun_altitude: (T,) radians above the horizon at mid-hour, with refraction.
-        sun_azimuth: (T,) radians from north towards east at mid-hour.
+        latitude: Degrees north.
+        longitude: Degrees east.
+        time_zone: Hours that local standard time is ahead of UTC.
+        altitude: Metres above the sea.
+        hours: (T,) datetime64[m], begin of each hour, in local standard time.
+        direct_normal: (T,) direct radiation on a plane perpendicular to it, in W/m².
+        diffuse_horizontal: (T,) radiation of the sky on a horizontal plane, in W/m².
+        sun_altitude: (T,) altitude of the sun at mid-hour, in radians, with refraction.
+        sun_azimuth: (T,) azimuth of the sun at mid-hour, in radians from north towards east.
     """
 
     latitude: float
@@ -51,24 +51,24 @@ class Weather(Summary):
 
     @property
     def digest(self) -> str:
-        """SHA-256 of what a file tells: the place, the hours and their radiation. The sun follows from the first two."""
+        """SHA-256 of place, hours and radiation; positions of the sun follow from place and hours."""
         place = np.array([self.latitude, self.longitude, self.time_zone, self.altitude])
         return digest_of(place, self.hours.view(np.int64), self.direct_normal, self.diffuse_horizontal)
 
     def chosen(self, rows: np.ndarray) -> "Weather":
-        """Some of the hours, by a mask or by indices."""
+        """Return the weather of some hours, chosen by a mask or by indices."""
         arrays = {name: array[rows] for name, array in vars(self).items() if isinstance(array, np.ndarray)}
         return replace(self, **arrays)
 
 
 def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
-    """The weather of a year, or of a period of it; arguments as of `irradiation`, or the Weather of a year.
+    """Return the weather of a year or a period; `weather` is a path or "athens", as for `irradiation`, or a Weather.
 
-    Latin letters in any encoding are read, and what follows the diffuse radiation in a row is ignored.
+    Any encoding of Latin letters is accepted. Fields after the diffuse radiation are ignored.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: no such file, or not the weather of a year, hour by hour; a wrong period.
-        ModuleNotFoundError: pvlib is missing; says how to install it.
+        TypeError, ValueError, FileNotFoundError: no such file, not the hourly weather of a year, or an invalid period.
+        ModuleNotFoundError: pvlib is not installed.
     """
     chosen = hours_of(period)
     if isinstance(weather, Weather):
@@ -83,7 +83,10 @@ def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
 
 @lru_cache(maxsize=2)
 def _year(pvlib: Any, text: str) -> Weather:
-    """The weather of a file, by its content: reading it and finding the sun takes a fifth of a second."""
+    """Return the weather of a year from the text of an EPW file, cached by text.
+
+    Reading the text and computing the sun takes a fifth of a second.
+    """
     table, place = pvlib.iotools.read_epw(StringIO(text))
     where = tuple(place[name] for name in ("latitude", "longitude", "TZ", "altitude"))
     sun = _sun(pvlib, table.index, where)
@@ -94,7 +97,7 @@ def _year(pvlib: Any, text: str) -> Weather:
 
 @lru_cache(maxsize=1)
 def _athens(pvlib: Any) -> Weather:
-    """A cloudless year in Athens, by the clear sky of Ineichen2008."""
+    """Return a cloudless year in Athens, with the clear sky of Ineichen2008."""
     where = (37.98, 23.73, 2.0, 107.0)
     hours = imported("pandas").date_range("2021-01-01", periods=len(YEAR), freq="h", tz=timezone(timedelta(hours=where[2])))
     sun = _sun(pvlib, hours, where)
@@ -103,22 +106,23 @@ def _athens(pvlib: Any) -> Weather:
 
 
 def _sun(pvlib: Any, hours: Any, where: tuple[float, ...]) -> Any:
-    """pvlib's table of where the sun stands at the middle of hours."""
+    """Return pvlib's table of the sun's position at the middle of each hour."""
     latitude, longitude, _, altitude = where
     return pvlib.solarposition.get_solarposition(hours + np.timedelta64(30, "m"), latitude, longitude, altitude)
 
 
 def _weather(where: tuple[float, ...], sun: Any, direct: np.ndarray, diffuse: np.ndarray) -> Weather:
+    """Build the Weather of a place from pvlib's table of the sun and the radiation."""
     hours = (sun.index.tz_localize(None) - np.timedelta64(30, "m")).to_numpy().astype("datetime64[m]")
     angles = (np.radians(sun[name].to_numpy(np.float64)) for name in ("apparent_elevation", "azimuth"))
     return Weather(*where, hours, direct, diffuse, *angles)
 
 
 def hours_of(period: Any) -> np.ndarray:
-    """Which of the 8,760 hours are in a period, as `irradiation` takes it: (8760,) bool.
+    """Return the (8760,) bool mask of the hours in a period, which is given as for `irradiation`.
 
     Raises:
-        TypeError, ValueError: something else.
+        TypeError, ValueError: not a period.
     """
     wants = 'two days "MM-DD", or hours "MM-DDTHH", of a year without 29 February, as ("06-01", "08-31")'
     if period is None:
@@ -131,13 +135,13 @@ def hours_of(period: Any) -> np.ndarray:
     except (ValueError, TypeError, IndexError):
         raise ValueError(f"period: got {told(period)}, want {wants}") from None
     if first == last:
-        raise ValueError(f"period: got {told(period)}, which has no hour, want {wants}")
+        raise ValueError(f"period: got {told(period)}, which contains no hour, want {wants}")
     hour = np.arange(len(YEAR))
     return (first <= hour) & (hour < last) if first < last else (first <= hour) | (hour < last)
 
 
 def _hour(match: re.Match[str], default: int) -> int:
-    """How many hours of the year are over; a ValueError where there is no such day or hour."""
+    """Return the number of hours of the year before a matched time; raise a ValueError if there is no such day or hour."""
     month, day = int(match[1]), int(match[2])
     hour = default if match[3] is None else int(match[3])
     if hour > 24:
@@ -146,6 +150,7 @@ def _hour(match: re.Match[str], default: int) -> int:
 
 
 def _pvlib() -> Any:
+    """Import pvlib; raise a ModuleNotFoundError that states how to install it."""
     try:
         imported("pvlib.iotools")
         return imported("pvlib")
@@ -154,9 +159,13 @@ def _pvlib() -> Any:
 
 
 def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:
-    """Refuses a place that does not fit the hours, as one whose longitude is counted towards the west."""
+    """Check that direct radiation falls in daytime hours.
+
+    Raises:
+        ValueError: over 1 % falls at night, as with a longitude counted towards the west.
+    """
     share = direct[altitude < _NIGHT].sum() / max(direct.sum(), 1.0)
     if share > 0.01:
         raise ValueError(
-            f"{share:.0%} of its direct radiation comes at night by the latitude, longitude and time zone of line 1"
+            f"{share:.0%} of the direct radiation is at night for the latitude, longitude and time zone of line 1"
         )
