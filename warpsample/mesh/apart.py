@@ -1,14 +1,17 @@
-"""Libraries that may end the process that they are in, and so get one of their own."""
+"""Runs libraries that may crash in a separate Python process."""
 
 import subprocess
 import sys
 
 REFUSED = 3
-"""What such a process ends with where it gives a reason in place of what it was asked for."""
+"""Exit status of a program that writes the reason of an error in place of a result."""
 
 
 def answer_of(program: str, given: bytes = b"") -> tuple[int, bytes]:
-    """The status and the output of Python that runs a program and reads what is given; it ends with an interrupt."""
+    """Run a Python program in a new process with `given` as its standard input; return the exit status and standard output.
+
+    An interrupt of this process ends the new process.
+    """
     with subprocess.Popen(
         [sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
     ) as child:

@@ -1,4 +1,4 @@
-"""Meshes by their content: in one process, those that arrive from others with the same content are one, with one tree."""
+"""Reuse of equal meshes within a process: unpickled meshes with equal content share one object and one ray-tracing tree."""
 
 import hashlib
 from collections import deque
@@ -10,14 +10,14 @@ import numpy as np
 
 from warpsample.host.locks import making
 
-_KEPT = 4  # of those that arrived, between tasks that nothing else keeps them for
+_KEPT = 4  # created values that are kept alive between tasks
 
 _known: WeakValueDictionary[str, Any] = WeakValueDictionary()
 _arrived: deque[Any] = deque(maxlen=_KEPT)
 
 
 def digest_of(*arrays: np.ndarray) -> str:
-    """SHA-256 of the types, shapes and numbers of arrays, in hexadecimal digits."""
+    """Return the SHA-256 of the types, shapes and numbers of arrays, in hexadecimal digits."""
     found = hashlib.sha256()
     for array in arrays:
         found.update(f"{array.dtype.str}{array.shape}".encode())
@@ -26,15 +26,16 @@ def digest_of(*arrays: np.ndarray) -> str:
 
 
 def remember(digest: str, value: Any) -> None:
-    """Lets `arrived` find a value again in this process and in those that it forks, while it lives."""
+    """Register `value` under its digest while the value exists, for `find_or_make` in this process and in forked ones."""
     with making:
         _known.setdefault(digest, value)
 
 
 def arrived(digest: str, make: Callable[..., Any], *content: Any) -> Any:
-    """The value of this content that the process knows, or a new one: `make(*content)`.
+    """Return the value registered under `digest`; if there is none, create and register `make(*content)`.
 
-    The last few are kept, since Dask's processes get them anew with each task, and would build their trees as often.
+    The last few created values are kept alive. Dask sends a mesh anew with each task; without this, each task would build a
+    tree.
     """
     with making:
         value = _known.get(digest)
