@@ -170,7 +170,9 @@ class Mesh(Summary):
 
     @once_property
     def cross_products(self) -> np.ndarray:
-        """Normals of the faces with a length of twice the face's area, (F, 3) float64; exactly zero for degenerate faces.
+        """Cross products of two edges of each face, (F, 3) float64: normals with a length of twice the face's area.
+
+        Exactly zero for degenerate faces.
 
         Raises:
             ValueError: The mesh is too small for its areas to be represented in float64.
