@@ -67,7 +67,7 @@ def test_metadata_without_a_system_are_in_metres(tmp_path, metadata):
         ("EPSG:99999", 1.0, "in 'EPSG:99999', which pyproj does not know; its coordinates are taken as metres$"),
         ("Rijksdriehoek?", 1.0, "in 'Rijksdriehoek.', which pyproj does not know; its coordinates are taken as metres$"),
         (f"{OGC}/2263", FOOT, "without a unit of heights; they are taken to be in that of the map$"),
-        ("EPSG:3857", 1.0, "Pseudo-Mercator, on which ways are 1.01 times"),
+        ("EPSG:3857", 1.0, "Pseudo-Mercator, on which distances are 1.01 times"),
     ],
 )
 def test_one_warning_names_what_is_not_known(tmp_path, system, across, said):
@@ -100,7 +100,7 @@ def test_without_pyproj_the_extra_is_named(tmp_path, monkeypatch):
             "EPSG:4979",
             "metadata.referenceSystem: got coordinates in degree of WGS 84, want lengths, as heights are; transform",
         ),
-        ("EPSG:4978", "metadata.referenceSystem: got coordinates of WGS 84, want those of a map"),
+        ("EPSG:4978", "metadata.referenceSystem: got coordinates of WGS 84, want a map with two horizontal axes"),
         (7415, "metadata.referenceSystem: got 7415, want a text"),
     ],
 )

@@ -170,7 +170,7 @@ def test_north_is_up_the_map_without_a_crs():
     assert rasters.surface((HEIGHTS, UTM, None)).north == (0.0, 1.0, 0.0)
 
 
-@pytest.mark.filterwarnings("ignore:.*on which ways are")  # the place is of one of these maps alone
+@pytest.mark.filterwarnings("ignore:.*on which distances are")  # the place is of one of these maps alone
 @pytest.mark.parametrize(
     ("crs", "units", "factor"),
     [
@@ -249,5 +249,5 @@ def test_a_map_that_stretches_the_ground_is_warned_of(crs, x, told):
     with warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")
         rasters.surface((HEIGHTS, Affine(2.5, 0.0, x, 0.0, -2.5, 5e6), crs))
-    found = (re.search(r"on which ways are ([\d.]+) times as long as on the ground", str(one.message)) for one in heard)
+    found = (re.search(r"on which distances are ([\d.]+) times as long as on the ground", str(one.message)) for one in heard)
     assert [match[1] for match in found if match] == told

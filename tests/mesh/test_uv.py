@@ -37,7 +37,7 @@ def test_obj_polygons_keep_the_order_of_their_corners(tmp_path):
         ("f 1/1 2/2 3", "line 8: it is not a face: '1/1 2/2 3'"),
         ("f 1/1 2/2 3/0", "line 8: a face has the vertex 0"),
         ("vt", "line 8: .*"),
-        ("f 1 2 3", "none of its faces has the set 0 of them"),
+        ("f 1 2 3", "none of its faces has set 0 of texture coordinates"),
     ],
 )
 def test_an_obj_without_what_it_refers_to_is_refused(line, why, tmp_path):

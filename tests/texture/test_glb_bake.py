@@ -267,7 +267,7 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
     tree, data, _ = opened(output)
     assert (status, picture(tree, data, occlusion(tree, 0)["index"]).min(), "closed bodies" in kept) == (0, 0.0, False)
     status, _, err = call("bake", path, "-o", tmp_path / "small.glb", "--texture", 8)
-    assert (status, err[:62]) == (2, "error: --texture: got 8, where 6 charts, 4 texels apart, take ")
+    assert (status, err[:70]) == (2, "error: --texture: got 8, want a larger image: 6 charts, 4 texels apart,")
 
 
 @pytest.mark.filterwarnings("ignore:mesh. got faces of size")  # it is of most faces; this is of the texels

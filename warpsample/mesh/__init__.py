@@ -1,1 +1,1 @@
-"""A validated mesh, and points on it."""
+"""Checked triangle meshes, their files, and points on their surfaces."""

@@ -1,4 +1,4 @@
-"""What a process of its own does with xatlas, which some meshes crash: charts of meshes, packed into one image."""
+"""Program that unwraps meshes with xatlas into one image; it runs in a separate process because some meshes crash xatlas."""
 
 import sys
 from io import BytesIO
@@ -9,14 +9,15 @@ import numpy as np
 from warpsample.host.extras import REFUSED
 
 _TRIES = 12
-_SLACK = 0.995  # by which a try is smaller than what would just fit: packing is uneven
+_SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
 
 
 def main(size: int, padding: int) -> None:
-    """Reads vertices and faces of meshes as "v0", "f0", "v1" ... in an .npz, and writes their charts as another.
+    """Read meshes from standard input, unwrap the meshes, and write charts to standard output, as .npz archives.
 
-    It has the share of the image that is taken, (2,), and for each mesh the old vertices of its new ones, their coordinates
-    in that share and the new faces, "old0", "uv0", "f0".
+    The input has vertices and faces of each mesh: "v0", "f0", "v1", ... The output has "share", the (2,) used fractions of
+    the image's width and height, and for each mesh "old0", the original vertex of each new vertex, "uv0", texture
+    coordinates in the used part of the image, and "f0", the new faces.
     """
     given = np.load(BytesIO(sys.stdin.buffer.read()))
     parts = [(given[f"v{i}"], given[f"f{i}"]) for i in range(len(given.files) // 2)]
@@ -34,9 +35,9 @@ def main(size: int, padding: int) -> None:
 
 
 def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> tuple[np.ndarray, Any]:
-    """The share of an image that charts take, and the atlas.
+    """Return the (2,) fractions of an image's width and height that the charts use, and the xatlas atlas.
 
-    The library makes an image of about the size that it is asked for; so it is asked for ever fewer texels of a unit of
+    xatlas makes an image of only about the requested size. So charts are packed with fewer and fewer texels per unit of
     length, until all charts fit.
     """
     import xatlas
@@ -56,5 +57,5 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
             return np.array((atlas.width, atlas.height)) / size, atlas
         wanted = atlas.texels_per_unit * _SLACK * size / side
     raise ValueError(
-        f"size: got {size}, where {atlas.chart_count:,} charts, {padding} texels apart, take {side} texels, want more"
+        f"size: got {size}, want a larger image: {atlas.chart_count:,} charts, {padding} texels apart, take {side} texels"
     )

@@ -1,13 +1,13 @@
-"""The example mesh, made by code: `load_mesh("courtyard")`."""
+"""The example mesh that `load_mesh("courtyard")` returns, computed by code."""
 
 from os import PathLike, fspath
 from pathlib import Path
 
 import numpy as np
 
-_STEP = 3.0  # metres: a storey, and a cell of the ground
+_STEP = 3.0  # metres: height of a storey, and width of a ground cell
 _CELLS = 24
-_STOREYS = (  # of the buildings: rows from, to, columns from, to
+_STOREYS = (  # first row, end row, first column, end column, number of storeys
     (5, 19, 5, 9, 4),
     (5, 19, 15, 19, 6),
     (5, 9, 9, 15, 3),
@@ -17,9 +17,10 @@ _STOREYS = (  # of the buildings: rows from, to, columns from, to
 
 
 def courtyard() -> tuple[np.ndarray, np.ndarray]:
-    """Four buildings of 3 to 8 storeys around a yard with one entrance, on a square of 72 m; z is up, below it is open.
+    """Return the example mesh: four buildings of 3 to 8 storeys around a yard with one entrance, on a square of 72 m.
 
-    Vertices (V, 3) float64 in metres and faces (F, 3) int32: cells of 3 m, two triangles each.
+    z points up, and the underside is open. Vertices (V, 3) are float64 in metres; faces (F, 3) int32 are halves of 3 m
+    squares.
     """
     height = np.zeros((_CELLS + 2, _CELLS + 2), int)  # with a margin, which has no faces
     for rows, to_row, columns, to_column, storeys in _STOREYS:
@@ -40,12 +41,12 @@ def courtyard() -> tuple[np.ndarray, np.ndarray]:
 
 
 def example(path: str | PathLike[str]) -> tuple[np.ndarray, np.ndarray] | None:
-    """(vertices, faces) of the example of that name; None if there is none, or if a file has that name."""
+    """Return (vertices, faces) of the example mesh if `path` is "courtyard" and no file has that name; else None."""
     named = isinstance(path, str | PathLike) and fspath(path) == "courtyard"
     return courtyard() if named and not Path(path).exists() else None
 
 
 def content_of(path: Path) -> bytes:
-    """The bytes of a mesh file, or of the arrays of an example."""
+    """Return the bytes of a mesh file, or of the arrays of the example mesh."""
     made = example(path)
     return path.read_bytes() if made is None else b"".join(array.tobytes() for array in made)

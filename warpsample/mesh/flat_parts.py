@@ -1,24 +1,24 @@
-"""Flat parts of a mesh: neighbouring faces in one plane, with axes in it."""
+"""Detection of flat parts of a mesh: neighbouring faces in one plane, with two axes in each plane."""
 
 import numpy as np
 
 from warpsample.host.locks import imported
 from warpsample.mesh.mesh import Mesh
 
-_ALIKE = 1.0 - 1.5e-6  # cosine: 0.1 degrees
-_LEVEL = 1e-3  # sine of the angle to up, below which a plane is level
+_ALIKE = 1.0 - 1.5e-6  # cosine of 0.1 degrees, the largest angle between normals of one flat part
+_LEVEL = 1e-3  # sine of the largest angle between up and the normal of a horizontal plane
 
 
 def flat_parts(mesh: Mesh, rows: np.ndarray, upward: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The flat part of each of some faces, and two axes of each part.
+    """Group neighbouring faces that lie in one plane, and compute two axes in each plane.
 
     Args:
-        mesh: whose faces with an area share vertices where they are neighbours.
-        rows: (N,) faces that have an area.
-        upward: (3,) a unit vector.
+        mesh: Mesh whose neighbouring faces share vertices.
+        rows: (N,) indices of faces with an area above 0.
+        upward: (3,) unit vector that points up.
 
     Returns:
-        (N,) the number of each face's part, and the axes of each part, (K, 3) each, see `axes_in_plane`.
+        (N,) number of each face's flat part, and two arrays (K, 3) of the parts' unit axes; see `axes_in_plane`.
     """
     normal = mesh.face_normals[rows].astype(np.float64)
     part = _joined(mesh.faces[rows].astype(np.int64), normal, len(mesh.vertices))
@@ -29,9 +29,10 @@ def flat_parts(mesh: Mesh, rows: np.ndarray, upward: np.ndarray) -> tuple[np.nda
 
 
 def axes_in_plane(normal: np.ndarray, upward: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Two axes (K, 3) in planes of normals (K, 3): a level one, in a level plane that nearest to +x, and that to its left.
+    """Return two arrays (K, 3) of perpendicular unit axes in the planes with unit normals (K, 3).
 
-    Where x itself points up, it is y that the level one is nearest to.
+    The first axis is horizontal. In a horizontal plane the first axis is the projection of +x, or of +y if x points up. The
+    second axis is 90 degrees to the left of the first, seen against the normal.
     """
     level = np.cross(upward, normal)
     near = np.eye(3)[0 if abs(upward[0]) < 0.9 else 1]
@@ -42,7 +43,10 @@ def axes_in_plane(normal: np.ndarray, upward: np.ndarray) -> tuple[np.ndarray, n
 
 
 def _joined(faces: np.ndarray, normal: np.ndarray, vertices: int) -> np.ndarray:
-    """(N,), the part of each face: those are joined that share an edge with no third one, and a plane."""
+    """Return the (N,) flat part of each face.
+
+    Two faces are joined if they alone share an edge and the angle between their normals is below 0.1 degrees.
+    """
     sparse, graph = imported("scipy.sparse"), imported("scipy.sparse.csgraph")
     ends = np.sort(np.stack([faces, faces[:, [1, 2, 0]]], axis=2).reshape(-1, 2), axis=1)
     edge = ends[:, 0] * vertices + ends[:, 1]

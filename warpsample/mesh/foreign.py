@@ -1,4 +1,4 @@
-"""What other libraries hold of meshes, as arrays: found by what an object has, so that none of them is imported."""
+"""Conversion of meshes of other libraries to arrays; types are recognized by their attributes, so no library is imported."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -12,20 +12,20 @@ from warpsample.mesh.parts import Named
 from warpsample.mesh.polygons import faces_of_cells
 
 Placed = tuple[np.ndarray, np.ndarray, np.ndarray | None, str]
-"""Vertices, faces, the matrix that multiplies from the right, and the part's name."""
+"""Vertices, faces, (4, 4) matrix for row vectors (vector @ matrix) or None, and the part's name."""
 
 KINDS = (
     "a tuple (vertices, faces), a pyvista.PolyData or MultiBlock, a trimesh.Trimesh or Scene, a meshio.Mesh, or a "
     "TriangleMesh of Open3D"
 )
-"""What is taken, in words."""
+"""Supported types, for error messages."""
 
 
 def arrays_of(value: Any, argument: str) -> Named | None:
-    """Vertices, faces, parts and their names of an object of another library; None for one of no known kind.
+    """Return vertices, faces, parts and part names of a mesh of another library, or None for an unknown type.
 
     Raises:
-        ValueError: a scene without a face.
+        ValueError: A scene without faces.
     """
     if hasattr(value, "geometry") and hasattr(value, "graph"):
         return _scene(_nodes(value), value, argument)
@@ -36,15 +36,15 @@ def arrays_of(value: Any, argument: str) -> Named | None:
 
 
 def _surface(value: Any, argument: str) -> tuple[Any, Any] | None:
-    """Vertices and faces of one surface."""
+    """Return the vertices and faces of a single surface, or None for an unknown type."""
     if hasattr(value, "vertices") and hasattr(value, "faces"):
         return value.vertices, value.faces
     if hasattr(value, "is_all_triangles") and hasattr(value, "triangulate"):
         made = value if value.is_all_triangles and not value.n_strips else value.triangulate()
         return made.points, made.regular_faces
-    if hasattr(value, "vertices") and hasattr(value, "triangles"):  # Open3D's
+    if hasattr(value, "vertices") and hasattr(value, "triangles"):  # legacy Open3D mesh
         return np.asarray(value.vertices), np.asarray(value.triangles)
-    if hasattr(value, "vertex") and hasattr(value, "triangle"):  # Open3D's of tensors, which may lie on a device
+    if hasattr(value, "vertex") and hasattr(value, "triangle"):  # Open3D tensor mesh, possibly on a GPU
         return value.vertex.positions.cpu().numpy(), value.triangle.indices.cpu().numpy()
     if hasattr(value, "points") and hasattr(value, "cells"):
         return value.points, faces_of_cells(value, argument)
@@ -52,7 +52,7 @@ def _surface(value: Any, argument: str) -> tuple[Any, Any] | None:
 
 
 def _scene(parts: Iterator[Placed], value: Any, argument: str) -> Named:
-    """All parts of a scene as one."""
+    """Join all parts of a scene into one mesh; raise a ValueError if no part has a face."""
     held = [part for part in parts if len(part[1])]
     if not held:
         raise ValueError(f"{argument}: got {kind_told(value)} without a face: {told(value)}, want one with surfaces")
@@ -60,7 +60,7 @@ def _scene(parts: Iterator[Placed], value: Any, argument: str) -> Named:
 
 
 def _nodes(scene: Any) -> Iterator[Placed]:
-    """Where each mesh of a trimesh.Scene is placed; clouds of points and paths have no faces."""
+    """Yield the placed meshes of a trimesh.Scene; point clouds and paths are left out."""
     for node in scene.graph.nodes_geometry:
         matrix, name = scene.graph[node]
         mesh = scene.geometry[name]
@@ -69,7 +69,7 @@ def _nodes(scene: Any) -> Iterator[Placed]:
 
 
 def _blocks(blocks: Any, path: str = "") -> Iterator[Placed]:
-    """The surfaces of a pyvista.MultiBlock, also of volumes, and those of the blocks in it."""
+    """Yield the surfaces of all blocks of a pyvista.MultiBlock, nested blocks and the surfaces of volumes included."""
     for key in blocks.keys():  # noqa: SIM118  (a MultiBlock yields its blocks)
         block, name = blocks[key], f"{path}{key}"
         if block is None:

@@ -1,4 +1,4 @@
-"""Polygons with holes cut into triangles, in the plane of Newell's normal, with areas by his formula."""
+"""Triangulation and areas of polygons with holes, in the plane of Newell's normal."""
 
 from dataclasses import dataclass
 
@@ -10,12 +10,12 @@ from warpsample.mesh.polygons import triangles
 
 @dataclass(frozen=True, eq=False)
 class Outlines:
-    """The outlines of N faces: rings of corners, of each face the outer one first, then its holes.
+    """Outlines of N faces: rings of corners, for each face the outer ring first, then the holes.
 
     Attributes:
-        corners: (K,) int64 indices of points, ring after ring; the first of a ring is not repeated at its end.
-        sizes: (R,) int64, how many corners each ring has.
-        rings: (N,) int64, how many rings each face has, at least 1.
+        corners: (K,) int64 indices of points, ring after ring; the first corner is not repeated at the end of a ring.
+        sizes: (R,) int64 number of corners of each ring.
+        rings: (N,) int64 number of rings of each face, at least 1.
     """
 
     corners: np.ndarray
@@ -24,11 +24,14 @@ class Outlines:
 
     @property
     def outer(self) -> np.ndarray:
-        """(N,) the number of each face's outer ring."""
+        """(N,) index of each face's outer ring."""
         return np.cumsum(self.rings) - self.rings
 
     def crosses(self, points: np.ndarray) -> np.ndarray:
-        """(R, 3) normal of each ring by Newell's formula, twice its area long; 0 for fewer than three corners."""
+        """Return the (R, 3) normals of the rings by Newell's formula, with a length of twice the ring's area.
+
+        The normal is 0 for a ring with fewer than three corners.
+        """
         starts = np.cumsum(self.sizes) - self.sizes
         ring = np.repeat(np.arange(len(self.sizes)), self.sizes)
         about = points[self.corners] - points[self.corners[starts[ring]]]
@@ -38,7 +41,7 @@ class Outlines:
         return np.stack([np.bincount(ring, axis, len(self.sizes)) for axis in crosses.T], axis=1)
 
     def areas(self, points: np.ndarray) -> np.ndarray:
-        """(N,) area of each face: of its outer ring less its holes, whichever way these turn; at least 0."""
+        """Return the (N,) areas of the faces: outer ring minus holes, for either winding of the holes, at least 0."""
         twice = np.linalg.norm(self.crosses(points), axis=1)
         signed = -twice
         signed[self.outer] = twice[self.outer]
@@ -46,9 +49,9 @@ class Outlines:
         return 0.5 * np.maximum(np.bincount(face, signed, len(self.rings)), 0.0)
 
     def triangles(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(T, 3) int64 triangles of the same winding, in the order of the faces, and (T,) the face of each.
+        """Return (T, 3) int64 triangles in the winding and order of the faces, and the (T,) face number of each triangle.
 
-        A face of fewer than three corners has none; holes that cross an edge are cut as earcut takes them.
+        A face with fewer than three corners has no triangles. Holes that cross an edge are cut as earcut cuts them.
         """
         starts, outer = np.cumsum(self.sizes) - self.sizes, self.outer
         plain = np.flatnonzero((self.rings == 1) & (self.sizes[outer] > 2))
@@ -69,12 +72,12 @@ class Outlines:
 
 
 def _cut(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """(T, 3) corners of the triangles of a polygon whose rings have so many of the corners (n, 3)."""
+    """Return (T, 3) corner numbers of the triangles of a polygon with corners (n, 3) and rings of `sizes` corners."""
     flat = _flattened(corners, int(sizes[0]))
     ends = np.cumsum(sizes)
     following = np.arange(1, len(flat) + 1)
     following[ends[sizes > 0] - 1] = (ends - sizes)[sizes > 0]
-    alone = (flat != flat[following]).any(axis=1)  # as in `polygons`: earcut is not shown corners that repeat
+    alone = (flat != flat[following]).any(axis=1)  # as in `polygons`, repeated corners are hidden from earcut
     ring = np.repeat(np.arange(len(sizes)), sizes)
     alone &= (np.bincount(ring, alone, len(sizes)) > 2)[ring]
     kept = np.flatnonzero(alone)
@@ -86,7 +89,10 @@ def _cut(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
 
 
 def _flattened(corners: np.ndarray, outer: int) -> np.ndarray:
-    """(n, 2), in the plane of the normal of the first `outer` corners, seen against that normal: counter-clockwise."""
+    """Project corners (n, 3) to the plane of the outer ring, so that the ring is counter-clockwise in the (n, 2) result.
+
+    The outer ring consists of the first `outer` corners.
+    """
     about = corners - corners[0]
     normal = np.cross(about[1 : outer - 1], about[2:outer]).sum(axis=0)
     least = np.eye(3)[np.argmin(np.abs(normal))]

@@ -1,18 +1,22 @@
-"""Vertices, and faces that are indices of them, checked."""
+"""Checks of the two arrays of a mesh: vertices, and faces as indices of vertices."""
 
 import numpy as np
 
 from warpsample.host.locks import read_only
 
 LARGEST = 1e36
-"""Coordinate of a vertex: distances, which are float32, stay finite."""
+"""Largest absolute coordinate of a vertex, so that distances in float32 stay finite."""
 
 
 def check_vertices(vertices: np.ndarray) -> np.ndarray:
-    """(V, 3) float64, a read-only copy; a ValueError for another shape, or coordinates not within LARGEST."""
+    """Return a read-only float64 copy of (V, 3) vertices.
+
+    Raises:
+        ValueError: A wrong shape, or coordinates that are not finite or exceed `LARGEST` in absolute value.
+    """
     if vertices.ndim != 2 or vertices.shape[1] != 3 or len(vertices) == 0:
         raise ValueError(f"vertices: got shape {vertices.shape}, want (V, 3) with V of at least 3")
-    vertices = read_only(vertices.astype(np.float64, copy=False))  # first: what is checked is what is kept
+    vertices = read_only(vertices.astype(np.float64, copy=False))  # copied first: the checked values are kept
     if not (vertices.min() >= -LARGEST and vertices.max() <= LARGEST):
         broken = ~(np.abs(vertices) <= LARGEST).all(axis=1)
         first = int(np.argmax(broken))
@@ -25,7 +29,12 @@ def check_vertices(vertices: np.ndarray) -> np.ndarray:
 
 
 def check_faces(faces: np.ndarray, vertices: int) -> np.ndarray:
-    """(F, 3) int32, a read-only copy; a TypeError for what are no whole numbers, a ValueError for no indices of vertices."""
+    """Return a read-only int32 copy of (F, 3) faces.
+
+    Raises:
+        TypeError: Faces that are not integers.
+        ValueError: A wrong shape, or an index outside 0 to `vertices` - 1.
+    """
     if faces.ndim != 2 or faces.shape[1] != 3 or len(faces) == 0:
         raise ValueError(f"faces: got shape {faces.shape}, want (F, 3) with F of at least 1")
     if faces.dtype.kind not in "iu":

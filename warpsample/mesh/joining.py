@@ -1,4 +1,4 @@
-"""Joins the meshes of a scene, each placed by its matrix, into one."""
+"""Joins the meshes of a scene into one mesh, each transformed by its matrix."""
 
 from collections.abc import Iterable, Iterator
 
@@ -7,15 +7,21 @@ import numpy as np
 from warpsample.host.engine import check_memory
 from warpsample.mesh.parts import Named, named_parts
 
-_MOST = 2**31 - 1  # vertices: faces are int32
+_MOST = 2**31 - 1  # vertices, because faces are int32
 
 
 def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of all parts; the winding of mirrored parts is reversed, so that their outside stays outside.
+    """Return the vertices and faces of all parts as one mesh.
 
-    A part is points (V, 3), triangles (F, 3) and a matrix (4, 4) that multiplies from the right, (x, y, z, 1) @ matrix, or
-    None for points that stay where they are. No parts, or more vertices than int32 counts, are a ValueError; a few bytes
-    that place a mesh so often that the free memory does not hold it a MemoryError.
+    The winding of mirrored parts is reversed, so that their outside stays outside.
+
+    Args:
+        parts: Points (V, 3), triangles (F, 3) and a matrix (4, 4) of each part. The matrix applies to row vectors,
+            (x, y, z, 1) @ matrix; None leaves the points unchanged.
+
+    Raises:
+        ValueError: No parts, or more vertices than int32 can count.
+        MemoryError: A scene that does not fit into the free memory; a small file can place a mesh very often.
     """
     vertices, faces, offset, size, known = [], [], 0, 0, 0
     for part in parts:
@@ -27,7 +33,7 @@ def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) ->
         size += points.nbytes + faces[-1].nbytes
         if offset > _MOST:
             raise ValueError(f"its scene has more than {_MOST:,} vertices")
-        if size > known:  # and again before it doubles; what is joined is a copy
+        if size > known:  # checked again when the size doubles, because joining makes a copy
             known = 2 * size
             check_memory(size, f"a scene of {offset:,} vertices and more", "leave out some of it")
     if not faces:
@@ -36,7 +42,10 @@ def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) ->
 
 
 def joined_parts(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None, str]]) -> Named:
-    """Vertices and faces of all parts as by `joined`, and the parts, by the name that each has as its last item."""
+    """Join named parts like `joined`, and return the part of each face and the parts' names, too.
+
+    The last item of each part is its name.
+    """
     names: list[str] = []
     counts: list[int] = []
 
@@ -51,9 +60,11 @@ def joined_parts(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None
 
 
 def joined_corners(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) -> np.ndarray:
-    """(F, 3, k) float64: what the corners of the faces have, in the order in which `joined` has these.
+    """Return the (F, 3, k) float64 values at the corners of all faces, in the face order of `joined`.
 
-    A part is values (V, k), triangles (F, 3), indices of them, and the matrix that places it, or None.
+    Args:
+        parts: Values (V, k), triangles (F, 3) of indices of values, and the part's matrix or None; the matrix determines
+            only the winding.
     """
     found, size = [np.empty((0, 3, 2))], 0
     for values, triangles, matrix in parts:
@@ -64,15 +75,16 @@ def joined_corners(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | No
 
 
 def _placed(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+    """Return the points of a part after its matrix, and its triangles with the winding reversed if the matrix mirrors."""
     if matrix is None:
         return points, triangles
-    with np.errstate(all="ignore"):  # what is not finite is refused by the mesh
+    with np.errstate(all="ignore"):  # `Mesh` refuses coordinates that are not finite
         placed = points @ matrix[:3, :3]
         placed += matrix[3, :3]
     return placed, outward(triangles, matrix)
 
 
 def outward(triangles: np.ndarray, matrix: np.ndarray | None) -> np.ndarray:
-    """Triangles whose outside stays outside: their winding is reversed where the matrix mirrors them."""
+    """Return triangles with a reversed winding if the matrix mirrors, so that their outside stays outside."""
     is_mirrored = matrix is not None and np.linalg.det(matrix[:3, :3]) < 0.0
     return triangles[:, ::-1] if is_mirrored else triangles

@@ -1,4 +1,4 @@
-"""A validated triangle mesh, made from the meshes of other libraries, and a report of its flaws."""
+"""The class `Mesh`, a checked triangle mesh, and `as_mesh`, which converts the meshes of other libraries."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -24,9 +24,9 @@ from warpsample.mesh.report import MeshReport, report_of
 if TYPE_CHECKING:
     from pyvista import PolyData
 
-_SMALLEST = 1e-140  # size of a mesh whose areas have a float64
-_LEAST_SQUARE = 1e-280  # square of a length that keeps its precision
-_BLOCK = 1 << 18  # faces that are looked at together, so that what is between takes little memory
+_SMALLEST = 1e-140  # size of the smallest mesh with areas that float64 can represent
+_LEAST_SQUARE = 1e-280  # smallest squared length with full precision
+_BLOCK = 1 << 18  # faces per step, so that temporary arrays stay small
 _SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
 
 
@@ -35,20 +35,23 @@ class Mesh(Summary):
     """A triangle mesh.
 
     Attributes:
-        vertices: (V, 3) float64, within ±1e36, in the user's coordinates and unit; a read-only copy.
+        vertices: (V, 3) float64 coordinates from -1e36 to 1e36, in the user's system and unit; a read-only copy.
         faces: (F, 3) int32 indices of vertices, counter-clockwise seen from outside; a read-only copy.
-        part: (F,) int32, which of `parts` each face is of, -1 of none, or None; a read-only copy. No number at a point
-            depends on it.
-        parts: the names of the parts, of which several may be alike.
-        transmittance: (F,) float32, the share of light that goes straight on behind each face, from either side and at any
-            angle, at each crossing; read-only. None: all faces are opaque. One number is that of all faces.
-        reflectance: (F,) float32, the share that either side of each face sends back, evenly in all directions, likewise.
-            None: all faces are black. `irradiance`, `irradiation` and `ViewFactors.radiosity` follow what is sent back.
+        part: (F,) int32 index into `parts` of each face, -1 for a face without a part; a read-only copy. None: the mesh has
+            no parts. Results at points do not depend on `part`.
+        parts: Names of the parts. Several parts may have the same name.
+        transmittance: (F,) float32 fraction of light, 0 to 1, that continues straight through each face, the same for both
+            sides and all angles; read-only. One number applies to all faces. None: all faces are opaque.
+        reflectance: (F,) float32 fraction of light, 0 to 1, that each side of a face reflects diffusely; read-only. One
+            number applies to all faces. None: all faces are black. `irradiance`, `irradiation` and `ViewFactors.radiosity`
+            use it.
 
     Raises:
-        TypeError: vertices or shares are not real numbers, faces or part not whole ones, or parts no texts.
-        ValueError: wrong shapes, no faces, an index that no vertex has, a part that has no name, a coordinate that is not
-            finite or beyond 1e36, a share outside 0 to 1, or a transmittance and a reflectance whose sum is above 1.
+        TypeError: Vertices or optical properties are not real numbers, `faces` or `part` not integers, or `parts` not
+            strings.
+        ValueError: Wrong shapes, no faces, an index outside `vertices` or `parts`, a coordinate that is not finite or
+            exceeds 1e36 in absolute value, an optical property outside 0 to 1, or a transmittance and reflectance with a sum
+            above 1.
 
     Example:
         >>> mesh = ws.Mesh([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]], [[0, 1, 2]])
@@ -64,7 +67,7 @@ class Mesh(Summary):
     reflectance: Array | None = None
 
     def __post_init__(self) -> None:
-        """Validates, copies and freezes: what later calls read must stay what was checked here."""
+        """Validate, copy and freeze the arrays, so that later calls read the checked values."""
         vertices = check_vertices(as_real(self.vertices, "vertices"))
         faces = check_faces(as_ndarray(self.faces, "faces", "whole numbers"), len(vertices))
         object.__setattr__(self, "vertices", vertices)
@@ -77,32 +80,35 @@ class Mesh(Summary):
         check_sum(self.transmittance, self.reflectance)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickled and copied as what it is made of, without its tree; a process that knows that content has it already."""
+        """Return the arguments for pickling, without the ray-tracing tree.
+
+        A process that already holds an equal mesh reuses that mesh and its tree.
+        """
         remember(self._content, self)
         content = self.vertices, self.faces, self.part, self.parts, self.transmittance, self.reflectance
         return find_or_make, (self._content, Mesh, *content)
 
     def __dask_tokenize__(self) -> tuple[str, str]:
-        """What Dask names tasks on it by."""
+        """Return the token that Dask computes task names from; equal meshes have equal tokens."""
         return "warpsample.Mesh", self._content
 
     def __sizeof__(self) -> int:
-        """Bytes of vertices, faces, parts and optical properties, as Dask asks for them."""
+        """Return the bytes of vertices, faces, parts and optical properties; Dask asks for this number."""
         names = 0 if self.part is None else self.part.nbytes + sum(map(len, self.parts))
         optics = sum(array.nbytes for array in (self.transmittance, self.reflectance) if array is not None)
         return object.__sizeof__(self) + self.vertices.nbytes + self.faces.nbytes + names + optics
 
     @once_property
     def digest(self) -> str:
-        """SHA-256 of vertices, faces and optical properties, in hexadecimal digits: the same for meshes of the same numbers.
+        """SHA-256 of vertices, faces and optical properties, in hexadecimal digits; equal for meshes with equal numbers.
 
-        So parts are not in it: a store of numbers is one of this mesh however its faces are named.
+        Names and numbers of parts are not included, so a store of results stays valid when parts are renamed.
         """
         return optics_digest(digest_of(self.vertices, self.faces), self.transmittance, self.reflectance)
 
     @once_property
     def _content(self) -> str:
-        """What a mesh is known by that arrives in another process: its digest, with its parts if it has any."""
+        """SHA-256 of the mesh including its parts, the key under which processes share equal meshes."""
         if self.part is None:
             return self.digest
         names = np.frombuffer("\0".join(self.parts).encode(), np.uint8)
@@ -110,13 +116,13 @@ class Mesh(Summary):
         return optics_digest(shape, self.transmittance, self.reflectance)
 
     def to_polydata(self) -> "PolyData":
-        """The triangles as PyVista's PolyData.
+        """Return the triangles as a PyVista PolyData.
 
         Returns:
-            a copy of the vertices and the faces, in the same order.
+            A PolyData with copies of the vertices and the faces, in the same order.
 
         Raises:
-            ModuleNotFoundError: PyVista is missing.
+            ModuleNotFoundError: PyVista is not installed.
 
         Example:
             >>> made = ws.load_mesh("courtyard").to_polydata()
@@ -127,44 +133,49 @@ class Mesh(Summary):
 
     @once_property
     def transmits(self) -> bool:
-        """Whether light goes through some face."""
+        """Boolean, True if at least one face has a transmittance above 0."""
         return self.transmittance is not None and bool(self.transmittance.any())
 
     @once_property
     def reflects(self) -> bool:
-        """Whether some face sends light back."""
+        """Boolean, True if at least one face has a reflectance above 0."""
         return self.reflectance is not None and bool(self.reflectance.any())
 
     @property
     def like(self) -> "Mesh | None":
-        """The mesh of this shape that `as_mesh` made this one of, by other shares of light, while that lives; or None."""
+        """Mesh of the same shape that `as_mesh` changed the optical properties of to make this one, or None.
+
+        None, too, after that mesh is deleted.
+        """
         known = vars(self).get("_like")
         return known and known()
 
     @once_property
     def used(self) -> np.ndarray:
-        """(V,) bool: the vertices that faces use. The others mean nothing: they may be anywhere."""
+        """Mask of the vertices that faces use, (V,) bool; unused vertices may have any coordinates."""
         used = np.zeros(len(self.vertices), np.bool_)
         used[self.faces] = True
         return used
 
     @once_property
     def bounds(self) -> np.ndarray:
-        """(2, 3) float64: smallest and largest coordinates of the vertices that faces use."""
+        """Smallest and largest coordinates of the vertices that faces use, (2, 3) float64."""
         vertices = self.vertices if self.used.all() else self.vertices[self.used]
         return np.stack([vertices.min(axis=0), vertices.max(axis=0)])
 
     @once_property
     def diagonal(self) -> float:
-        """The diagonal of the box `bounds`, in the unit of the coordinates."""
+        """Length of the diagonal of the bounding box, in the unit of the coordinates."""
         return float(np.linalg.norm(self.bounds[1] - self.bounds[0]))
 
     @once_property
     def cross_products(self) -> np.ndarray:
-        """(F, 3) float64: face normals times twice the area; exactly zero for degenerate faces.
+        """Cross products of two edges of each face, (F, 3) float64: normals with a length of twice the face's area.
+
+        Exactly zero for degenerate faces.
 
         Raises:
-            ValueError: the mesh is so small that areas have no float64.
+            ValueError: The mesh is too small for its areas to be represented in float64.
         """
         if 0.0 < np.ptp(self.bounds, axis=0).max() < _SMALLEST:
             raise ValueError(
@@ -182,49 +193,53 @@ class Mesh(Summary):
 
     @once_property
     def face_areas(self) -> np.ndarray:
-        """(F,) float64, square units; 0 for degenerate faces."""
+        """Face areas, (F,) float64, in square units of the coordinates; 0 for degenerate faces."""
         return 0.5 * lengths(self.cross_products)
 
     @once_property
     def area_sums(self) -> np.ndarray:
-        """(F,) float64, square units: the areas of the faces up to each."""
+        """Cumulative sum of the face areas, (F,) float64, in square units of the coordinates."""
         return np.cumsum(self.face_areas)
 
     @once_property
     def face_normals(self) -> np.ndarray:
-        """(F, 3) float32, unit length; zero for degenerate faces."""
+        """Face normals of unit length, (F, 3) float32; zero for degenerate faces."""
         return unit_or_zero(self.cross_products)
 
     @once_property
     def vertex_normals(self) -> np.ndarray:
-        """(V, 3) float32, unit length: the normals of its faces weighted by area; zero where they cancel or none is."""
+        """Vertex normals of unit length, (V, 3) float32: the area-weighted mean over adjacent faces.
+
+        Zero for vertices without a face and where the normals of the adjacent faces cancel.
+        """
         corners = self.faces.ravel()
         crosses = np.repeat(self.cross_products, 3, axis=0)
         return unit_or_zero(np.stack([np.bincount(corners, axis, len(self.vertices)) for axis in crosses.T], axis=1))
 
     @once_property
     def report(self) -> MeshReport:
-        """The report on this mesh; it takes a sort of all edges."""
+        """Report with the numbers of faces, vertices and defects of the mesh; the first access sorts all edges."""
         return report_of(self)
 
 
 def as_mesh(mesh: Any, *, transmittance: Any = None, reflectance: Any = None) -> Mesh:
-    """What other libraries hold, as a Mesh.
+    """Convert a mesh of another library to a `Mesh`.
 
     Args:
-        mesh: a Mesh, which is given back as it is; a tuple (vertices, faces); a pyvista.PolyData or MultiBlock, a
-            trimesh.Trimesh or Scene, a meshio.Mesh, or a TriangleMesh of Open3D, of either kind. Polygons are cut into
-            triangles. What scenes and blocks hold is placed, joined, and told apart as `parts`.
-        transmittance: a number from 0 to 1, or (F,) of them: see `Mesh`. By default as the mesh has it. While a Mesh that
-            is given lives, one with other shares takes over its tree.
-        reflectance: likewise; with the transmittance at most 1.
+        mesh: One of: a Mesh, which is returned unchanged; a tuple (vertices, faces); a pyvista.PolyData or MultiBlock; a
+            trimesh.Trimesh or Scene; a meshio.Mesh; an Open3D TriangleMesh of either kind. Polygons are cut into triangles.
+            The members of scenes and blocks are placed and joined, and become the `parts` of the mesh.
+        transmittance: A number from 0 to 1, or (F,) of them, one per face; see `Mesh`. Default: None, unchanged. A changed
+            copy of a Mesh reuses the ray-tracing tree of the original while the original exists.
+        reflectance: A number from 0 to 1, or (F,) of them, one per face; see `Mesh`. The sum with the transmittance is at
+            most 1. Default: None, unchanged.
 
     Returns:
-        the checked mesh; what it was made of may change later, it does not.
+        The checked mesh. Later changes of the argument do not change the mesh.
 
     Raises:
-        TypeError: something else.
-        ValueError: what it holds is not a valid triangle mesh, or shares that no surface has.
+        TypeError: An object of another type.
+        ValueError: An invalid triangle mesh, or optical properties outside 0 to 1 or with a sum above 1.
 
     Example:
         >>> mesh = ws.as_mesh((np.eye(3), np.array([[0, 1, 2]])))  # or ws.as_mesh(pyvista.Sphere())
@@ -242,7 +257,7 @@ def as_mesh(mesh: Any, *, transmittance: Any = None, reflectance: Any = None) ->
 
 
 def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
-    """The mesh that an argument of any name stands for, as `as_mesh` takes it."""
+    """Convert the value of an argument to a `Mesh` like `as_mesh`, with the argument's name in error messages."""
     if isinstance(value, Mesh):
         return value
     if isinstance(value, tuple) and len(value) == 2:
@@ -256,13 +271,13 @@ def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
 
 
 def unit_or_zero(vectors: np.ndarray) -> np.ndarray:
-    """(N, 3) float64 vectors as float32 unit ones; zero vectors stay zero."""
+    """Return (N, 3) float64 vectors scaled to unit length, as float32; zero vectors stay zero."""
     norms = lengths(vectors)[:, None]
     return np.divide(vectors, norms, out=np.zeros_like(vectors), where=norms > 0.0).astype(np.float32)
 
 
 def lengths(vectors: np.ndarray) -> np.ndarray:
-    """(N,) of (N, 3) float64 vectors, those whose squares under- or overflow too."""
+    """Return the (N,) lengths of (N, 3) float64 vectors, also where the squared length under- or overflows."""
     with np.errstate(over="ignore", under="ignore"):
         squares = np.einsum("ij,ij->i", vectors, vectors)
     found = np.sqrt(squares)

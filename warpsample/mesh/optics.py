@@ -1,4 +1,4 @@
-"""Optical properties of a mesh's faces: how much of the light that falls on one goes through, and how much comes back."""
+"""Checks and digests of the optical properties of faces: the fractions of light that a face transmits and reflects."""
 
 from typing import Any
 
@@ -9,14 +9,14 @@ from warpsample.host.arrays import as_real
 from warpsample.host.known import digest_of
 from warpsample.host.locks import read_only
 
-_ROUNDED = 2.0**-22  # of a sum of two shares that were float32 once
+_ROUNDED = 2.0**-22  # rounding error of a sum of two float32 fractions
 
 
 def check_share(value: Any, argument: str, faces: int) -> np.ndarray | None:
-    """(F,) float32, a read-only copy, of a share from 0 to 1 for all faces, or one for each; None for None.
+    """Return a read-only (F,) float32 copy of fractions from 0 to 1, given as one number or one per face; None for None.
 
     Raises:
-        TypeError, ValueError: not such shares; names the argument.
+        TypeError, ValueError: Values that are not numbers from 0 to 1, or a wrong shape; the message names the argument.
     """
     if value is None:
         return None
@@ -32,7 +32,7 @@ def check_share(value: Any, argument: str, faces: int) -> np.ndarray | None:
 
 
 def check_sum(transmittance: np.ndarray | None, reflectance: np.ndarray | None) -> None:
-    """Refuses faces that give more light than they get: a ValueError names the first."""
+    """Raise a ValueError that names the first face whose transmittance and reflectance add up to more than 1."""
     if transmittance is None or reflectance is None:
         return
     total = transmittance.astype(np.float64) + reflectance
@@ -45,7 +45,7 @@ def check_sum(transmittance: np.ndarray | None, reflectance: np.ndarray | None) 
 
 
 def optics_digest(digest: str, transmittance: np.ndarray | None, reflectance: np.ndarray | None) -> str:
-    """A digest of a mesh with its optical properties; that which is given, if it has none."""
+    """Return the SHA-256 of a mesh's digest and optical properties, or `digest` if there are no optical properties."""
     if transmittance is None and reflectance is None:
         return digest
     nothing = np.zeros(0, np.float32)

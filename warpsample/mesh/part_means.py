@@ -1,9 +1,9 @@
-"""Means over parts of a mesh from numbers at points of it, and what errors they have.
+"""Area-weighted means over the parts of a mesh, with standard errors, from numbers at points.
 
-The points of a face are alike: its mean is theirs, and its variance that of their values over their number. This holds the
-rays' noise, too, since each point has random numbers of its own: errors of points are independent. A face with one point has
-the error of that point's rays alone, and one without is left out. Faces count by area, and their errors are independent as
-well. What all points have in common is in none of it: the weather, the model of the sky, the mesh.
+The mean of a face is the mean of its points. The variance of that mean is the sample variance divided by the number of
+points. This variance includes the noise of the rays, because each point has its own random numbers and errors of points are
+independent. A face with one point has the variance of that point's rays alone; a face without points is left out. Faces are
+weighted by area, and their errors are independent. Errors common to all points are not included: weather, sky model, mesh.
 """
 
 from dataclasses import dataclass
@@ -16,9 +16,9 @@ class PartMeans:
     """Means over N parts, weighted by area.
 
     Attributes:
-        value: (N,) or (N, k) float64; NaN for parts without a point.
-        standard_error: of the same shape and unit.
-        points: (N,) int64, how many had a number.
+        value: (N,) or (N, k) float64 means; NaN for parts without points.
+        standard_error: Standard errors of `value`, of the same shape and unit.
+        points: (N,) int64 number of points with finite values in each part.
     """
 
     value: np.ndarray
@@ -29,15 +29,15 @@ class PartMeans:
 def part_means(
     part: np.ndarray, areas: np.ndarray, face: np.ndarray, value: np.ndarray, error: np.ndarray, *, count: int
 ) -> PartMeans:
-    """The means over the parts of a mesh.
+    """Compute the area-weighted mean over each part of a mesh, with its standard error.
 
     Args:
-        part: (F,) which of so many parts each face is of, or -1.
-        areas: (F,) of the faces.
-        face: (P,) the face of each point, on which it is its centre or a random one; -1 of none.
-        value: (P,) or (P, k) numbers at the points; NaN of points that have none.
-        error: of the same shape, their standard errors.
-        count: how many parts.
+        part: (F,) part number of each face, -1 for no part.
+        areas: (F,) areas of the faces.
+        face: (P,) face of each point, which is the face's centroid or a random point of the face; -1 for no face.
+        value: (P,) or (P, k) numbers at the points; NaN for points without a number.
+        error: Standard errors of `value`, of the same shape.
+        count: Number of parts.
     """
     inside = (face >= 0) & (part[face] >= 0) & np.isfinite(value.reshape(len(value), -1)).all(axis=1)
     face, value, error = face[inside], value[inside], error[inside]
@@ -56,7 +56,7 @@ def part_means(
 
 
 def _means(face: np.ndarray, points: np.ndarray, value: np.ndarray, error: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The mean of each face and its variance; 0 for faces without points."""
+    """Return the mean of each face's points and the variance of that mean; both are 0 for faces without points."""
     many = np.maximum(points, 1)
     mean = np.bincount(face, value, len(points)) / many
     spread = np.bincount(face, np.square(value - mean[face]), len(points)) / (np.maximum(points - 1, 1) * many)

@@ -1,4 +1,4 @@
-"""Named parts of a mesh: which of its faces belong together, as the file had it."""
+"""Named parts of a mesh, such as the objects of a file: the part of each face, and the parts' names."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -10,18 +10,21 @@ from warpsample.host.locks import read_only
 from warpsample.host.neighbours import as_ndarray
 
 Named = tuple[np.ndarray, np.ndarray, np.ndarray | None, Sequence[str]]
-"""Vertices and faces, with the part of each face and the names of the parts: (None, ()) if they have none."""
+"""Vertices, faces, the part of each face, and the names of the parts; without parts the last two are (None, ())."""
 
 
 def named_parts(counts: Iterable[int], names: Sequence[str]) -> tuple[np.ndarray | None, Sequence[str]]:
-    """(F,) int32 and the names of parts that have so many faces, one after the other; (None, ()) if no part has a name."""
+    """Return the (F,) int32 part of each face for consecutive parts with `counts` faces, and the names of the parts.
+
+    Returns (None, ()) if all names are empty.
+    """
     if not any(names):
         return None, ()
     return np.repeat(np.arange(len(names), dtype=np.int32), list(counts)), names
 
 
 def check_names(names: Any) -> tuple[str, ...]:
-    """The names of parts as a tuple; a TypeError for what is no sequence of texts."""
+    """Return the names of parts as a tuple of strings; raise a TypeError for anything but a sequence of strings."""
     made = tuple(names) if isinstance(names, Sequence) and not isinstance(names, str) else (None,)
     if not all(isinstance(name, str) for name in made):
         raise TypeError(f"parts: got {told(names)}, want a sequence of names")
@@ -29,7 +32,12 @@ def check_names(names: Any) -> tuple[str, ...]:
 
 
 def check_part(part: Any, faces: int, names: int) -> np.ndarray:
-    """(F,) int32, a read-only copy, of numbers from -1 to the last name's."""
+    """Return a read-only int32 copy of the (F,) part numbers, from -1 to `names` - 1.
+
+    Raises:
+        TypeError: Numbers that are not integers.
+        ValueError: A wrong shape, or a number outside -1 to `names` - 1.
+    """
     wants = f"({faces},) whole numbers from -1 to {names - 1}, one for each face"
     array = as_ndarray(part, "part", wants)
     if array.dtype.kind not in "iu":

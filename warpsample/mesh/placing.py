@@ -1,4 +1,4 @@
-"""Uniform points of a mesh, from the cumulative areas of its faces."""
+"""Kernel that places random points on a mesh, uniformly by area."""
 
 import numpy as np
 import warp as wp
@@ -8,17 +8,21 @@ from warpsample.maths.numerics import high_word, low_word
 from warpsample.sequences.hashing import philox4x32_10
 
 BLOCK = 64
-"""Points that a task of the CPU places."""
+"""Number of points per task on the CPU."""
 
-_SURFACE_STREAM = wp.constant(wp.uint32(1))  # the fourth counter word; directions use 0
+_SURFACE_STREAM = wp.constant(wp.uint32(1))  # fourth counter word of Philox; directions use 0
 _WORD_STEP = wp.constant(wp.float64(2.0**-32))
 
 
 def guide_to(sums: np.ndarray, points: int) -> np.ndarray:
-    """Where among running sums (F,) float64, the last one above 0, to look for a share of the last: Chen1974.
+    """Return a lookup table that narrows the search for a face in the cumulative areas `sums`: Chen1974.
 
-    Of (2^b + 1,) int32, a share from i to i + 1, of 2^b, is exceeded first by one of the sums number guide[i] to guide[i +
-    1]. For few points that are to be found a coarse guide is made.
+    The table has (2^b + 1,) int32 entries. A fraction between i / 2^b and (i + 1) / 2^b of the total area falls on a face
+    from guide[i] to guide[i + 1]. Few `points` get a small table.
+
+    Args:
+        sums: (F,) float64 cumulative areas; the last one is above 0.
+        points: Number of points to place.
     """
     size = 1 << max(0, min(len(sums).bit_length() + 1, points.bit_length() - 3))
     bounds = np.arange(size + 1) / size * sums[-1]  # rounded as the kernel rounds
@@ -27,7 +31,10 @@ def guide_to(sums: np.ndarray, points: int) -> np.ndarray:
 
 @once
 def _drawer(block: int) -> wp.Function:
-    """A function that draws shares of the area, their buckets of the guide, and two random words for points on faces."""
+    """Build a Warp function that draws random numbers for a block of points.
+
+    For each point the function draws an area below the total, its entry in the lookup table, and two random words.
+    """
 
     @wp.func
     def draw(
@@ -56,7 +63,7 @@ def _drawer(block: int) -> wp.Function:
 
 @wp.func
 def _face_of(share: wp.float64, areas: wp.array[wp.float64], low: wp.int32, high: wp.int32) -> wp.int32:
-    """The first face, from low to high, whose cumulative area exceeds the share; one without area is never chosen."""
+    """Return the first face from `low` to `high` with a cumulative area above `share`; its own area is above 0."""
     while low < high:
         middle = (low + high) / 2
         if areas[middle] > share:
@@ -68,7 +75,7 @@ def _face_of(share: wp.float64, areas: wp.array[wp.float64], low: wp.int32, high
 
 @wp.func
 def _weights_of(first: wp.uint32, second: wp.uint32) -> wp.vec3d:
-    """A uniform point of a triangle, as weights of its corners."""
+    """Map two random words to the barycentric coordinates of a point that is uniform by area in a triangle."""
     root = wp.sqrt((wp.float64(first) + wp.float64(0.5)) * _WORD_STEP)
     split = (wp.float64(second) + wp.float64(0.5)) * _WORD_STEP
     return wp.vec3d(wp.float64(1.0) - root, root * (wp.float64(1.0) - split), root * split)
@@ -76,9 +83,10 @@ def _weights_of(first: wp.uint32, second: wp.uint32) -> wp.vec3d:
 
 @once
 def place_points(block: int) -> wp.Kernel:
-    """A kernel with a task for each `block` points: Philox draws the face with 64 bits and the point on it with 64.
+    """Build a kernel that places `block` points per task; Philox gives 64 bits for the face and 64 bits for the point in it.
 
-    It draws, looks up and places in turn, so that a processor waits for the memory of many points at once.
+    A task draws all its random numbers first, then looks up all faces, then places all points. So the memory accesses of
+    many points overlap.
     """
     draw, words_size = _drawer(block), 2 * block
 
@@ -101,7 +109,7 @@ def place_points(block: int) -> wp.Kernel:
         barycentric: wp.uint64,
         first_task: wp.int64,
     ):
-        """Places one block of points, all by one thread."""
+        """Place one block of points with one thread."""
         start = (wp.int32(first_task) + wp.tid()) * block
         length = wp.min(block, points - start)
         corners = wp.array(ptr=vertices, shape=(vertex_count,), dtype=wp.vec3d)
@@ -122,7 +130,7 @@ def place_points(block: int) -> wp.Kernel:
             i = start + j
             weights = _weights_of(words[j], words[block + j])
             triangle = triangles[indices[i]]
-            # Relative to the first corner, so that far from the origin only the edges are weighted.
+            # Relative to the first corner, so that rounding far from the origin affects only the edges.
             a = corners[triangle[0]]
             positions[i] = a + weights[1] * (corners[triangle[1]] - a) + weights[2] * (corners[triangle[2]] - a)
             turned[i] = unit[indices[i]]

@@ -1,4 +1,4 @@
-"""Meshes and points as PyVista's PolyData, for its filters, writers and pictures."""
+"""Conversion of meshes and points to PyVista's PolyData, for PyVista's filters, writers and plots."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from warpsample.host.extras import missing
 
 
 def pyvista() -> Any:
-    """The module `pyvista`, imported when it is first needed; a ModuleNotFoundError says how to install it."""
+    """Import and return the module `pyvista`; raise a ModuleNotFoundError that explains how to install PyVista."""
     try:
         import pyvista as pv
     except ModuleNotFoundError:
@@ -17,12 +17,15 @@ def pyvista() -> Any:
 
 
 def surface(vertices: np.ndarray, faces: np.ndarray) -> Any:
-    """The triangles of vertices (V, 3) and faces (F, 3)."""
+    """Return a PolyData of the triangles with vertices (V, 3) and faces (F, 3)."""
     return pyvista().PolyData.from_regular_faces(vertices, faces)
 
 
 def cloud(position: np.ndarray, normal: np.ndarray, **arrays: np.ndarray | None) -> Any:
-    """Points (N, 3) with normals, the active array "Normals", and further arrays, (N, ...) by name; None is left out."""
+    """Return a PolyData of points (N, 3) with active normals "Normals" and further point arrays (N, ...) by name.
+
+    Arrays that are None are left out.
+    """
     made = pyvista().PolyData(position)
     made.point_data.active_normals = np.ascontiguousarray(normal, np.float32)
     for name, array in arrays.items():

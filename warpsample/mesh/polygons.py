@@ -1,7 +1,7 @@
-"""Polygons cut into triangles: as a fan where it lies inside the polygon, else by the library earcut.
+"""Triangulation of polygons: a fan where the fan lies inside the polygon, else the library earcut.
 
-The fans are ours, because they are made for all polygons of a file in one step, and most are convex; earcut takes one at a
-time. It leaves out what has no area, and all of some polygons that cross themselves: `_cut` sees to both.
+Fans are computed for all polygons of a file in one step, and most polygons are convex; earcut takes one polygon at a time.
+earcut leaves out triangles without area, and all triangles of some self-intersecting polygons. `_cut_polygon` handles both.
 """
 
 from typing import Any
@@ -9,15 +9,21 @@ from typing import Any
 import numpy as np
 from mapbox_earcut import triangulate_float64
 
-_COVERS = 1e-9  # of a polygon's area: by what its triangles may miss it, some roundings of their sum
+_COVERS = 1e-9  # relative error of the triangles' total area that rounding can cause
 
 
 def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
-    """(F, 3) indices: each polygon of n corners as n - 2 triangles of the same winding, in the order of the polygons.
+    """Return (F, 3) vertex indices of triangles: n - 2 for each polygon of n corners, in the polygon's winding and order.
 
-    Of (V, 3) float64 points `indices` has the corners of one polygon after the other, and `counts`, (P,), how many each has.
-    A polygon that crosses itself stays a fan, in which triangles overlap. Counts that do not fit the indices, fewer than
-    three corners and an index that is no point's are a ValueError.
+    A polygon that crosses itself is cut as a fan with overlapping triangles.
+
+    Args:
+        points: (V, 3) float64 coordinates.
+        counts: (P,) number of corners of each polygon, at least 3.
+        indices: (K,) point indices of all polygons' corners, one polygon after the other.
+
+    Raises:
+        ValueError: Counts with a sum other than K, fewer than three corners, or an index outside `points`.
     """
     if counts.sum() != len(indices):
         raise ValueError(f"its {len(indices):,} corners do not fill its {len(counts):,} faces")
@@ -41,18 +47,19 @@ def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np
 
 
 def corner_triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
-    """(F, 3) places in `indices` of the corners of what `triangles` makes of the same polygons."""
+    """Return (F, 3) positions in `indices` of the triangles' corners, for the triangles that `triangles` returns."""
     return triangles(points[indices], counts, np.arange(len(indices)))
 
 
 def _fans(counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
+    """Return the (F, 3) triangles of each polygon's fan around its first corner."""
     starts = np.repeat(np.cumsum(counts) - counts, counts - 2)
     step = np.arange(len(starts)) - np.repeat(np.cumsum(counts - 2) - (counts - 2), counts - 2)
     return np.stack([indices[starts], indices[starts + step + 1], indices[starts + step + 2]], axis=1)
 
 
 def _folded(points: np.ndarray, fans: np.ndarray, counts: np.ndarray) -> np.ndarray:
-    """The polygons whose fan has flipped triangles: mostly those that are not convex."""
+    """Return the numbers of the polygons whose fan has flipped triangles; most of the polygons are not convex."""
     owner = np.repeat(np.arange(len(counts)), counts - 2)
     with np.errstate(all="ignore"):  # `Mesh` reports coordinates that are not finite
         crosses = np.cross(points[fans[:, 1]] - points[fans[:, 0]], points[fans[:, 2]] - points[fans[:, 0]])
@@ -61,10 +68,11 @@ def _folded(points: np.ndarray, fans: np.ndarray, counts: np.ndarray) -> np.ndar
 
 
 def _cut(corners: np.ndarray) -> np.ndarray | None:
-    """(n - 2, 3) corners of the triangles of a polygon (n, 3); None where they do not cover it: it crosses itself.
+    """Return (n - 2, 3) corner numbers of the triangles of a polygon (n, 3), or None if the polygon crosses itself.
 
-    Where corners repeat fewer triangles will do; the others are corner 0 three times, without an area. earcut is not shown
-    the repeats: beside them it leaves out corners that lie in a line, which opens a gap to the neighbour that has them.
+    In the second case the triangles do not cover the polygon's area. Repeated corners are hidden from earcut: next to
+    repeats, earcut drops corners on a straight line, which opens a gap to a neighbouring polygon with the same corners. The
+    triangles that are then missing are filled with (0, 0, 0), which has no area.
     """
     flat, whole = _flattened(corners)
     alone = np.flatnonzero((flat != np.roll(flat, 1, axis=0)).any(axis=1))
@@ -77,7 +85,10 @@ def _cut(corners: np.ndarray) -> np.ndarray | None:
 
 
 def _flattened(corners: np.ndarray) -> tuple[np.ndarray, float]:
-    """The polygon as (n, 2), counter-clockwise, in the plane of the two axes where its area is largest; twice that area."""
+    """Project a polygon along the axis with the largest projected area; return the projection and twice its area.
+
+    The projection (n, 2) is counter-clockwise.
+    """
     about = corners - corners[0]
     normal = np.cross(about[1:-1], about[2:]).sum(axis=0)
     axis = int(np.argmax(np.abs(normal)))
@@ -86,9 +97,10 @@ def _flattened(corners: np.ndarray) -> tuple[np.ndarray, float]:
 
 
 def faces_of_cells(value: Any, argument: str) -> np.ndarray:
-    """The triangles, quadrilaterals and polygons of a meshio.Mesh as triangles; lines and points are ignored.
+    """Return the triangles, quadrilaterals and polygons of a meshio.Mesh as (F, 3) triangles; lines and points are ignored.
 
-    Cells of other kinds, such as tetrahedra, and invalid polygons are a ValueError.
+    Raises:
+        ValueError: Cells of other types, such as tetrahedra, or invalid polygons.
     """
     blocks = [block for block in value.cells if block.type != "vertex" and not block.type.startswith("line")]
     others = sorted({block.type for block in blocks} - {"triangle", "quad", "polygon"})

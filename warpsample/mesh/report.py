@@ -1,4 +1,4 @@
-"""A report on a mesh: its size, and the defects that it has."""
+"""Report on a mesh: numbers of vertices and faces, and of defects."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -12,21 +12,23 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class MeshReport:
-    """The size of a mesh, and the defects that it has.
+    """Size and defects of a mesh.
 
     Attributes:
-        vertices: how many.
-        faces: how many, degenerate ones included.
-        degenerate_faces: whose area is 0 or lost to rounding; they carry no points and have a zero normal.
-        duplicate_faces: that have the same three vertices as an earlier face, in any order.
-        unreferenced_vertices: that no face uses.
-        boundary_edges: with one face, by the numbers of their vertices; where a file writes corners anew for each part,
-            parts have such edges where they meet.
-        nonmanifold_edges: with more than two.
-        inconsistent_edges: that two faces run along in the same direction, so one of them is inside out.
-        area: of all faces, in square units of the coordinates.
-        lower: smallest coordinates of the vertices that faces use, (3,).
-        upper: largest coordinates of them, (3,).
+        vertices: Number of vertices.
+        faces: Number of faces, degenerate ones included.
+        degenerate_faces: Number of faces whose area is 0 or lost to rounding. Such faces carry no points and have a zero
+            normal.
+        duplicate_faces: Number of faces with the same three vertices as an earlier face, in any order.
+        unreferenced_vertices: Number of vertices that no face uses.
+        boundary_edges: Number of edges with one face. Edges are identified by vertex indices; a file that repeats vertices
+            for each part has boundary edges where parts touch.
+        nonmanifold_edges: Number of edges with more than two faces.
+        inconsistent_edges: Number of edges that two faces traverse in the same direction, so that one of the faces is inside
+            out.
+        area: Total area of all faces, in square units of the coordinates.
+        lower: (3,) smallest coordinates of the vertices that faces use.
+        upper: (3,) largest coordinates of the vertices that faces use.
     """
 
     vertices: int
@@ -43,7 +45,7 @@ class MeshReport:
 
 
 def report_of(mesh: "Mesh") -> MeshReport:
-    """The report on a checked mesh; it takes a sort of all edges."""
+    """Count the vertices, faces and defects of a checked mesh; sorts all edges."""
     start = mesh.faces.ravel().astype(np.int64)
     end = mesh.faces[:, [1, 2, 0]].ravel().astype(np.int64)
     stride = len(mesh.vertices)

@@ -20,24 +20,25 @@ if TYPE_CHECKING:
 class SurfacePoints(Summary):
     """Points with normals, one per row.
 
-    Arrays of other libraries (Warp, PyTorch, JAX, CuPy) become NumPy's: without a copy where they are in the CPU's memory.
-    So directions, hits and numbers of these points are NumPy's, too.
+    Arrays of other libraries (Warp, PyTorch, JAX, CuPy) are converted to NumPy, without a copy if they are in the CPU's
+    memory. Directions, hits and results at the points are NumPy arrays, too.
 
     Attributes:
-        position: (P, 3) float64 or float32, in the user's coordinates; other real numbers become float64, here as below.
-        normal: (P, 3) float32 or float64; need not be of unit length. A zero normal (degenerate face) is skipped and
-            counted wherever directions are asked for.
-        face: (P,) int32, the face a point lies on, -1 where it lies on none (the default).
-        barycentric: (P, 3) float64 weights of the face's corners, or None.
-        id: (P,) uint64, global ids, by which random numbers are drawn, so that points in another order, or some of them,
-            have the same; or None: row i has the id first_point + i.
-        raised: (P,) bool, whether the rays of a point start straight above it, or straight below it where its normal points
-            down, along z, however steep the faces are that touch it. Only right at vertices of a mesh that has one height
-            at each (x, y), as those of `rasters.surface` with model "tin". None: at no point.
+        position: (P, 3) float64 or float32 coordinates in the user's system and unit. Other real numbers are converted to
+            float64, here and in `normal`.
+        normal: (P, 3) float32 or float64, of any length. Points with a zero normal (of a degenerate face) are skipped and
+            counted by calls that sample directions.
+        face: (P,) int32 index of the face that contains the point, -1 for no face. Default: -1 everywhere.
+        barycentric: (P, 3) float64 barycentric coordinates in the face. Default: None.
+        id: (P,) uint64 global ids that determine the random numbers of each point, so that reordered or selected points keep
+            their random numbers. Default: None, row i has the id first_point + i.
+        raised: (P,) bool mask of points whose rays start vertically above the point (below for a normal that points down),
+            however steep the adjacent faces are. Valid only at vertices of a mesh with one height at each (x, y), such as
+            `rasters.surface` with model "tin". Default: None, no point.
 
     Raises:
-        TypeError: not real numbers, faces or ids that are not whole ones, or `raised` that is not bool.
-        ValueError: shapes that do not agree, faces below -1, or ids below 0.
+        TypeError: Arrays that are not real numbers, faces or ids that are not integers, or `raised` that is not bool.
+        ValueError: Shapes that do not agree, faces below -1, or ids below 0.
 
     Example:
         >>> eyes = ws.SurfacePoints(position=[[36.0, 36.0, 1.7], [3.0, 3.0, 1.7]], normal=[[0, 0, 1], [0, 0, 1]])
@@ -54,7 +55,7 @@ class SurfacePoints(Summary):
     raised: Array | None = None
 
     def __post_init__(self) -> None:
-        """Checks types and shapes and fills in the faces."""
+        """Check the types and shapes of the arrays, and set missing faces to -1."""
         position, normal = as_real(self.position, "position"), as_real(self.normal, "normal")
         if position.ndim != 2 or position.shape[1] != 3:
             raise ValueError(f"position: got shape {position.shape}, want (P, 3)")
@@ -72,21 +73,21 @@ class SurfacePoints(Summary):
             object.__setattr__(self, name, array)
 
     def __len__(self) -> int:
-        """How many points."""
+        """Return the number of points."""
         return len(self.position)
 
     def take(self, rows: Any) -> "SurfacePoints":
-        """Some of the points, with what belongs to them; those that have no `id` are numbered anew.
+        """Return the points of the given rows, with all their attributes; points without `id` get new row numbers as ids.
 
         Args:
-            rows: a slice, (N,) whole numbers from 0 to P - 1, or (P,) bool.
+            rows: A slice, (N,) integers from 0 to P - 1, or a (P,) bool mask.
 
         Returns:
-            a point for each of these rows.
+            SurfacePoints with one point for each selected row.
 
         Raises:
-            TypeError: neither whole numbers nor bool.
-            ValueError: another shape, or a row that is not there.
+            TypeError: Rows that are neither integers nor bool.
+            ValueError: A wrong shape, or a row number outside 0 to P - 1.
 
         Example:
             >>> points = ws.face_centers(ws.load_mesh("courtyard"))
@@ -98,13 +99,13 @@ class SurfacePoints(Summary):
         return SurfacePoints(**{name: None if array is None else array[rows] for name, array in kept.items()})
 
     def to_polydata(self) -> "PolyData":
-        """The points as PyVista's PolyData, row for row: "Normals", "face", and "barycentric" and "id" where kept.
+        """Return the points as a PyVista PolyData, in the same order.
 
         Returns:
-            a point for each row, with these as arrays of point data.
+            A PolyData with the point arrays "Normals" and "face", and "barycentric" and "id" where these are not None.
 
         Raises:
-            ModuleNotFoundError: PyVista is missing.
+            ModuleNotFoundError: PyVista is not installed.
 
         Example:
             >>> made = ws.sample_surface(ws.load_mesh("courtyard"), 100).to_polydata()
@@ -115,16 +116,16 @@ class SurfacePoints(Summary):
 
 
 def face_centers(mesh: Any) -> SurfacePoints:
-    """The centroid of every face, row i for face i; degenerate faces keep their row, with a zero normal.
+    """Return the centroid of every face, row i for face i; degenerate faces have a zero normal.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
+        mesh: Mesh or anything that `as_mesh` accepts.
 
     Returns:
-        position (F, 3) float64, normal (F, 3) float32 of unit length or zero, face, barycentric.
+        SurfacePoints with position (F, 3) float64, normal (F, 3) float32 of unit length or zero, face, and barycentric.
 
     Raises:
-        TypeError, ValueError: not a triangle mesh; names it.
+        TypeError, ValueError: The argument is not a triangle mesh; the message names the argument.
 
     Example:
         >>> points = ws.face_centers(ws.load_mesh("courtyard"))
@@ -138,16 +139,18 @@ def face_centers(mesh: Any) -> SurfacePoints:
 
 
 def vertex_points(mesh: Any) -> SurfacePoints:
-    """Every vertex with its area-weighted unit normal, row i for vertex i; zero where no face gives one.
+    """Return every vertex with its area-weighted unit normal, row i for vertex i.
+
+    The normal is zero for vertices without a face and where normals cancel.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
+        mesh: Mesh or anything that `as_mesh` accepts.
 
     Returns:
-        position (V, 3) float64, normal (V, 3) float32 of unit length or zero; the face is -1.
+        SurfacePoints with position (V, 3) float64, normal (V, 3) float32 of unit length or zero, and face -1.
 
     Raises:
-        TypeError, ValueError: not a triangle mesh; names it.
+        TypeError, ValueError: The argument is not a triangle mesh; the message names the argument.
 
     Example:
         >>> points = ws.vertex_points(ws.load_mesh("courtyard"))

@@ -1,4 +1,7 @@
-"""What usd-core finds in a file, in a process of its own, since damaged files end it: see `warpsample.mesh.files.usd`."""
+"""Program that reads a file with usd-core in a separate process, because damaged files crash usd-core.
+
+See `warpsample.mesh.files.usd`.
+"""
 
 import os
 import struct
@@ -23,14 +26,14 @@ _TWO_COUNTS = ("TOKENS", "PATHS")
 """Sections of a binary file that begin with two counts, where others begin with one."""
 _TEXTURE_TYPES = ("texCoord2", "float2[", "double2[", "half2[")
 _MOST_OF_BYTE = 1020
-"""Entries that a byte of a section stands for, at most: LZ4 makes 255 bytes of it, each of them four numbers."""
+"""Largest number of entries per byte of a section: LZ4 expands a byte to 255 bytes, each of which codes four numbers."""
 
 
 def main(path: str, what: str = "") -> None:
-    """Writes the meshes in a file to stdout, each as three lengths, its points, triangles, matrix and name.
+    """Write the meshes in a USD file to stdout: for each mesh three lengths, points, triangles, matrix and name.
 
-    Of "0" for the first of the sets of texture coordinates, "1" ..., these stand in place of the points; of "up" it writes
-    the axis that points up.
+    With `what` "0", "1" ..., texture coordinates of that set replace the points. With "up", write only the axis that points
+    up.
     """
     found = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # whatever usd-core prints
@@ -53,7 +56,7 @@ def main(path: str, what: str = "") -> None:
 
 
 def _limit_memory() -> None:
-    """Allows half of the memory that is free, since the caller makes a copy; and a crash dumps no core."""
+    """Limit this process to half of the free memory, because the caller makes a copy, and disable core dumps."""
     if resource is None:
         return
     import psutil
@@ -63,6 +66,7 @@ def _limit_memory() -> None:
 
 
 def _read(path: Path, what: str) -> list[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]] | str:
+    """Return the meshes of a file, or its up axis."""
     from pxr import Tf, UsdGeom
 
     try:
@@ -73,6 +77,7 @@ def _read(path: Path, what: str) -> list[tuple[np.ndarray, np.ndarray, np.ndarra
 
 
 def _open(path: Path) -> Any:
+    """Open a file as a USD stage; raise a ValueError for damaged archives and missing references."""
     from pxr import Usd
 
     if path.suffix.lower() == ".usdz":
@@ -80,7 +85,7 @@ def _open(path: Path) -> Any:
             damaged = archive.testzip()  # by checksums that usd-core ignores
         if damaged:
             raise ValueError(f"{damaged} in it is damaged")
-    layers = _layers(path)  # held, so that they are read once
+    layers = _layers(path)  # kept, so that each file is read once
     stage = Usd.Stage.Open(layers[0])
     lost = stage.GetCompositionErrors()
     if lost:
@@ -89,10 +94,12 @@ def _open(path: Path) -> Any:
 
 
 def _layers(path: Path) -> list[Any]:
-    """The layer of a file and those that it refers to, if they exist; composition errors tell of the others.
+    """Load and return the layers of a file and of all existing files that it refers to, directly or not.
+
+    Missing files become composition errors of the stage.
 
     Raises:
-        ValueError: one is a device or a pipe, for which usd-core would wait for ever.
+        ValueError: A reference to a device or a pipe, for which usd-core would wait forever.
     """
     layers = {str(path): _layer(path)}
     left = [layers[str(path)]]
@@ -109,6 +116,7 @@ def _layers(path: Path) -> list[Any]:
 
 
 def _layer(path: Path) -> Any:
+    """Load one file as a layer, after a check of its sections."""
     from pxr import Sdf
 
     _check_sections(path)
@@ -116,7 +124,10 @@ def _layer(path: Path) -> Any:
 
 
 def _check_sections(path: Path) -> None:
-    """Refuses a binary file that is too short for what it declares: usd-core allocates whatever that is."""
+    """Raise a ValueError for a binary file too short for its declared sections.
+
+    usd-core would allocate memory of the declared size.
+    """
     size = path.stat().st_size
     with path.open("rb") as file:
         header = file.read(24)
@@ -137,7 +148,10 @@ def _check_sections(path: Path) -> None:
 
 
 def _check_counts(section: str, counts: bytes, length: int) -> None:
-    """Refuses what a section of so many bytes cannot hold; `counts`: the numbers of 8 bytes that it begins with."""
+    """Raise a ValueError if a section of `length` bytes is too short for its declared entries.
+
+    `counts` are the entry counts at its beginning, 8 bytes each.
+    """
     for at in range(0, length and len(counts), 8):
         declared = int.from_bytes(counts[at : at + 8], "little")
         if declared > _MOST_OF_BYTE * length:
@@ -145,7 +159,7 @@ def _check_counts(section: str, counts: bytes, length: int) -> None:
 
 
 def _said(error: Any, path: Path) -> str:
-    """The first line of usd-core's reason, without the path and the name of its parser."""
+    """Return the first line of a usd-core error, without the path and the name of its parser."""
     try:
         reason = error.args[0].commentary.strip().partition("\n")[0]
     except UnicodeDecodeError:  # it quotes the damaged bytes
@@ -156,7 +170,7 @@ def _said(error: Any, path: Path) -> str:
 
 
 def _parts(stage: Any, uv: int | None) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
-    """Points or texture coordinates, triangles, matrix and name of each mesh that has faces."""
+    """Yield points or texture coordinates, triangles, matrix and name of each mesh with faces."""
     from pxr import Usd, UsdGeom
 
     first = Usd.TimeCode.EarliestTime()
@@ -182,7 +196,10 @@ def _parts(stage: Any, uv: int | None) -> Iterator[tuple[np.ndarray, np.ndarray,
 
 
 def _texture_corners(prim: Any, number: int, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
-    """(K, 3): u, v and 0 of each corner of the polygons of a mesh; NaN if it has no such set, "st" before the others."""
+    """Return (K, 3) texture coordinates u, v, 0 at the corners of a mesh's polygons; NaN if the mesh lacks the set.
+
+    Sets are numbered from 0: "st" first, the others by name.
+    """
     from pxr import Usd, UsdGeom
 
     primvars = UsdGeom.PrimvarsAPI(prim).FindPrimvarsWithInheritance()
@@ -202,9 +219,9 @@ def _texture_corners(prim: Any, number: int, counts: np.ndarray, indices: np.nda
 
 
 def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> Iterator[tuple[Any, np.ndarray, Any]]:
-    """The meshes at or below `root` that match `predicate`, with their matrices and the paths that name them.
+    """Yield the meshes at or below `root` that match `predicate`, each with its matrix and path.
 
-    `above` is the matrix of the parent.
+    `above` is the matrix of the parent of `root`.
     """
     from pxr import Usd, UsdGeom
 
@@ -227,7 +244,7 @@ def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> 
 
 
 def _instances(prim: Any, above: np.ndarray, placements: Any) -> Iterator[tuple[Any, np.ndarray]]:
-    """The meshes of a point instancer: each prototype at each of its places."""
+    """Yield the meshes of a point instancer with their matrices: each prototype at each of its visible positions."""
     from pxr import Usd, UsdGeom
 
     are_drawn = Usd.PrimIsActive & Usd.PrimIsLoaded & ~Usd.PrimIsAbstract  # prototypes may be below an `over`

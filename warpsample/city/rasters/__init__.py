@@ -1,6 +1,6 @@
-"""Sky and sun on rasters of heights: surface models of cities, terrain.
+"""Sky view, irradiation and sun hours for rasters of heights, such as surface models of cities and terrain.
 
-`from warpsample import rasters`, then `rasters.sky_view_factor("dsm.tif", 256)`: arrays with coordinates, and error bars.
+`from warpsample import rasters`, then `rasters.sky_view_factor("dsm.tif", 256)` returns an xarray.Dataset with error bars.
 """
 
 from importlib import import_module
@@ -22,11 +22,11 @@ _HOMES["interval"] = "intervals"
 
 
 def __getattr__(name: str) -> Any:
-    """Imports a call, and with it xarray and rasterio, when it is first used.
+    """Import a call on first use, together with xarray and rasterio.
 
     Raises:
-        AttributeError: there is no such call.
-        ModuleNotFoundError: a library is missing; names the extra.
+        AttributeError: The module has no such call.
+        ModuleNotFoundError: A library is not installed; the message names the extra to install.
     """
     if name not in _HOMES:
         raise AttributeError(f"module 'warpsample.city.rasters' has no attribute {name!r}")
@@ -40,5 +40,5 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    """The calls, imported or not."""
+    """Return the names of the calls, imported or not."""
     return sorted({*globals(), *__all__})

@@ -1,4 +1,4 @@
-"""Sky and sun in the cells of a raster: what the calls of `warpsample` say at their middles, laid out as the raster is."""
+"""Calls that compute sky view, irradiation and sun hours at the centre of each cell of a raster."""
 
 from collections.abc import Mapping
 from importlib.metadata import version
@@ -23,10 +23,10 @@ from warpsample.radiation.quantities.irradiation import RECORD as IRRADIATION
 from warpsample.radiation.quantities.sun_hours import RECORD as SUN_HOURS
 
 _SET_HERE = ("up", "north", "first_point", "active", "series")
-"""Options of the calls that the raster decides, or whose results are no raster."""
+"""Options of the underlying calls that the raster determines, or whose results are not rasters."""
 
 _UNTOLD = ("first_point", "active", "series", "workers", "progress")
-"""Options by which no number changes, or that a raster has not."""
+"""Options that are not stored as attributes, because they change no number or do not apply to rasters."""
 
 TREES_AND_TILES: dict[str, Any] = {
     "canopy": None,
@@ -37,10 +37,10 @@ TREES_AND_TILES: dict[str, Any] = {
     "margin": None,
     "far": None,
 }
-"""Options that all calls have besides those of the quantity, and their defaults."""
+"""Options common to all calls, with defaults; each call also has the options of its quantity."""
 
 QUANTITIES = ("ao", "sky", "visible-sky", "irradiation", "sun-hours")
-"""By the names of their records."""
+"""Names of the quantities that can be computed for rasters."""
 
 _NORMAL = {"horizontal": "upwards", "surface": "the normal of the cell's surface"}
 _COSINE = (
@@ -80,11 +80,13 @@ def sky_view_factor(
     receiver: str = "horizontal",
     **options: Unpack[SkyKeywords],
 ) -> xr.Dataset:
-    """Compute the cosine-weighted share of the sky that each cell sees, the SVF of SOLWEIG and UMEP.
+    """Compute the sky view factor (SVF) of each cell: the cosine-weighted fraction of the sky that is visible.
 
-    The share times the diffuse irradiance of open ground is the irradiance of the cell under a uniform sky. Rays find the
-    horizon in each azimuth, without trees and without `sequence`, `tolerance`, `tracer` and `device`. Those options and
-    trees take rays all over the sky. With tiles or distant terrain the Earth is round outside the margin.
+    SOLWEIG and UMEP use the same definition.
+    The sky view factor times the diffuse irradiance of open ground is the irradiance of the cell under a uniform sky. By
+    default, rays search for the horizon in each azimuth. Trees and the options `sequence`, `tolerance`, `tracer` and
+    `device` switch to rays over the whole sky. With tiles or distant terrain, the Earth's curvature is included outside the
+    margin.
 
     Args:
         source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
@@ -110,13 +112,14 @@ def sky_view_factor(
         far: Raster of the terrain around `source`, as `source`. Default: None, no terrain around it.
 
     Returns:
-        `value`, `standard_error` and `half_width` (y, x), NaN in cells without height, and the options as attributes.
-        value -+ half_width is a 95 % confidence interval; `interval` gives other levels. With tiles also `far_error`, a
-        bound of the error by pooled terrain, except for rays that pass below the surface through a hole.
+        Dataset of `value`, `standard_error` and `half_width` (y, x), NaN in cells without data, with the options as
+        attributes. value -+ half_width is a 95 % confidence interval; `interval` computes other levels. With tiles also
+        `far_error`, a bound of the error due to pooled terrain; it excludes rays that pass below the surface through cells
+        without data.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
+        TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
+        MemoryError: The computation does not fit into the free memory.
 
     Example:
         >>> from affine import Affine
@@ -130,9 +133,9 @@ def sky_view_factor(
 
 @with_options(SkyKeywords, VISIBLE_SKY.parameters | TREES_AND_TILES)
 def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **options: Unpack[SkyKeywords]) -> xr.Dataset:
-    """Compute the share of the sky's solid angle that each cell sees, for a receiver of any tilt.
+    """Compute the fraction of the sky's solid angle that is visible from each cell, for any tilt of the receiver.
 
-    RVT, xarray-spatial, GRASS r.skyview and WhiteboxTools call this share sky view factor.
+    RVT, xarray-spatial, GRASS r.skyview and WhiteboxTools call this fraction sky view factor.
 
     Args:
         source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
@@ -156,11 +159,11 @@ def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **optio
         far: Raster of the terrain around `source`, as `source`. Default: None, no terrain around it.
 
     Returns:
-        arrays as of `sky_view_factor`.
+        Dataset with the arrays of `sky_view_factor`.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
+        TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
+        MemoryError: The computation does not fit into the free memory.
 
     Example:
         >>> from affine import Affine
@@ -181,9 +184,9 @@ def irradiation(
     receiver: str = "surface",
     **options: Unpack[IrradiationKeywords],
 ) -> xr.Dataset:
-    """Compute the irradiation of each cell in kWh/m² from the sun and the sky of a year, or of a period.
+    """Compute the irradiation of each cell in kWh/m² from sun and sky, over a year or a period.
 
-    The sun follows true north, along the meridian at the middle of the raster.
+    The position of the sun is relative to true north at the middle of the raster.
 
     Args:
         source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
@@ -210,12 +213,12 @@ def irradiation(
         far: Raster of the terrain around `source`, as `source`. Default: None, no terrain around it.
 
     Returns:
-        arrays as of `sky_view_factor`, in kWh/m².
+        Dataset with the arrays of `sky_view_factor`, in kWh/m².
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
-        ModuleNotFoundError: pvlib or pyradiance is missing; says how to install them.
-        MemoryError: more than is free.
+        TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
+        ModuleNotFoundError: pvlib or pyradiance is not installed; the message explains how to install both.
+        MemoryError: The computation does not fit into the free memory.
 
     Example:
         >>> from affine import Affine
@@ -236,7 +239,7 @@ def sun_hours(
     receiver: str = "surface",
     **options: Unpack[SunHoursKeywords],
 ) -> xr.Dataset:
-    """Count the hours of a year, or of a period, in which each cell sees the sun.
+    """Compute the number of hours of a year, or of a period, in which the sun is visible from each cell.
 
     Args:
         source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
@@ -256,12 +259,13 @@ def sun_hours(
         far: Raster of the terrain around `source`, as `source`. Default: None, no terrain around it.
 
     Returns:
-        arrays as of `sky_view_factor`, in hours; the standard error and the half width are 0, since nothing is random.
+        Dataset with the arrays of `sky_view_factor`, in hours. `standard_error` and `half_width` are 0, because the result
+        is not random.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
-        ModuleNotFoundError: pvlib is missing; says how to install it.
-        MemoryError: more than is free.
+        TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
+        ModuleNotFoundError: pvlib is not installed; the message explains how to install it.
+        MemoryError: The computation does not fit into the free memory.
 
     Example:
         >>> from affine import Affine
@@ -273,7 +277,7 @@ def sun_hours(
 
 
 def _laid(quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str) -> xr.Dataset:
-    """A quantity in the cells of a raster."""
+    """Compute a quantity in all cells of a raster, tile by tile, and return the Dataset."""
     run, about = run_of(quantity, source, options, model=model, receiver=receiver)
     laid = {name: np.full(run.reader.shape, np.nan, np.float32) for name in run.names}
     for span in run.spans():
@@ -287,10 +291,10 @@ def _laid(quantity: Quantity, source: Any, options: dict[str, Any], *, model: st
 def run_of(
     quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str
 ) -> tuple[RasterRun, dict[str, Any]]:
-    """The checked run of a call, and all that it is told, as numbers and texts.
+    """Return the checked run of a call, and its options as attributes for files.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
+        TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
     """
     how = {name: options.get(name, default) for name, default in TREES_AND_TILES.items()}
     own = {name: value for name, value in options.items() if name not in how}
@@ -305,7 +309,7 @@ def run_of(
 
 
 def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:
-    """The unit and the title of one of the arrays of a run."""
+    """Return the unit and the title of one array of a Dataset."""
     said = {
         "standard_error": "standard error of the ",
         "half_width": "half width of the 95 % confidence interval of the ",
@@ -315,7 +319,7 @@ def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:
 
 
 def _check(quantity: Quantity, options: Mapping[str, Any]) -> None:
-    """Refuses options that the call has not, or that the raster decides."""
+    """Raise a TypeError for an option that the call lacks or that the raster determines."""
     known = [name for name in (*quantity.parameters, *TREES_AND_TILES) if name not in _SET_HERE]
     for name in options:
         if name not in known:
@@ -323,7 +327,7 @@ def _check(quantity: Quantity, options: Mapping[str, Any]) -> None:
 
 
 def _attributes(quantity: Quantity, source: Any, told: Mapping[str, Any]) -> dict[str, Any]:
-    """What a file says of its numbers: numbers and texts, as all formats hold them."""
+    """Return the attributes of a Dataset: definition, unit, source, version and options, as numbers and strings."""
     definition = _DEFINITIONS.get((quantity.name, told["receiver"])) or _OF_THE_REST[quantity.name]
     return {
         "quantity": quantity.name,
@@ -336,14 +340,14 @@ def _attributes(quantity: Quantity, source: Any, told: Mapping[str, Any]) -> dic
 
 
 def _name_of(source: Any) -> Any:
-    """A raster by its path, or by what it is; what is no raster as it is."""
+    """Return the path of a raster, or the type of an array; return numbers and None unchanged."""
     if source is None or isinstance(source, Real):
         return source
     return fspath(source) if isinstance(source, str | PathLike) else f"an array, {type(source).__name__}"
 
 
 def _plain(value: Any) -> int | float | str:
-    """A value as NetCDF, Zarr and GeoTIFF keep it: several in a text, with spaces between."""
+    """Convert a value to a type that NetCDF, Zarr and GeoTIFF can store; sequences become a string with spaces."""
     if isinstance(value, tuple | list | np.ndarray):
         return " ".join(str(item) for item in value)
     return value if isinstance(value, int | float) and not isinstance(value, bool) else str(value)

@@ -1,4 +1,4 @@
-"""Crowns of trees over a raster of heights: closed prisms over their cells, from the base to the top."""
+"""Tree crowns over a raster of heights: one closed prism per cell, from the crown's base to its top."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -22,7 +22,7 @@ _RING = ((0, 0), (0, 1), (1, 1), (1, 0))
 """The corners of a cell, (columns, rows), counter-clockwise seen from above in such a raster."""
 
 TRUNK = 0.25
-"""How high undersides are, as a share of a crown's height: SOLWEIG's."""
+"""Default height of a crown's underside, as a fraction of the crown's height, as in SOLWEIG."""
 
 _ALL = slice(None)
 _OFF = 0.01
@@ -31,11 +31,11 @@ _OFF = 0.01
 
 @dataclass(frozen=True, eq=False)
 class Crowns:
-    """Where crowns are, one to a cell at most.
+    """Bases and tops of tree crowns, at most one crown per cell.
 
     Attributes:
-        base: (rows, columns) float64, the elevation of their undersides; NaN without a crown.
-        top: the same of their tops, which are above.
+        base: (rows, columns) float64 elevations of the undersides; NaN without a crown.
+        top: (rows, columns) float64 elevations of the tops, above `base`; NaN without a crown.
     """
 
     base: np.ndarray
@@ -43,18 +43,19 @@ class Crowns:
 
     @property
     def any(self) -> bool:
-        """Whether there is a crown at all."""
+        """Boolean, True if there is at least one crown."""
         return bool((~np.isnan(self.top)).any())
 
 
 @dataclass(frozen=True, eq=False)
 class Canopy:
-    """The rasters of crowns, checked, and not read yet.
+    """Checked rasters of tree crowns, not yet read.
 
     Attributes:
-        top: of the crowns' tops, on the cells of the ground.
-        trunk: the height of their undersides above the ground, as a share of that; or another raster.
-        relative: whether both are heights above the ground; else elevations, and what is 0 or not above the ground is none.
+        top: Raster of the crowns' tops, on the cells of the ground.
+        trunk: Height of the undersides above the ground, as a fraction of the crown's height or as another raster.
+        relative: True if both rasters are heights above the ground, False for elevations. With elevations, cells that are 0
+            or not above the ground have no crown.
     """
 
     top: RasterReader
@@ -63,10 +64,11 @@ class Canopy:
 
     @classmethod
     def of(cls, ground: RasterReader, canopy: Any, trunk: Any, relative: Any) -> "Canopy | None":
-        """The canopy over the ground; None without one. Arguments as of `surface`.
+        """Return the canopy over the ground, or None without one; arguments are those of `surface`.
 
         Raises:
-            TypeError, ValueError, FileNotFoundError: no such rasters, or of other cells; names the argument.
+            TypeError, ValueError, FileNotFoundError: Invalid rasters, or rasters with other cells; the message names the
+                argument.
         """
         relative = check_flag(relative, "relative")
         if canopy is None:
@@ -77,13 +79,14 @@ class Canopy:
         return cls(_on(ground, canopy, "canopy"), share, relative)
 
     def crowns(self, grid: Grid, rows: slice = _ALL, columns: slice = _ALL) -> Crowns:
-        """The crowns over the ground of these rows and columns.
+        """Read the crowns over the ground in the given rows and columns.
 
         Raises:
-            ValueError: heights below 0.
+            ValueError: Heights below 0.
 
         Warns:
-            UserWarning: crowns whose underside is not below their top, which are left out; or that have none.
+            UserWarning: Crowns without an underside, which reach down to the ground, or with an underside not below the top,
+                which are left out.
         """
         top = self.top.read(rows, columns)
         if self.relative and (top < 0.0).any():
@@ -108,9 +111,9 @@ class Canopy:
 
 
 def prisms(grid: Grid, crowns: Crowns) -> tuple[np.ndarray, np.ndarray]:
-    """The surface of all crowns together, facing outwards: ((V, 3) float64, (F, 3) int32).
+    """Build the joint surface of all crowns, facing outwards: (V, 3) float64 vertices and (F, 3) int32 faces.
 
-    Neighbours have no walls where both are full, so that crowns of the same base and top are one prism.
+    There are no walls between neighbouring crowns, so that crowns of equal base and top form one prism.
     """
     cells = np.flatnonzero(~np.isnan(crowns.top))
     row, column = np.divmod(cells, crowns.top.shape[1])
@@ -134,15 +137,15 @@ def prisms(grid: Grid, crowns: Crowns) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _quads(grid: Grid, corners: list[tuple[np.ndarray, np.ndarray]], heights: list[np.ndarray]) -> np.ndarray:
-    """(N, 4, 3) from the columns and rows of four corners, and their heights."""
+    """Return (N, 4, 3) positions from the columns, rows and heights of four corners."""
     return np.stack([grid.places(*at, height) for at, height in zip(corners, heights, strict=True)], axis=1)
 
 
 def _on(ground: RasterReader, source: Any, argument: str) -> RasterReader:
-    """A raster that has the cells of the ground.
+    """Return the reader of a raster that must have the cells of the ground.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: no such raster; names the argument.
+        TypeError, ValueError, FileNotFoundError: An invalid raster, or other cells; the message names the argument.
     """
     with calling(argument):
         found = reader_of(source)
@@ -162,28 +165,20 @@ def _on(ground: RasterReader, source: Any, argument: str) -> RasterReader:
 
 
 def check_for_crowns(argument: str, value: Any, default: float) -> None:
-    """Refuses an argument of crowns where there are none, unless it is the default.
-
-    Raises:
-        ValueError: names it.
-    """
+    """Raise a ValueError for an argument about crowns that differs from its default although there is no canopy."""
     if not isinstance(value, Real) or value != default:
         raise ValueError(f"{argument}: got {told(value)} without canopy, want canopy, the crowns that it is of")
 
 
 def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> None:
-    """Refuses a raster of another map.
-
-    Raises:
-        ValueError: names both.
-    """
+    """Raise a ValueError if two rasters have different horizontal CRS."""
     if other.crs and ground.crs and other.crs.to_2d() != ground.crs.to_2d():
         raise ValueError(f"{argument}: got coordinates of {other.crs.name}, want {ground.crs.name}, as the heights have")
 
 
 @contextmanager
 def calling(argument: str) -> Iterator[None]:
-    """Lets what is said of the raster `source` be said of another argument."""
+    """Replace the argument name `source` in error messages by another name."""
     try:
         yield
     except (TypeError, ValueError, FileNotFoundError) as error:

@@ -1,8 +1,7 @@
-"""The models for cities: cells that share corners with neighbours a step away, and vertical walls between the others.
+"""Surface models "joined" and "block" for cities: similar neighbours share corners, and vertical walls separate the others.
 
-In the plane of rows and columns a corner has four cells about it, in a ring. Two of them that are next to each other in the
-ring are linked if their heights differ by no more than a step; what hangs together so has the corner's height in common, the
-mean of its cells'. With steps of no height each cell is flat.
+A corner has four cells around it, in a ring. Two consecutive cells of the ring are linked if their heights differ by at most
+a step. Linked cells share one vertex at the corner, at their mean height. With steps of 0 each cell is flat.
 """
 
 from collections.abc import Iterator
@@ -13,19 +12,19 @@ import numpy as np
 from warpsample.city.rasters.grid import TOP, WALL, Grid, Triangles
 
 STEP = 2.0 * (1.0 + 2.0**-10)
-"""How far linked cells of joined surfaces differ at most, in cells: a slope of 63°, and what float32 heights round."""
+"""Largest height difference of linked cells, in cell lengths: a slope of 63°, plus rounding of float32 heights."""
 
 _UPPER_LEFT, _UPPER_RIGHT, _LOWER_RIGHT, _LOWER_LEFT = range(4)
 _RING = ((0, 0), (0, 1), (1, 1), (1, 0))
-"""Rows and columns of a corner's four cells after its first one."""
+"""Row and column offsets of a corner's four cells, in order around the corner."""
 
 
 @dataclass(frozen=True, eq=False)
 class _Corners:
-    """The corners of the cells, once for each height that they have.
+    """Vertices at the corners of the cells; a corner has one vertex for each group of linked cells.
 
-    number: (4, rows + 1, columns + 1) int32, the vertex of each of the four cells about a corner; -1 without a cell.
-    height: (V,) float64. row, column: (V,) where.
+    number: (4, rows + 1, columns + 1) int32, vertex of each of the four cells around a corner; -1 without a cell.
+    height: (V,) float64. row, column: (V,) position of each vertex.
     """
 
     number: np.ndarray
@@ -35,15 +34,15 @@ class _Corners:
 
 
 def joined_cells(grid: Grid, step: float) -> Triangles:
-    """The cells of a raster, with walls where they differ by more than a step.
+    """Build the triangles of a raster, with walls between neighbours whose heights differ by more than a step.
 
-    A cell is four triangles about its centre, which keeps its height, or two if its corners are in one plane with that. A
-    wall fills what is between the edges of two cells, and faces away from the upper one. There is none towards a cell
-    without a height, or at the border.
+    A cell consists of four triangles around its centre, which keeps the cell's height, or of two if all corners are in one
+    plane with the centre. A wall fills the gap between the edges of two cells and faces away from the upper cell. There are
+    no walls at the border or next to cells without data.
 
     Args:
-        grid: of heights.
-        step: in lengths of a cell; 0 makes flat blocks.
+        grid: Heights of the cells.
+        step: Largest height difference of linked cells, in cell lengths; 0 makes flat blocks.
     """
     corners = _corners(grid, step)
     top_faces, top_cells, peaks = _tops(grid, corners)
@@ -60,7 +59,7 @@ def joined_cells(grid: Grid, step: float) -> Triangles:
 
 
 def _corners(grid: Grid, step: float) -> _Corners:
-    """The vertices at the corners of the cells."""
+    """Build the vertices at the corners of the cells."""
     rows, columns = grid.height.shape
     padded = np.pad(grid.height, 1, constant_values=np.nan)
     around = np.stack([padded[i : i + rows + 1, j : j + columns + 1] for i, j in _RING])
@@ -87,12 +86,12 @@ def _corners(grid: Grid, step: float) -> _Corners:
 
 
 def _links(around: np.ndarray, steps: np.ndarray) -> list[np.ndarray]:
-    """Whether each cell of the ring differs from the next one by no more than a step along the row, or the column."""
+    """Return masks of cells in the ring that differ from the next cell by at most a step along the row or column."""
     return [np.abs(around[(slot + 1) % 4] - around[slot]) <= steps[slot % 2] for slot in range(4)]
 
 
 def _members(links: list[np.ndarray], slot: int) -> np.ndarray:
-    """(4, ...) bool: which cells of the ring hang together with one of them."""
+    """Return (4, ...) bool masks of the cells in the ring that are linked, directly or not, with the cell `slot`."""
     members = np.zeros((4, *links[0].shape), bool)
     members[slot] = True
     for way, before in ((1, 0), (-1, -1)):
@@ -104,7 +103,10 @@ def _members(links: list[np.ndarray], slot: int) -> np.ndarray:
 
 
 def _tops(grid: Grid, corners: _Corners) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(faces, their cells, cells that have a vertex at their centre, numbered after the corners)."""
+    """Build the top faces of cells; return faces, the cell of each face, and cells with a vertex at the centre.
+
+    Centre vertices are numbered after the corners.
+    """
     cells, n = grid.cells, corners.number
     around = (n[_LOWER_RIGHT, :-1, :-1], n[_LOWER_LEFT, :-1, 1:], n[_UPPER_LEFT, 1:, 1:], n[_UPPER_RIGHT, 1:, :-1])
     ring = np.stack([corner.ravel()[cells] for corner in around])
@@ -126,7 +128,7 @@ def _tops(grid: Grid, corners: _Corners) -> tuple[np.ndarray, np.ndarray, np.nda
 
 @dataclass(frozen=True, eq=False)
 class _Edges:
-    """Edges between a cell a and the next one b in its row or column: the vertices at the two ends, and the cells.
+    """Edges between a cell a and the next cell b in its row or column: vertices at both ends p and q, and the cells.
 
     Seen from b, the end p is on the left of q. pa, qa, pb, qb: (N,) vertices. a, b: (N,) cells.
     """
@@ -140,7 +142,7 @@ class _Edges:
 
 
 def _edges(grid: Grid, corners: _Corners) -> Iterator[_Edges]:
-    """The edges between cells that do not have both ends in common: those within rows, then those within columns."""
+    """Yield the edges between cells that do not share both end vertices, first within rows, then within columns."""
     n, number = corners.number, np.arange(grid.height.size).reshape(grid.height.shape)
     upper, lower = n[:, :-1, 1:-1], n[:, 1:, 1:-1]
     in_rows = (lower[_UPPER_LEFT], upper[_LOWER_LEFT], lower[_UPPER_RIGHT], upper[_LOWER_RIGHT])
@@ -153,7 +155,10 @@ def _edges(grid: Grid, corners: _Corners) -> Iterator[_Edges]:
 
 
 def _walls(grid: Grid, corners: _Corners, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(faces, their upper cells, (X, 3) vertices where edges of two cells cross, numbered from `first` on)."""
+    """Build the walls; return faces, the upper cell of each face, and (X, 3) vertices where edges of two cells cross.
+
+    Crossing vertices are numbered from `first`.
+    """
     faces, cells, crossings = [], [], []
     for edge in _edges(grid, corners):
         at_p = corners.height[edge.pa] - corners.height[edge.pb]
@@ -172,6 +177,9 @@ def _walls(grid: Grid, corners: _Corners, first: int) -> tuple[np.ndarray, np.nd
 
 
 def _crossings(grid: Grid, corners: _Corners, edge: _Edges, cross: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """(X, 3) where the edges of two cells cross, a share of the way from p to q: between long and narrow cells only."""
+    """Return (X, 3) points where the edges of two cells cross, at the fraction `share` of the way from p to q.
+
+    Crossings occur only between long and narrow cells.
+    """
     p, q, t = edge.pb[cross], edge.qb[cross], share[cross]
     return grid.places(*((1.0 - t) * of[p] + t * of[q] for of in (corners.column, corners.row, corners.height)))

@@ -1,4 +1,4 @@
-"""The model for terrain: triangles between the centres of cells, so that heights are linear from one to the next."""
+"""Surface model "tin" for terrain: triangles between the centres of neighbouring cells."""
 
 import numpy as np
 
@@ -6,13 +6,13 @@ from warpsample.city.rasters.grid import TOP, Grid, Triangles
 
 
 def between_centres(grid: Grid) -> Triangles:
-    """The triangles between the centres of cells; a centre without a height takes its four squares with it.
+    """Build the triangles between the centres of each 2 x 2 block of cells that all have heights.
 
-    A square is cut along the diagonal whose ends differ less in height, or else along the higher one: so a raster that is
-    turned or mirrored has the same triangles. Each is said to be of the square's first cell.
+    A square is cut along the diagonal whose ends differ less in height, or else along the higher diagonal. So a rotated or
+    mirrored raster gives the same triangles. Both triangles of a square belong to the square's first cell.
 
     Raises:
-        ValueError: no four cells with heights make a square.
+        ValueError: No 2 x 2 cells with heights.
     """
     rows, columns = grid.height.shape
     cells = grid.cells

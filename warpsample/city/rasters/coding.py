@@ -1,4 +1,4 @@
-"""How heights are written as numbers: what stands for none, a scale and an offset."""
+"""Conversion of a raster's stored numbers to heights: nodata values, scale and offset."""
 
 import re
 from dataclasses import dataclass
@@ -12,10 +12,10 @@ import xarray as xr
 from warpsample.host.arguments import told
 
 _UNDECLARED = (-9999.0, -99999.0, -32767.0, -32768.0)
-"""Heights that stand for none also where no tag says so: no place on Earth is as low, and programs write them."""
+"""Nodata values that are recognized without a tag: many programs write these numbers, and no place on Earth is as low."""
 
 _LARGEST = 1e30
-"""What is larger stands for none, such as float32's largest number in a raster whose tag is float64's copy of it."""
+"""Larger numbers count as nodata, such as the largest float32 in a raster whose nodata tag is a rounded float64."""
 
 _SCALING = {"scale_factor": 1.0, "add_offset": 0.0}
 _ATTRIBUTES = ("_FillValue", "missing_value", "fill_value", "nodata", *_SCALING)
@@ -24,11 +24,11 @@ _DECLARED = re.compile(rb"<NoDataValue[^>/]*>([^<]+)<")  # in the text of a VRT
 
 @dataclass(frozen=True)
 class Coding:
-    """What numbers of a raster stand for.
+    """Nodata value, scale and offset of a raster: height = number * scale + offset.
 
     Attributes:
-        nodata: what stands for no height, or None.
-        scale, offset: a height is a number times the one, and more by the other.
+        nodata: Number that marks cells without data, or None.
+        scale, offset: Factor and summand that convert a stored number to a height.
     """
 
     nodata: float | None = None
@@ -36,7 +36,7 @@ class Coding:
     offset: float = 0.0
 
     def __post_init__(self) -> None:
-        """Refuses a scale and an offset that no height comes through; ValueError."""
+        """Raise a ValueError for a scale or an offset that is not finite, or a scale of 0."""
         if not (isfinite(self.scale) and isfinite(self.offset) and self.scale):
             raise ValueError(
                 f"source: got heights of scale {self.scale:g} and offset {self.offset:g}, want finite ones, the scale not 0"
@@ -44,7 +44,11 @@ class Coding:
 
     @classmethod
     def of_file(cls, path: str, file: Any, band: int) -> "Coding":
-        """That of a band of an open file; a ValueError for a VRT whose nodata is a text, of which GDAL makes a number, 0."""
+        """Return the coding of a band of an open file.
+
+        Raises:
+            ValueError: A VRT whose nodata value is a text; GDAL would read the text as 0.
+        """
         declared = _DECLARED.findall(Path(path).read_bytes()) if file.driver == "VRT" and Path(path).is_file() else []
         for text in declared:
             if not _is_number(text):
@@ -53,7 +57,7 @@ class Coding:
 
     @classmethod
     def of_array(cls, array: xr.DataArray) -> "Coding":
-        """That of an array whose attributes tell it; a ValueError where these are no numbers."""
+        """Return the coding in the attributes of an xarray.DataArray; raise a ValueError if attributes are not numbers."""
         given = {name: array.attrs[name] for name in _ATTRIBUTES if name in array.attrs}
         try:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
@@ -63,16 +67,16 @@ class Coding:
         return cls(nodata, scale, offset)
 
     def heights(self, values: np.ndarray) -> np.ndarray:
-        """A float64 copy of the heights that numbers stand for, NaN where there is none.
+        """Convert stored numbers to heights, as a float64 copy with NaN in cells without data.
 
         Raises:
-            TypeError: they are no real numbers.
+            TypeError: Values that are not real numbers.
         """
         if values.dtype.kind not in "fiu":
             raise TypeError(f"source: got heights of dtype {values.dtype}, want real numbers")
         heights = values.astype(np.float64)
         none = ~(np.abs(heights) < _LARGEST)
-        with np.errstate(over="ignore"):  # what float32 does not hold is none anyway
+        with np.errstate(over="ignore"):  # numbers outside float32 count as nodata anyway
             declared = () if self.nodata is None else (self.nodata, np.float32(self.nodata))
         for code in (*_UNDECLARED, *declared):
             none |= heights == float(code)
@@ -82,6 +86,7 @@ class Coding:
 
 
 def _is_number(text: bytes) -> bool:
+    """Return True if the text can be converted to a float."""
     try:
         float(text)
     except ValueError:

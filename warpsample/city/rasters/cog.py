@@ -1,4 +1,4 @@
-"""GeoTIFFs of results that are cut for reading over a network (COG): tiles, overviews, and what the numbers are."""
+"""Writer of results as cloud-optimized GeoTIFFs (COG), with tiles, overviews, and a description of the numbers."""
 
 import shutil
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -22,11 +22,7 @@ _HOW = {"compress": "DEFLATE", "overview_resampling": "AVERAGE", "blocksize": _B
 
 
 def check_sidecars(path: Path, argument: str) -> None:
-    """Refuse a new GeoTIFF beside files that GDAL would read as its masks, overviews or statistics.
-
-    Raises:
-        ValueError: there is no such GeoTIFF yet, but a file that GDAL would read with it.
-    """
+    """Raise a ValueError for a new GeoTIFF beside old files that GDAL reads as its masks, overviews or statistics."""
     older = [file.name for suffix in _SIDECARS if (file := Path(f"{path}{suffix}")).exists()]
     if older and not path.exists():
         raise ValueError(f"{argument}: got {str(path)!r}, but GDAL would read {older[0]} with it; want another name")
@@ -39,19 +35,20 @@ def write_cog(
     tiles: Callable[[], Iterable[tuple[Span, Mapping[str, np.ndarray]]]],
     folder: Path,
 ) -> None:
-    """Writes the numbers of all tiles, a band for each name: first into a plain file, since a COG is not filled in parts.
+    """Write the results of all tiles to a COG with one band per name.
 
-    It is read again before it appears: what GDAL cannot write while it closes a file is no error, on a full disk, say.
+    The results are first written to a plain file, because a COG cannot be filled in parts. The COG is read back and compared
+    before it appears, because GDAL reports no error if it fails while it closes a file, for example on a full disk.
 
     Args:
-        path: of the file, which appears when it is complete. What GDAL keeps beside an older one of this name goes.
-        run: what the numbers are of.
-        about: what the file says of them.
-        tiles: gives where they belong and what they are, by name, as often as it is called.
-        folder: for what is not the file yet; it may be there, and whoever gives it removes it.
+        path: Path of the file, which appears when it is complete. Sidecar files of an older file with this name are removed.
+        run: Run that computed the results.
+        about: Attributes to store in the file.
+        tiles: Function that returns the spans and arrays of all tiles; it is called twice.
+        folder: Folder for temporary files. It may exist already; the caller removes it.
 
     Raises:
-        WriteError: it cannot be written.
+        WriteError: The file cannot be written.
     """
     with _telling(path):
         folder.mkdir(exist_ok=True)
@@ -68,6 +65,7 @@ def write_cog(
 def _write_plain(
     path: Path, run: RasterRun, about: Mapping[str, Any], tiles: Iterable[tuple[Span, Mapping[str, np.ndarray]]]
 ) -> None:
+    """Write all tiles to a plain tiled GeoTIFF."""
     outline, (rows, columns) = run.reader.outline, run.reader.shape
     shape = {"height": rows, "width": columns, "count": len(run.names), "dtype": "float32", "nodata": np.nan}
     where = {"crs": outline.crs and outline.crs.to_wkt(), "transform": outline.transform}
@@ -81,7 +79,7 @@ def _write_plain(
 
 
 def _check_written(path: Path, run: RasterRun, tiles: Iterable[tuple[Span, Mapping[str, np.ndarray]]]) -> None:
-    """Reads all numbers again."""
+    """Read the file again and raise an OSError if its numbers differ from the tiles."""
     with rasterio.open(path) as file:
         for span, arrays in tiles:
             there = file.read(window=Window.from_slices(*span))
@@ -91,7 +89,7 @@ def _check_written(path: Path, run: RasterRun, tiles: Iterable[tuple[Span, Mappi
 
 @contextmanager
 def _telling(path: Path) -> Iterator[None]:
-    """Tells what cannot be written as a WriteError that names the file."""
+    """Convert errors of writing to a WriteError that names the file."""
     try:
         yield
     except (RasterioError, CPLE_BaseError) as error:

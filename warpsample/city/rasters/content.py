@@ -1,4 +1,4 @@
-"""What rasters hold, by digests of their blocks, so that what is read again is known to be what was there at first."""
+"""Checksums of the blocks of a raster, which detect changes between a first and a second reading."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -10,13 +10,13 @@ from warpsample.city.rasters.reader import RasterReader
 from warpsample.host.known import digest_of
 
 _BLOCK = 64, 256
-"""Rows and columns: parts are read by whole blocks, and bands of rows are a few of them."""
+"""Rows and columns of a block; readers read whole blocks."""
 
-_BAND = 1 << 22  # cells that are read at a time
+_BAND = 1 << 22  # cells per reading step
 
 
 def digests_of(reader: RasterReader) -> np.ndarray:
-    """(rows of blocks, columns of blocks, 32) uint8, SHA-256 of the heights in each block; all are read, band by band."""
+    """Read a whole raster and return the SHA-256 of the heights in each block, (block rows, block columns, 32) uint8."""
     rows, columns = reader.shape
     found = np.empty((-(-rows // _BLOCK[0]), -(-columns // _BLOCK[1]), 32), np.uint8)
     wide = max(1, min(found.shape[1], _BAND // (_BLOCK[0] * _BLOCK[1])))
@@ -29,15 +29,15 @@ def digests_of(reader: RasterReader) -> np.ndarray:
 
 
 def unchanging(reader: RasterReader, digests: np.ndarray, argument: str) -> RasterReader:
-    """A reader of the same raster that gives only what has these digests: it looks at all blocks that it reads of.
+    """Return a reader of the same raster that checks all blocks it reads against checksums.
 
     Args:
-        reader: of the raster.
-        digests: its `digests_of` from before.
-        argument: what the raster is given as.
+        reader: Reader of the raster.
+        digests: Earlier result of `digests_of`.
+        argument: Name of the argument for error messages.
 
     Returns:
-        one whose `heights` raise a ValueError for other heights than then; it says where they are.
+        A reader whose `heights` raise a ValueError for changed heights; the message names the block.
     """
 
     def heights(rows: slice, columns: slice) -> np.ndarray:
@@ -50,8 +50,8 @@ def unchanging(reader: RasterReader, digests: np.ndarray, argument: str) -> Rast
         if len(other):
             row, column = (other[0] + [part[0].start, part[1].start]) * _BLOCK
             raise ValueError(
-                f"{argument}: got other heights from row {row:,} and column {column:,} on than when the run began; with "
-                "what it was the run can be resumed"
+                f"{argument}: got heights that changed since the run began, from row {row:,} and column {column:,}; want "
+                "the original raster to resume the run"
             )
         return found[tuple(slice(c.start - p.start, c.stop - p.start) for c, p in zip((rows, columns), cells, strict=True))]
 
@@ -59,24 +59,25 @@ def unchanging(reader: RasterReader, digests: np.ndarray, argument: str) -> Rast
 
 
 def place_of(reader: RasterReader) -> dict[str, str | float]:
-    """Where a raster is, and in which unit its heights are: its transform, its CRS by name and digest, and its factor."""
+    """Return the transform, the CRS by name and digest, and the height factor of a raster."""
     crs = reader.crs and f"{reader.crs.name}, {sha256(reader.crs.to_wkt().encode()).hexdigest()[:16]}"
     transform = " ".join(repr(float(number)) for number in reader.transform[:6])
     return {"transform": transform, "crs": crs or "none", "factor": reader.factor}
 
 
 def _cells(part: tuple[slice, slice], shape: tuple[int, int]) -> tuple[slice, slice]:
-    """The rows and columns of the cells of some blocks."""
+    """Return the rows and columns of the cells in some blocks."""
     ends = zip(part, _BLOCK, shape, strict=True)
     return tuple(slice(cut.start * side, min(cut.stop * side, size)) for cut, side, size in ends)
 
 
 def _digests(heights: np.ndarray) -> np.ndarray:
-    """The digests of the blocks of a part that begins with a block."""
+    """Return the checksums of the blocks of an array that begins at a block."""
     digests = [[bytes.fromhex(digest_of(block)) for block in _cut(band, 1)] for band in _cut(heights, 0)]
     return np.frombuffer(b"".join(map(b"".join, digests)), np.uint8).reshape(len(digests), -1, 32)
 
 
 def _cut(heights: np.ndarray, axis: int) -> Iterator[np.ndarray]:
+    """Yield an array in pieces of one block along an axis."""
     starts = range(_BLOCK[axis], heights.shape[axis], _BLOCK[axis])
     return iter(np.split(heights, starts, axis))

@@ -1,8 +1,9 @@
-"""Terrain beyond the margin of a tile, pooled: columns that hide at least what it hides, and others that hide at most that.
+"""Bounds of distant terrain: upper columns block at least the rays that the terrain blocks, lower columns at most those.
 
-Cells of the raster, or of a coarser one where that ends, are pooled by the highest and by the lowest, in rings about the
-tile whose cells double in size as the distance does, a fiftieth of it. A ray that meets the terrain meets the upper columns,
-and one that meets the lower ones meets the terrain: what is seen lies between what is seen with the two.
+Around a tile and its margin, cells of the raster are pooled to their highest and lowest heights, in rings. Cells of a ring
+double in size when the distance doubles; their size is a fiftieth of the distance. A coarser raster covers the terrain
+beyond the edges. A ray that hits the terrain hits the upper columns; a ray that hits the lower columns hits the terrain. So
+the true value lies between the values with upper and with lower columns.
 """
 
 from dataclasses import dataclass, replace
@@ -17,20 +18,20 @@ from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.scenery import Columns, Part, joined
 
-_FINENESS = 50  # cells of a ring that its distance has at least: a horizon turns by a fiftieth of its slope's sine
-_EARTH, _REFRACTION = 6_371_000.0, 0.13  # m; and how much less light bends than the ground
-_BAND = 1 << 22  # cells that are read at a time
-_ALMOST = 1e-6  # of a cell: coordinates of corners that are rounded
+_FINENESS = 50  # smallest distance of a ring in cells of the ring
+_EARTH, _REFRACTION = 6_371_000.0, 0.13  # radius in m; curvature of light rays as a fraction of the Earth's curvature
+_BAND = 1 << 22  # cells per reading step
+_ALMOST = 1e-6  # rounding of corner coordinates, in cells
 
 
 @dataclass(frozen=True, eq=False)
 class Bounds:
-    """Heights of the cells of a raster, from above and from below.
+    """Upper and lower heights of the cells of a raster.
 
     Attributes:
-        upper: (rows, columns) float64; NaN where there is nothing.
-        lower: the same; NaN where there may be nothing.
-        transform: from (column, row) of these to those of the raster that is cut into tiles.
+        upper: (rows, columns) float64 upper bounds; NaN in cells without data.
+        lower: (rows, columns) float64 lower bounds; NaN in cells that may lack data.
+        transform: Transform from (column, row) of these arrays to (column, row) of the raster that is cut into tiles.
     """
 
     upper: np.ndarray
@@ -40,14 +41,13 @@ class Bounds:
 
 @dataclass(frozen=True, eq=False)
 class FarField:
-    """What is known of the terrain beyond the margins of all tiles.
+    """Pooled terrain outside the margins of all tiles.
 
     Attributes:
-        own: the raster's own cells, pooled by `size`.
-        beyond: of another raster, where the own one ends; or None.
-        size: cells of the raster, in rows and columns, that a cell of the nearest ring has: a power of 2.
-        outline: the raster without heights.
-        metres: in the unit of the coordinates.
+        own: The raster's own cells, pooled in blocks of `size` x `size`.
+        beyond: Another raster for the terrain beyond the edges, or None.
+        size: Side of a cell of the nearest ring, in cells of the raster; a power of 2.
+        outline: The raster without heights.
     """
 
     own: Bounds
@@ -59,14 +59,14 @@ class FarField:
     def of(
         cls, reader: RasterReader, other: RasterReader | None, *, margin: int, model: str, canopy: Canopy | None = None
     ) -> "FarField":
-        """Reads all of a raster, by bands of rows, and all of the other one.
+        """Read and pool a whole raster, by bands of rows, and read the other raster.
 
         Args:
-            reader: of the raster.
-            other: of one on the same map, or None.
-            margin: cells around a tile that are as they are.
-            model: of the surface: of blocks heights are those of cells, else of cells and their neighbours.
-            canopy: crowns that the upper columns hide, too.
+            reader: Reader of the raster.
+            other: Reader of a raster on the same map for the terrain beyond the edges, or None.
+            margin: Number of full-resolution cells around a tile.
+            model: Surface model. With "block" heights are those of cells, else the extremes of cells and their neighbours.
+            canopy: Crowns to include in the upper columns, or None.
         """
         size, beyond = 1 << (max(1, margin // _FINENESS).bit_length() - 1), None
         if other is not None:
@@ -75,12 +75,12 @@ class FarField:
         return cls(_pooled(reader, canopy, size, int(model != "block")), beyond, size, reader.outline)
 
     def columns(self, tile: tuple[slice, slice], near: tuple[slice, slice], lowest: float) -> list[Columns]:
-        """What makes the upper, and what makes the lower columns; nothing if there is nothing beyond.
+        """Return functions that build the upper and the lower columns of a tile; an empty list without terrain outside.
 
         Args:
-            tile: rows and columns of the points; far columns are lowered by the distance from them, as the Earth is round.
-            near: rows and columns that are there as they are, `window_of` the tile.
-            lowest: of the heights there: columns reach below it, so that no ray passes underneath them.
+            tile: Rows and columns of the points. Columns are lowered by distance, because of the Earth's curvature.
+            near: Rows and columns at full resolution, from `window_of`.
+            lowest: Lowest height of the full-resolution part. Columns reach below it, so that no ray passes underneath.
         """
         levels = [level for level in self._levels(tile, near) if not np.isnan(level[0]).all()]
         known = [some for level in levels for some in level[:2] if not np.isnan(some).all()]
@@ -88,16 +88,17 @@ class FarField:
         return [partial(self._columns, levels, which, floor) for which in (0, 1)] if levels else []
 
     def _columns(self, levels: list[tuple[np.ndarray, np.ndarray, Affine]], which: int, floor: float) -> Part:
+        """Build the columns with the upper (0) or lower (1) heights of all rings."""
         return joined([self._prisms(level[which], level[2], floor) for level in levels])
 
     def window_of(self, tile: tuple[slice, slice], margin: int) -> tuple[slice, slice]:
-        """The rows and columns of a tile with its margin, out to where cells of the nearest ring begin."""
+        """Return the rows and columns of a tile with its margin, extended to whole cells of the nearest ring."""
         lowest = [(part.start - margin) // self.size * self.size for part in tile]
         highest = [-(-(part.stop + margin) // self.size) * self.size for part in tile]
         return tuple(slice(low, high) for low, high in zip(lowest, highest, strict=True))
 
     def _levels(self, tile: tuple[slice, slice], near: tuple[slice, slice]) -> list[tuple[np.ndarray, np.ndarray, Affine]]:
-        """Heights from above and from below of all rings, and where their cells are on the raster."""
+        """Return upper heights, lower heights and transforms of all rings."""
         levels = [self._inside(near, size) for size in dict.fromkeys((1, self.size))] if self.beyond else []
         inner, size = near, self.size
         reach = _FINENESS * size
@@ -116,7 +117,7 @@ class FarField:
         return [(*self._lowered(tile, *level), level[2]) for level in levels]
 
     def _extent(self) -> list[tuple[float, float]]:
-        """The first and the last row, and column, of all that is known."""
+        """Return the first and last row, and the first and last column, of both rasters together."""
         rows, columns = self.outline.height.shape
         x, y = [0.0, columns], [0.0, rows]
         if self.beyond:
@@ -128,7 +129,7 @@ class FarField:
         return [(min(y), max(y)), (min(x), max(x))]
 
     def _pooled(self, window: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
-        """(upper, lower) heights of cells so large in a window, and where these are."""
+        """Return upper and lower heights of blocks of `size` x `size` cells in a window, and the transform of the blocks."""
         rows, columns = (np.arange(part.start, part.stop, size) for part in window)
         whole, none = self._own_part(rows, columns, size)
         where = Affine.translation(window[1].start, window[0].start) @ Affine.scale(size)
@@ -141,7 +142,7 @@ class FarField:
         return upper, lower, where
 
     def _own_part(self, rows: np.ndarray, columns: np.ndarray, size: int) -> tuple[np.ndarray, np.ndarray]:
-        """Whether cells that begin at these rows and columns are within the raster, and whether they are outside."""
+        """Return two masks of blocks from the given rows and columns: entirely inside the raster, and entirely outside."""
         within, outside = [], []
         for first, most in zip((rows, columns), self.outline.height.shape, strict=True):
             within.append((first >= 0) & (first + size <= most))
@@ -149,7 +150,10 @@ class FarField:
         return within[0][:, None] & within[1], outside[0][:, None] | outside[1]
 
     def _inside(self, near: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
-        """What is within a window but beyond the raster's edge: in large cells, in small ones where an edge cuts those."""
+        """Return heights of the other raster inside a window but beyond the raster's edge.
+
+        Blocks are large, or small where the edge cuts a large block.
+        """
         rows, columns = (np.arange(part.start, part.stop, size) for part in near)
         large = (np.arange(part.start, part.stop, size) // self.size * self.size for part in near)
         _, outside = self._own_part(rows, columns, size)
@@ -162,7 +166,10 @@ class FarField:
     def _lowered(
         self, tile: tuple[slice, slice], upper: np.ndarray, lower: np.ndarray, where: Affine
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Heights as they seem from the tile, by the Earth's curvature less refraction: by the nearest and the farthest."""
+        """Return upper and lower heights reduced by the Earth's curvature minus refraction.
+
+        Upper heights are reduced for the smallest distance from the tile, lower heights for the largest.
+        """
         a, b, _, d, e, _ = self.outline.transform[:6]
         longest, shortest = np.linalg.svd([[a, b], [d, e]], compute_uv=False)
         gaps, spans = [], []
@@ -175,14 +182,14 @@ class FarField:
         return upper - scale * shortest**2 * nearest, lower - scale * longest**2 * farthest
 
     def _prisms(self, heights: np.ndarray, where: Affine, floor: float) -> Part:
-        """Columns from the floor to these heights."""
+        """Build columns from the height `floor` to the given heights."""
         outline = self.outline
         grid = Grid(heights, outline.transform @ where, outline.crs, outline.metres, outline.dims, {})
         return prisms(grid, Crowns(np.where(np.isnan(heights), np.nan, floor), heights))
 
 
 def _pooled(reader: RasterReader, canopy: Canopy | None, size: int, grow: int) -> Bounds:
-    """A raster by cells so large; of the lowest there is none where a cell is missing, or at edges that cut it."""
+    """Pool a raster in blocks of `size` x `size` cells; lower heights are NaN for blocks with missing or cut cells."""
     rows, columns = reader.shape
     step = max(1, _BAND // max(columns, 1) // size) * size
     uppers, lowers = [], []
@@ -205,7 +212,7 @@ def _pooled(reader: RasterReader, canopy: Canopy | None, size: int, grow: int) -
 
 
 def _spread(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarray:
-    """The highest or the lowest of each cell and its neighbours."""
+    """Return the highest or lowest height of each cell and its eight neighbours; without `grow`, the heights themselves."""
     if not grow:
         return heights
     padded = np.pad(heights, 1, constant_values=np.nan)
@@ -214,7 +221,7 @@ def _spread(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarray:
 
 
 def _scattered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
-    """(highest, lowest) of all that overlaps each of the cells of a lattice."""
+    """Return the highest and lowest of all heights that overlap each cell of a lattice."""
     upper, lower = np.full(shape, -np.inf), np.full(shape, np.inf)
     rows, columns, box = _reached(bounds, where, shape)
     part = slice(rows[0], rows[1]), slice(columns[0], columns[1])
@@ -234,7 +241,7 @@ def _scattered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[n
 
 
 def _reached(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[Any, Any, Any]:
-    """Rows and columns that reach into a lattice, and the lattice's cells, first and after the last, that each covers."""
+    """Return the rows and columns of a raster that overlap a lattice, and the lattice cells covered by each raster cell."""
     to_lattice = ~where @ bounds.transform
     corners = [~to_lattice @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), (shape[1], shape[0]))]
     ends = []
@@ -254,7 +261,7 @@ def _reached(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[Any
 
 
 def _covered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> np.ndarray:
-    """Whether all corners of a lattice's cells, and so these, are within a raster."""
+    """Return the mask of lattice cells that lie entirely within a raster."""
     row, column = np.mgrid[: shape[0] + 1, : shape[1] + 1]
     a, b, c, d, e, f = (~bounds.transform @ where)[:6]
     x, y = a * column + b * row + c, d * column + e * row + f

@@ -1,4 +1,4 @@
-"""A raster of heights, checked: what surfaces are made of, and what results are laid out by; and triangles of surfaces."""
+"""Checked raster of heights, and the triangles of its surface."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,12 +19,12 @@ class Grid:
     """Heights of cells on a map.
 
     Attributes:
-        height: (rows, columns) float64, in the unit of the map's coordinates; NaN where a cell has none.
-        transform: from (column, row) to the map's (x, y); whole numbers are corners of cells, their centres are at halves.
-        crs: of the map; None if it is not known.
-        metres: the length of the coordinates' unit in metres; 1 if it is not known.
-        dims: what the axes of rows and columns are called.
-        coordinates: of the cells' centres, as xarray takes them; none where they are not told.
+        height: (rows, columns) float64, in the unit of the map's coordinates; NaN in cells without data.
+        transform: Transform from (column, row) to (x, y) on the map. Integers are corners of cells, halves are centres.
+        crs: CRS of the map, or None if unknown.
+        metres: Length of the coordinates' unit in metres; 1 if unknown.
+        dims: Names of the row and column dimensions.
+        coordinates: Coordinates of the cell centres for xarray; empty if there are none.
     """
 
     height: np.ndarray
@@ -36,63 +36,66 @@ class Grid:
 
     @property
     def valid(self) -> np.ndarray:
-        """(rows, columns) bool: the cells that have a height."""
+        """(rows, columns) bool mask of the cells with heights."""
         return ~np.isnan(self.height)
 
     @property
     def whole(self) -> bool:
-        """Whether there are no holes: all cells have a height, but in rows and columns along the edges where none has."""
+        """Boolean, True if cells without data occur only in complete rows and columns along the edges."""
         valid = self.valid
         rows, columns = (np.flatnonzero(valid.any(axis=axis)) for axis in (1, 0))
         return len(rows) == 0 or bool(valid[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1].all())
 
     @property
     def cells(self) -> np.ndarray:
-        """(P,) int64, row * columns + column of the cells that have a height."""
+        """(P,) int64 numbers, row * columns + column, of the cells with heights."""
         return np.flatnonzero(self.valid)
 
     @property
     def sides(self) -> tuple[float, float]:
-        """How far the centres of neighbours in a row are apart, and of neighbours in a column."""
+        """Distances between the centres of neighbours in a row, and of neighbours in a column."""
         a, b, _, d, e, _ = self.transform[:6]
         return float(np.hypot(a, d)), float(np.hypot(b, e))
 
     @property
     def mirrored(self) -> bool:
-        """Whether rows and columns turn the other way round than in a raster with its north at the top."""
+        """Boolean, True if the raster is mirrored compared with one whose first row is in the north."""
         return self.transform.determinant > 0.0
 
     @property
     def north(self) -> tuple[float, float, float]:
-        """True north at the raster's middle, in the map's coordinates, of unit length; its y axis without a CRS.
+        """Unit vector to true north at the raster's middle, in map coordinates; (0, 1, 0) without a CRS.
 
         Raises:
-            ValueError: the raster is where its CRS does not reach.
+            ValueError: The raster is outside the domain of its CRS.
         """
         rows, columns = self.height.shape
         middle = self.places(np.array([0.5 * columns]), np.array([0.5 * rows]), np.zeros(1))[0]
         return true_north(self.crs, float(middle[0]), float(middle[1]))
 
     def places(self, column: np.ndarray, row: np.ndarray, height: np.ndarray) -> np.ndarray:
-        """(N, 3) float64, where points of the raster are on the map; its corners are whole columns and rows."""
+        """Return the (N, 3) float64 map positions of points given by column, row and height.
+
+        Integer columns and rows are corners of cells.
+        """
         a, b, c, d, e, f = self.transform[:6]
         return np.stack([a * column + b * row + c, d * column + e * row + f, height], axis=1)
 
     def centres(self, cells: np.ndarray) -> np.ndarray:
-        """(N, 3) float64, the middles of cells at their heights."""
+        """Return the (N, 3) float64 map positions of cell centres at the cells' heights."""
         row, column = np.divmod(cells, self.height.shape[1])
         return self.places(column + 0.5, row + 0.5, self.height.ravel()[cells])
 
 
 @dataclass(frozen=True, eq=False)
 class Triangles:
-    """The triangles of a raster, tops before walls.
+    """Triangles of a raster's surface, tops before walls.
 
     Attributes:
-        vertices: (V, 3) float64, on the map.
-        faces: (F, 3) int32, counter-clockwise seen from above; of a wall, from where the lower cell is.
+        vertices: (V, 3) float64 map positions.
+        faces: (F, 3) int32, counter-clockwise seen from above; walls, seen from the lower cell.
         kind: (F,) uint8, TOP or WALL.
-        cell: (F,) int64, row * columns + column; of a wall, of the upper cell.
+        cell: (F,) int64 cell number, row * columns + column; for a wall, the upper cell.
     """
 
     vertices: np.ndarray

@@ -1,4 +1,8 @@
-"""The kernel of `horizons`: a task for each point, which looks for the horizons of a chunk of azimuths at a time."""
+"""Warp kernel of `horizons`: for each point, rays search for the horizons of azimuths, a chunk of azimuths at a time.
+
+An azimuth's interval is the range of sines of elevation that contains its horizon. "Seen fraction" is the part of an
+azimuth's sky above an elevation, weighted as the quantity requires.
+"""
 
 import numpy as np
 import warp as wp
@@ -23,12 +27,12 @@ _TURN = wp.constant(wp.float32(2.0 * np.pi))
 _prepare, _blocked = prepare_rays(), rays_blocked()
 
 _Sums = wp.types.vector(length=7, dtype=wp.float64)
-"""Sums over the azimuths of a point so far, and the values of the latest azimuth that the next one needs."""
+"""Sums over the azimuths of a point, and three values of the latest azimuth that are compared with the next azimuth."""
 _SEEN, _JUMPS, _SPIKES, _WIDTHS = (wp.constant(wp.int32(row)) for row in range(4))
 _MIDDLE, _JUMP, _RUN = (wp.constant(wp.int32(row)) for row in range(4, 7))  # sine, last jump, azimuths of equal intervals
 
-# Factors of the terms of the variance, see README.md. Theory gives 1/12 for a jump at an unknown place of a stratum. The
-# others are measured on towns, terrain and yards (`tests/city/test_horizon_errors.py` checks them on other ones).
+# Factors of the terms of the variance, see README.md. Theory gives 1/12 for a jump at a random place in a stratum. The
+# others are fitted to towns, terrain and yards (`tests/city/test_horizon_errors.py` checks the fit on other scenes).
 _OF_JUMP = wp.constant(wp.float64(1.0 / 16.0))
 _OF_SPIKE = wp.constant(wp.float64(0.15))
 _OF_WIDTH = wp.constant(wp.float64(0.1))
@@ -40,12 +44,12 @@ _ROUNDING = wp.constant(wp.float64(2.0**-23))
 
 @wp.struct
 class HorizonRows:
-    """Scalars and addresses of the points on a field of heights, and where their numbers go.
+    """Kernel arguments: scalars, addresses of the points' arrays, and addresses of the results.
 
-    placement: of the points, which have ids. normals: (P, 3) float32.
-    azimuths: of a point. per_azimuth: rays of an azimuth. cosine: whether the sky counts by the cosine
-    about the normal, else by its solid angle. skip: whether rays start around the point.
-    value, standard_error, rays, status: (P,) float32, float32, int32, uint8, as `Seen` has them.
+    placement: points, with ids. normals: (P, 3) float32. azimuths: number per point. per_azimuth: rays per azimuth.
+    cosine: 1 for weights by the cosine to the normal, 0 for weights by solid angle. skip: 1 to start rays outside empty
+    space.
+    value, standard_error, rays, status: (P,) float32, float32, int32, uint8, as in `Seen`.
     """
 
     placement: Placement
@@ -66,16 +70,19 @@ HorizonRowsArgs = type(HorizonRows().__ctype__())
 
 @wp.func
 def _plane_of(along: wp.float32, up: wp.float32) -> wp.float32:
-    """The sine of the height at which the receiver's own plane is, or 0 where that is below the horizon.
+    """Return the sine of the elevation of the receiver's own plane in an azimuth, or 0 if the plane is below the horizon.
 
-    along, up: the normal's components, to the azimuth and upwards.
+    along, up: components of the normal along the azimuth and upwards.
     """
     return wp.max(-along / wp.sqrt(along * along + up * up), 0.0)
 
 
 @wp.func
 def _seen_above(sine: wp.float64, along: wp.float64, up: wp.float64, cosine: wp.int32) -> wp.float64:
-    """What is seen of an azimuth's sky above a horizon, of which the mean over all azimuths is the value."""
+    """Return the seen fraction of an azimuth's sky above a horizon; the mean over all azimuths is the value of the point.
+
+    cosine = 0: 1 - s with the sine s of the horizon. Else up (1 - s^2) + along (acos(s) - s sqrt(1 - s^2)).
+    """
     if cosine == 0:
         return ONE - sine
     seen = up * (ONE - sine * sine)
@@ -86,13 +93,19 @@ def _seen_above(sine: wp.float64, along: wp.float64, up: wp.float64, cosine: wp.
 
 @wp.func
 def _density(sine: wp.float64, along: wp.float64, up: wp.float64) -> wp.float64:
-    """How dense in the sine is what `_seen_above` a horizon is, by the cosine."""
+    """Return the density in the sine of the cosine-weighted seen fraction, at least 0.
+
+    It is minus the derivative of `_seen_above`.
+    """
     return wp.max(TWO * (up * sine + along * wp.sqrt(wp.max(ONE - sine * sine, ZERO))), ZERO)
 
 
 @wp.func
 def _as_dense(low: wp.float64, high: wp.float64, u: wp.float64, along: wp.float64, up: wp.float64) -> wp.float64:
-    """A sine of an interval, as dense as what a tilted receiver sees: by a straight line, and two steps of Newton's."""
+    """Map u in [0, 1] to a sine between `low` and `high` with the density of `_density`.
+
+    Start from the solution for a linear density, then do two steps of Newton's method.
+    """
     start = _density(low, along, up)
     end = _density(high, along, up)
     whole = u * (start + end)
@@ -108,7 +121,7 @@ def _as_dense(low: wp.float64, high: wp.float64, u: wp.float64, along: wp.float6
 
 @wp.func
 def _turn(rows: HorizonRows, point: ShadingPoint, at: wp.int32, length: wp.int32):
-    """Write the azimuths from the at-th on; their horizons are above the receiver's own plane."""
+    """Write the azimuths from number `at` on, each with an interval from the receiver's own plane to 1."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     key = stream_key(point.key, wp.uint32(0))
     n = point.n
@@ -128,7 +141,7 @@ def _turn(rows: HorizonRows, point: ShadingPoint, at: wp.int32, length: wp.int32
 
 @wp.func
 def _choose_tilted(point: ShadingPoint, length: wp.int32):
-    """Writes where in their intervals the last rays of a tilted receiver go."""
+    """Write the sines of the last rays of a tilted receiver, drawn within the intervals with the density of `_density`."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     up = wp.float64(point.n[2])
     for k in range(length):
@@ -139,7 +152,7 @@ def _choose_tilted(point: ShadingPoint, length: wp.int32):
 
 @wp.func
 def _aim(rows: HorizonRows, point: ShadingPoint, length: wp.int32, last: wp.bool, tilted: wp.bool):
-    """Writes the directions of rays, to the middles of the intervals; the last ones as dense in them as what is seen."""
+    """Write ray directions to the middles of the intervals; last rays have random sines weighted by the seen fraction."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     chunk = point.chunk
     even = rows.cosine == 0
@@ -162,7 +175,7 @@ def _aim(rows: HorizonRows, point: ShadingPoint, length: wp.int32, last: wp.bool
 
 @wp.func
 def _narrow(point: ShadingPoint, length: wp.int32, blocked: wp.uint64):
-    """Halves the intervals."""
+    """Halve the intervals: above a blocked ray, below a free ray."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     for k in range(length):
         if (blocked & ray_set(k)) != NO_RAYS:
@@ -175,14 +188,14 @@ def _narrow(point: ShadingPoint, length: wp.int32, blocked: wp.uint64):
 def _add_azimuth(
     sums: _Sums, low: wp.float64, high: wp.float64, free: wp.bool, along: wp.float64, up: wp.float64, cosine: wp.int32
 ) -> _Sums:
-    """Add an azimuth whose halved interval is (low, high), and in which the last ray was free or not.
+    """Add one azimuth with the final interval (low, high) to the sums of value and variance.
 
     Args:
-        sums: of the azimuths before it, in their order around the point.
-        low, high: sines.
-        free: whether the last ray was.
-        along, up: components of the normal, to the azimuth and upwards.
-        cosine: whether the sky counts by the cosine about the normal.
+        sums: Sums over the preceding azimuths, in their order around the point.
+        low, high: Sines of elevation.
+        free: Whether the last ray hit nothing.
+        along, up: Components of the normal along the azimuth and upwards.
+        cosine: 1 for weights by the cosine to the normal, 0 for weights by solid angle.
     """
     middle = HALF * (low + high)
     above_low = _seen_above(low, along, up, cosine)
@@ -207,7 +220,7 @@ def _add_azimuth(
 
 @wp.func
 def _add_chunk(rows: HorizonRows, point: ShadingPoint, sums: _Sums, length: wp.int32, blocked: wp.uint64) -> _Sums:
-    """Add the azimuths of a chunk, after all their rays."""
+    """Add the azimuths of a chunk to the sums, after all rays of the chunk."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     for k in range(length):
         along = wp.float64(point.n[0] * own[_EAST + k] + point.n[1] * own[_NORTH + k])
@@ -222,7 +235,7 @@ def _add_chunk(rows: HorizonRows, point: ShadingPoint, sums: _Sums, length: wp.i
 def _look_around(
     rows: HorizonRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, at: wp.int32, sums: _Sums
 ) -> _Sums:
-    """Cast the rays of a chunk of azimuths, and add what they see."""
+    """Trace the rays of a chunk of azimuths, and add the azimuths to the sums."""
     length = wp.min(CHUNK, rows.azimuths - at)
     tilted = rows.cosine != 0 and (point.n[0] != 0.0 or point.n[1] != 0.0)
     anything = tree.starts != 0 or local != 0
@@ -241,9 +254,9 @@ def _look_around(
 
 @wp.func
 def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64) -> wp.float64:
-    """Return the variance of the mean over the azimuths that horizons and last rays let expect; README.md explains it.
+    """Return the variance of the mean over the azimuths, estimated from horizons and last rays; see README.md.
 
-    whole: what the receiver sees where nothing hides the sky.
+    whole: value of the receiver under an unobstructed sky.
     """
     gaps = azimuths / (azimuths - ONE)  # the last azimuth is not compared with the first
     jumps = gaps * (_OF_JUMP * sums[_JUMPS] + _OF_SPIKE * sums[_SPIKES])
@@ -255,9 +268,10 @@ def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64) -> wp.float6
 
 @wp.func
 def _of_own_plane(n: wp.vec3, azimuths: wp.float64) -> wp.float64:
-    """Return the standard error of what a tilted receiver sees above its own plane, by evenly spaced azimuths, and rounding.
+    """Return the standard error due to the edge of a tilted receiver's own plane with evenly spaced azimuths, plus rounding.
 
-    The second derivative by the azimuth jumps twice, by 2 sin(slope)^2 / cos(slope): the error is B3(x) / 6 of that.
+    The second derivative with respect to the azimuth jumps twice, by 2 sin(slope)^2 / cos(slope). The error is B3(x) / 6
+    times that jump, where B3 is the Bernoulli polynomial.
     """
     level = wp.float64(n[0] * n[0] + n[1] * n[1])
     if level == ZERO:
@@ -267,7 +281,7 @@ def _of_own_plane(n: wp.vec3, azimuths: wp.float64) -> wp.float64:
 
 @once
 def horizon_kernel() -> wp.Kernel:
-    """A kernel with a task for each point, in the order of the placement."""
+    """Build the kernel that computes value and standard error of each point; tasks follow the order of the placement."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def see_sky(rows: HorizonRows, tree: Accelerator, first_task: wp.int64):

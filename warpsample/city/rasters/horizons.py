@@ -1,9 +1,10 @@
-"""The sky above a field of heights, by the horizon to each azimuth.
+"""Sky view above a field of heights, from the horizon in each azimuth.
 
-Where a ray above such a field is free, a steeper one of the same azimuth is: each azimuth has one horizon. Halving finds it,
-by a ray to the middle of what its sine may be, and again. A last ray, at random in what is left, makes the mean exact: it is
-free as often as what is seen is a share of that interval. Azimuths are the points of one lattice of Keinert2014, moved at
-random. The standard error follows from the horizons of neighbouring azimuths: see README.md.
+Above a field of heights, a ray that is steeper than a free ray of the same azimuth is free, too. So each azimuth has one
+horizon. Rays find it by bisection: each goes to the middle of the interval of possible sines. A last ray at a random sine in
+the final interval makes the mean unbiased: the ray is free with the probability that equals the seen fraction of that
+interval. The azimuths are a lattice of Keinert2014, rotated at random. The standard error is computed from differences of
+neighbouring horizons; see README.md.
 """
 
 from typing import Any
@@ -27,29 +28,29 @@ from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.rays import RAY_WORK
 
-_MOST_RAYS, _MOST_OF_MANY, _MANY = 4, 5, 512  # of an azimuth, and where a point has so many: more azimuths are worth more
+_MOST_RAYS, _MOST_OF_MANY, _MANY = 4, 5, 512  # rays per azimuth, at most; the second number for _MANY rays and more
 _ARRAYS = {"value": np.float32, "standard_error": np.float32, "rays": np.int32, "status": np.uint8}
 _OPTIONS = ("count", "max_distance", "seed", "skip", "workers", "progress")
 
 
 def finds_horizons(quantity: Quantity, options: dict[str, Any]) -> bool:
-    """Whether a quantity is what is seen of the sky, and no option is given that is of rays all over it."""
+    """Return True if a quantity is a sky view and all options are compatible with the search for horizons."""
     given = {name for name, value in options.items() if value != quantity.parameters[name]}
     return quantity.call in (sky_view_factor, visible_sky) and given <= set(_OPTIONS)
 
 
 def sky_by_horizons(quantity: Quantity, mesh: Mesh, points: SurfacePoints, options: dict[str, Any]) -> Seen:
-    """The share of the sky above +z that points see on a mesh that is the graph of heights above the plane.
+    """Compute the visible fraction of the sky above +z at points on a field of heights, by horizons.
 
     Args:
         quantity: `sky_view_factor` or `visible_sky`.
-        mesh: what they see.
-        points: with normals above the horizon.
-        options: of its call; others than those of `finds_horizons` are left out.
+        mesh: Mesh of the field of heights.
+        points: Points with normals above the horizon.
+        options: Options of the quantity's call. Options that `finds_horizons` does not accept are ignored.
 
     Raises:
-        TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
+        TypeError, ValueError: An option that cannot be used; the message names the option.
+        MemoryError: The computation does not fit into the free memory.
     """
     own = {name: options.get(name, quantity.parameters[name]) for name in _OPTIONS}
     at = PlacedPoints.of(mesh, points)
@@ -59,6 +60,7 @@ def sky_by_horizons(quantity: Quantity, mesh: Mesh, points: SurfacePoints, optio
 
 
 def _look(plan: Plan, reach: float, cosine: bool) -> Seen:
+    """Run the kernel for all points and return value, errors, ray counts and status."""
     points, options = len(plan.at), plan.options
     found = {name: np.zeros(points, kind) for name, kind in _ARRAYS.items()}
     if not points:
@@ -84,14 +86,14 @@ def _look(plan: Plan, reach: float, cosine: bool) -> Seen:
 
 
 def _seen(found: dict[str, np.ndarray]) -> Seen:
+    """Return the results of the kernel with half widths of 95 % confidence intervals."""
     return Seen(half_width=half_width_of_normal(found["standard_error"]), **found)
 
 
 def azimuths_and_rays(count: int) -> tuple[int, int]:
-    """Return the number of azimuths, and of rays of each, for `count` rays or a few less.
+    """Return the number of azimuths, and of rays per azimuth, for `count` rays or slightly fewer.
 
-    Azimuths are odd in number, where there are more than two: else opposite walls and corners, at an even distance of one
-    another, would be off by the same.
+    More than two azimuths are odd in number. With an even number, opposite walls and corners would have equal errors.
     """
     rays = min(_MOST_RAYS if count < _MANY else _MOST_OF_MANY, max(1, count.bit_length() - 3))
     azimuths = count // rays

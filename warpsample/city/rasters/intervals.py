@@ -1,4 +1,4 @@
-"""Confidence intervals of rasters: arrays of their half widths at 95 %, from which those of other levels follow."""
+"""Confidence intervals of rasters: half widths at 95 %, and intervals of other levels computed from half widths."""
 
 from typing import Any
 
@@ -12,42 +12,42 @@ from warpsample.host.neighbours import kind_told
 
 _LEVEL = 0.95
 _DEGREES = np.float64(9.0)
-"""Degrees of freedom of the t distribution that intervals of other levels follow: those of `estimate.intervals`."""
+"""Degrees of freedom of the t distribution for other levels, as in `estimate.intervals`."""
 
 _SHARES = ("ao", "sky", "visible-sky")
 
 
 def half_width_of(found: Any) -> np.ndarray:
-    """Return half of the 95 % interval of each point of a result, (P,) float32, in its unit."""
+    """Return the half width of the 95 % confidence interval at each point of a result, (P,) float32, in its unit."""
     if isinstance(found, Estimate):
         return interval_of(np.float32(0.0), found.spread, found.degrees_of_freedom, _LEVEL).upper
     return half_width_of_normal(found.standard_error)
 
 
 def half_width_of_normal(standard_error: np.ndarray) -> np.ndarray:
-    """Return half of the 95 % interval that standard errors of many parts give, of their shape, float32."""
+    """Return the half widths of 95 % confidence intervals for standard errors of sums of many terms, float32."""
     return interval_of(np.float32(0.0), standard_error, _DEGREES, _LEVEL).upper
 
 
 def interval(dataset: xr.Dataset, level: float = _LEVEL) -> xr.Dataset:
     """Return the confidence interval of each cell.
 
-    The interval is value -+ half_width at a level of 0.95. At other levels the half width changes as the quantile of a t
-    distribution with 9 degrees of freedom does. A `far_error` is added on both sides. Shares end at 0 and 1, other numbers
-    at 0.
+    The interval is value -+ half_width at a level of 0.95. At other levels the half width is scaled with the quantile of a t
+    distribution with 9 degrees of freedom. A `far_error` is added on both sides. Intervals of fractions are clipped to 0 to
+    1, others to at least 0.
 
     Args:
-        dataset: a result of a call of `rasters`, or of `warpsample bake`, opened again. Bands of a GeoTIFF need their names:
+        dataset: Result of a call of `rasters`, or file of `warpsample bake`. Bands of a GeoTIFF need names:
             `rioxarray.open_rasterio(path, band_as_variable=True)`, then `dataset.rename(band_1="value",
             band_2="standard_error", band_3="half_width")`.
-        level: share of the cells whose interval contains the true value, 0.01 to 0.9999.
+        level: Fraction of the cells whose interval contains the true value, 0.01 to 0.9999. Default: 0.95.
 
     Returns:
-        `lower` and `upper` (y, x), float32, in the unit of `value`; NaN in cells without a height.
+        Dataset of `lower` and `upper` (y, x), float32, in the unit of `value`; NaN in cells without data.
 
     Raises:
-        TypeError: no Dataset, or no number.
-        ValueError: a dataset without `value` or `half_width`, or a level out of range.
+        TypeError: `dataset` is not a Dataset, or `level` not a number.
+        ValueError: A dataset without `value` or `half_width`, or a level out of range.
 
     Example:
         >>> from affine import Affine

@@ -1,8 +1,8 @@
-"""What is seen through crowns: two runs by the same rays, one with opaque crowns and one without them.
+"""Results with light that tree crowns transmit: two runs by the same rays, with opaque crowns and without crowns.
 
-Of what lies behind crowns a share is seen, the same however many of them a ray crosses: with B seen beside all crowns and A
-seen without them, B + share * (A - B). Both are found by the same rays, so that their errors go together: their sum,
-(1 - share) of B's and share of A's, is no less than that of the result, Lindberg2011.
+Crowns transmit a fixed fraction of light, however many crowns a ray crosses (Lindberg2011). With B the result with opaque
+crowns and A the result without crowns, the result is B + share * (A - B). Both use the same rays, so their errors are
+correlated. The sum of the weighted errors, (1 - share) of B's and share of A's, is at least the error of the result.
 """
 
 from collections.abc import Callable
@@ -28,17 +28,17 @@ from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
 TRANSMITTANCE = 0.03
-"""The share of light that passes crowns with leaves: SOLWEIG's."""
+"""Default transmittance of crowns with leaves, as in SOLWEIG."""
 
 _MONTHS, _DAYS = 12, 365
 _WANTS = "a share from 0 to 1, or 12 of them, for each month, or 365, for each day"
 
 
 def check_transmittance(value: Any) -> np.ndarray:
-    """(1,), (12,) or (365,) float64, the share of light that passes crowns: always, in each month, or on each day.
+    """Return the transmittance of crowns as a float64 array: (1,) constant, (12,) by month, or (365,) by day.
 
     Raises:
-        TypeError, ValueError: something else.
+        TypeError, ValueError: Values that are not numbers from 0 to 1, or another count.
     """
     shares = np.atleast_1d(as_real(value, "transmittance", _WANTS)).astype(np.float64)
     if shares.shape not in ((1,), (_MONTHS,), (_DAYS,)) or not ((shares >= 0.0) & (shares <= 1.0)).all():
@@ -47,7 +47,7 @@ def check_transmittance(value: Any) -> np.ndarray:
 
 
 def shares_of_hours(transmittance: np.ndarray, hours: np.ndarray) -> np.ndarray:
-    """(T,) the share that passes crowns in each of (T,) hours, datetime64 of a year without 29 February."""
+    """Return the (T,) transmittance of crowns at (T,) hours, datetime64 of a year without 29 February."""
     if len(transmittance) == _MONTHS:
         return transmittance[hours.astype("datetime64[M]").astype(int) % 12]
     if len(transmittance) == _DAYS:
@@ -56,19 +56,19 @@ def shares_of_hours(transmittance: np.ndarray, hours: np.ndarray) -> np.ndarray:
 
 
 def _day_of(day: np.datetime64) -> int:
-    """The number of a day in a year without 29 February, from 0 on: files of typical years join months of several years."""
+    """Return the day's number from 0 in a year without 29 February; files of typical years join months of several years."""
     month = day.astype("datetime64[M]")
     first = np.datetime64("2021-01", "M") + month.astype(int) % 12
     return int((first.astype("datetime64[D]") - np.datetime64("2021-01-01")).astype(int) + (day - month).astype(int))
 
 
 def seen_through(scenery: Scenery, transmittance: np.ndarray, call: Callable[[Mesh], Any]) -> Seen:
-    """What points see of a sky that is the same at any time.
+    """Compute a result that does not depend on time, through crowns.
 
     Args:
-        scenery: with crowns or without.
-        transmittance: (1,).
-        call: what they see with a mesh in the way, as an Estimate has it.
+        scenery: Scenes with and without crowns.
+        transmittance: (1,) transmittance of crowns.
+        call: Function that computes the result for a mesh, as an Estimate.
     """
     return _joined(Seen, [_dimmed(call(made()), share) for made, share in _views(scenery, transmittance)])
 
@@ -80,7 +80,7 @@ def seen_of(
     options: dict[str, Any],
     transmittance: np.ndarray,
 ) -> Seen:
-    """A quantity at points of a surface, by its call, or by the hours of its light where what passes crowns has a date."""
+    """Compute a quantity at points of a surface, hour by hour if the transmittance of crowns depends on the date."""
     if len(transmittance) == 1 or scenery.wooded is None:
         return seen_through(scenery, transmittance[:1], lambda mesh: quantity.call(mesh, points, **options))
     given = {name: value for name, value in quantity.parameters.items() if name != "first_point"} | options
@@ -100,11 +100,7 @@ def seen_of(
 
 
 def check_dates(quantity: Quantity, transmittance: np.ndarray) -> None:
-    """Refuses shares by date for a quantity that has none.
-
-    Raises:
-        ValueError: says how many there are.
-    """
+    """Raise a ValueError for a transmittance by date if the quantity does not depend on time."""
     if len(transmittance) != 1 and "weather" not in quantity.parameters:
         raise ValueError(
             f"transmittance: got {len(transmittance)} shares for the {quantity.title}, want one: it has no date"
@@ -120,7 +116,7 @@ def irradiation_through(
     count: int,
     options: RayOptions,
 ) -> Irradiation:
-    """What a period's light brings to points of a surface; arguments as of `irradiation` and `received`."""
+    """Compute the irradiation at points of a surface through crowns; arguments as for `irradiation` and `received`."""
 
     def through(mesh: Mesh, shares: np.ndarray) -> Irradiation:
         plan = Plan.of(PlacedPoints.of(mesh, points), count, options)
@@ -131,7 +127,7 @@ def irradiation_through(
 
 
 def light_through(light: Light, shares: np.ndarray) -> Light:
-    """A light of which a share is left in each of its hours, (T,)."""
+    """Return a light multiplied by a fraction (T,) in each hour."""
     return replace(
         light,
         direct=light.direct * shares[light.sun_rows],
@@ -141,27 +137,27 @@ def light_through(light: Light, shares: np.ndarray) -> Light:
 
 
 def sun_through(scenery: Scenery, points: SurfacePoints, suns: np.ndarray, shares: np.ndarray, **options: Any) -> np.ndarray:
-    """(P,) float64, the number of suns (T, 3) that points see, those behind crowns counted by the shares (T,) that pass."""
+    """Return the (P,) float64 number of suns (T, 3) visible from each point; suns behind crowns count as `shares`."""
     views = _views(scenery, shares)
     return np.sum([direct_sun(made(), points, suns, weights=np.array(share), **options) for made, share in views], axis=0)
 
 
 def _views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[], Mesh], np.ndarray], ...]:
-    """What makes the meshes to look at, one after the other, and how much what is seen there counts."""
+    """Return the functions that build each scene, and the weight of each scene's result."""
     if scenery.wooded is None:
         return ((scenery.bare, np.ones_like(shares)),)
     return (scenery.wooded, 1.0 - shares), (scenery.bare, shares)
 
 
 def _dimmed(found: Any, share: np.ndarray) -> Seen:
-    """A share of an estimate."""
+    """Return an estimate multiplied by `share`."""
     numbers = found.value, found.standard_error, half_width_of(found)
     value, error, half = (np.float32(share * array.astype(np.float64)) for array in numbers)
     return Seen(value, error, half, found.rays, found.status)
 
 
 def _joined(kind: type[Any], parts: list[Any]) -> Any:
-    """The sum of results; what is no number of light is the first's."""
+    """Return the sum of results; fields that are not amounts of light are those of the first result."""
     summed = ("value", "standard_error", "half_width", "direct", "diffuse", "ground", "rays")
     names = [item.name for item in fields(kind) if item.name in summed]
     sums = {name: sum(getattr(part, name) for part in parts[1:]) for name in names}

@@ -1,4 +1,4 @@
-"""The surface that a raster of heights stands for, and the way from its points back to the raster."""
+"""Surface of a raster of heights as a mesh, and conversion of results at cells back to a raster."""
 
 import warnings
 from dataclasses import dataclass
@@ -25,15 +25,15 @@ RECEIVERS = ("horizontal", "surface")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RasterSurface(Summary):
-    """The triangles of a raster of heights, in the map's coordinates.
+    """Triangles of a raster of heights, in map coordinates.
 
     Attributes:
-        grid: the heights.
+        grid: Heights of the cells.
         model: "joined", "block" or "tin".
-        mesh: its triangles, normals up.
+        mesh: Triangles of the surface, with normals up.
         kind: (F,) uint8, 0 for the top of a cell, 1 for a wall.
-        cell: (F,) int64, row * columns + column; of a wall, of the upper cell.
-        canopy_mesh: the same triangles, and then those of crowns, opaque; None if there are none.
+        cell: (F,) int64 cell number, row * columns + column; for a wall, the upper cell.
+        canopy_mesh: Triangles of the surface followed by those of opaque crowns; None without crowns.
     """
 
     grid: Grid
@@ -45,25 +45,26 @@ class RasterSurface(Summary):
 
     @property
     def north(self) -> tuple[float, float, float]:
-        """True north at the raster's middle, in the map's coordinates, as `north=` of `irradiation` takes it."""
+        """Unit vector to true north at the raster's middle, in map coordinates, for `north=` of `irradiation`."""
         return self.grid.north
 
     @property
     def scenery(self) -> Scenery:
-        """Both meshes, which stay."""
+        """Meshes with and without crowns, both kept in memory."""
         return Scenery(lambda: self.mesh, None if self.canopy_mesh is None else lambda: self.canopy_mesh)
 
     def points(self, receiver: str = "horizontal") -> tuple[SurfacePoints, np.ndarray]:
-        """The middles of the cells that have a height.
+        """Return the centres of the cells with heights, and the cell numbers.
 
         Args:
-            receiver: "horizontal" has normals up; "surface" those of the cell, the mean of its triangles' by area.
+            receiver: "horizontal" for normals up, "surface" for the area-weighted mean normal of the cell's triangles.
+                Default: "horizontal".
 
         Returns:
-            the points, and (P,) int64, their cells, row * columns + column; these are the ids of their random numbers, too.
+            SurfacePoints, and (P,) int64 cell numbers, row * columns + column, which are also the ids of the random numbers.
 
         Raises:
-            TypeError, ValueError: another receiver.
+            TypeError, ValueError: Another receiver.
 
         Example:
             >>> from affine import Affine
@@ -86,17 +87,18 @@ class RasterSurface(Summary):
         return SurfacePoints(self.grid.centres(cells), normal, id=cells.astype(np.uint64), raised=raised), cells
 
     def to_raster(self, values: Any, cell: np.ndarray) -> xr.DataArray:
-        """Numbers of cells, laid out as the raster is.
+        """Return numbers of cells as a raster.
 
         Args:
             values: (P,) numbers.
-            cell: (P,) their cells, as `points` gives them.
+            cell: (P,) cell numbers, as `points` returns them.
 
         Returns:
-            (y, x), float32 or float64 as the values are; NaN elsewhere. CRS and transform are the raster's.
+            (y, x) DataArray, float32 or float64 as the values, NaN in other cells, with the CRS and the transform of the
+            raster.
 
         Raises:
-            TypeError, ValueError: no numbers, or not one for each cell.
+            TypeError, ValueError: Values that are not numbers, or a number of values other than that of `cell`.
 
         Example:
             >>> from affine import Affine
@@ -115,7 +117,7 @@ class RasterSurface(Summary):
 
 
 def on_map(grid: Grid, values: np.ndarray) -> xr.DataArray:
-    """Numbers of all cells with the coordinates, the CRS and the transform of a raster."""
+    """Return an array of all cells as a DataArray with the coordinates, CRS and transform of a raster."""
     made = xr.DataArray(values, grid.coordinates, grid.dims)
     if grid.crs is not None:
         with warnings.catch_warnings():  # CF has no words for some, the WKT beside it has
@@ -127,31 +129,32 @@ def on_map(grid: Grid, values: np.ndarray) -> xr.DataArray:
 def surface(
     source: Any, *, model: str = "joined", canopy: Any = None, trunk: Any = TRUNK, relative: bool = True
 ) -> RasterSurface:
-    """The surface that a raster of heights stands for.
+    """Build the surface mesh of a raster of heights, with optional tree crowns.
 
     Args:
-        source: the path of a raster of one band that GDAL reads, an xarray.DataArray with `rio.crs`, or (array, affine, crs
-            or None). Coordinates are lengths, metres without a CRS; heights that are told in another unit are converted.
-        model: "joined": cells share their corners with neighbours that differ by at most a step of two cells, 63°, and
-            vertical walls stand between the others; for cities with roofs, and all else. "block": each cell is flat, with
-            vertical walls; for models of boxes. "tin": triangles between the centres of cells; for bare terrain.
-        canopy: a raster of the same cells, as `source`: how high crowns of trees reach above the ground, 0 where there are
-            none. `source` is without trees then. A crown is a closed prism over its cell, joined with its neighbours'.
-        trunk: how high the underside of a crown is above the ground, below which rays pass: a share of its height, 0 to 1,
-            or another raster. A point of the ground that is within a crown, as all are with 0, sees nothing but through it.
-        relative: whether `canopy` and `trunk` are heights above the ground; False: elevations.
+        source: Path of a raster with one band that GDAL reads, an xarray.DataArray with `rio.crs`, or (array, affine, crs or
+            None). Coordinates are lengths, metres without a CRS. Heights in another known unit are converted.
+        model: "joined", "block" or "tin". "joined": cells share corners with neighbours that differ by at most two cell
+            lengths (63°), and vertical walls separate the others; for cities with roofs and in general. "block": each cell
+            is flat, with vertical walls; for models of boxes. "tin": triangles between the centres of cells; for bare
+            terrain. Default: "joined".
+        canopy: Raster of the heights of tree crowns above the ground, as `source`, on the same cells; 0 is no tree. `source`
+            must then exclude trees. A crown is a closed prism over its cell, joined with neighbouring crowns. Default: None.
+        trunk: Height of the crowns' underside above the ground, a fraction of the crown's height from 0 to 1, or another
+            raster. Rays pass below it. Points of the ground inside a crown, all with 0, see only through the crown. Default:
+            0.25.
+        relative: Whether `canopy` and `trunk` are heights above the ground; False for elevations. Default: True.
 
     Returns:
-        its triangles, in the coordinates of the map.
+        RasterSurface with triangles in map coordinates.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: no such raster or model, or crowns of other cells or below the ground; says
-            what it got and what it wants.
-        MemoryError: its triangles need more memory than is free.
+        TypeError, ValueError, FileNotFoundError: An invalid raster or model, or crowns on other cells or below the ground.
+        MemoryError: The triangles do not fit into the free memory.
 
     Warns:
-        UserWarning: the unit of its heights is not told, and that of its coordinates is no metre; a file or an
-            xarray.DataArray has no CRS; or crowns have their underside at or above their top.
+        UserWarning: Unknown unit of heights with coordinates in another unit than metres; a file or DataArray without a CRS;
+            or crowns with an underside at or above their top.
 
     Example:
         >>> from affine import Affine
@@ -167,7 +170,7 @@ def surface(
 
 
 def surface_of(grid: Grid, model: str, crowns: Crowns | None = None) -> RasterSurface:
-    """The surface of a grid, and of the crowns over it."""
+    """Build the surface of a grid, and of the crowns over the grid."""
     made = between_centres(grid) if model == "tin" else joined_cells(grid, STEP if model == "joined" else 0.0)
     mesh, with_crowns = Mesh(made.vertices, made.faces), None
     if crowns is not None and crowns.any:

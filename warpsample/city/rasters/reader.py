@@ -1,4 +1,4 @@
-"""A raster that is checked but for its heights, which are read when they are asked for, in whole or in part."""
+"""Reader of a checked raster; heights are read on demand, in whole or in part."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -12,22 +12,22 @@ from warpsample.city.rasters.grid import Grid
 from warpsample.host.engine import check_memory
 
 _BYTES = 1000
-"""Of memory for each cell: its triangles, their normals and their tree."""
+"""Bytes of memory per cell: triangles, normals and ray-tracing tree."""
 
 _MOST_CELLS = 2**28
-"""Vertices, of which there are at most five to a cell, are counted by 32 bits."""
+"""Largest number of cells: a cell has up to five vertices, whose indices are int32."""
 
 _ALL = slice(None)
 
 
 @dataclass(frozen=True, eq=False)
 class RasterReader:
-    """Where the cells of a raster are, and a way to their heights; the fields of `Grid`, and these.
+    """Position of a raster's cells and a function that reads heights; other attributes are those of `Grid`.
 
     Attributes:
-        shape: how many rows and columns.
-        factor: what heights are multiplied by, so that their unit is that of the coordinates.
-        heights: (rows, columns) -> float64 heights of these slices, NaN where there is none.
+        shape: Numbers of rows and columns.
+        factor: Factor that converts heights to the unit of the coordinates.
+        heights: Function (rows, columns) that returns the float64 heights in two slices, NaN in cells without data.
     """
 
     shape: tuple[int, int]
@@ -41,16 +41,16 @@ class RasterReader:
 
     @property
     def outline(self) -> Grid:
-        """The raster without any height, and without memory for it."""
+        """Grid of the raster without heights, and without memory for heights."""
         nothing = np.broadcast_to(np.nan, self.shape)
         return Grid(nothing, self.transform, self.crs, self.metres, self.dims, self.coordinates)
 
     def grid(self, rows: slice = _ALL, columns: slice = _ALL) -> Grid:
-        """The raster, or the part of it that has these rows and columns.
+        """Read the raster, or the part with the given rows and columns, as a Grid.
 
         Raises:
-            ValueError: it has no cells, or too many, before they are read.
-            MemoryError: its triangles need more memory than is free.
+            ValueError: No cells, or too many cells, before anything is read.
+            MemoryError: The triangles do not fit into the free memory.
         """
         rows, columns = slice(*rows.indices(self.shape[0])), slice(*columns.indices(self.shape[1]))
         _check_size((rows.stop - rows.start, columns.stop - columns.start))
@@ -61,14 +61,14 @@ class RasterReader:
         return Grid(heights, transform, self.crs, self.metres, self.dims, coordinates)
 
     def read(self, rows: slice, columns: slice) -> np.ndarray:
-        """The float64 heights of some rows and columns, in the unit of the coordinates."""
+        """Return the float64 heights of some rows and columns, in the unit of the coordinates."""
         rows, columns = slice(*rows.indices(self.shape[0])), slice(*columns.indices(self.shape[1]))
         heights = self.heights(rows, columns)
         return heights * self.factor if abs(self.factor - 1.0) > 1e-5 else heights
 
 
 def _check_size(shape: tuple[int, int]) -> None:
-    """Refuses rasters without cells, and those that are too large, before they are read."""
+    """Raise an error for a raster without cells, or with too many cells for the free memory."""
     rows, columns = shape
     if not 0 < rows * columns <= _MOST_CELLS:
         raise ValueError(f"source: got {rows:,} x {columns:,} cells, want 1 to {_MOST_CELLS:,}; take it in tiles")

@@ -1,4 +1,4 @@
-"""Reads rasters of heights: files, xarray's arrays, and arrays with a transform. Here alone they are checked."""
+"""Checked readers of rasters of heights: files, xarray.DataArrays, and arrays with a transform."""
 
 import re
 import warnings
@@ -45,11 +45,7 @@ _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, 
 
 
 def with_heights(grid: Grid) -> Grid:
-    """A grid that has some height.
-
-    Raises:
-        ValueError: it has none.
-    """
+    """Return the grid unchanged; raise a ValueError if no cell has a height."""
     if not grid.valid.any():
         rows, columns = grid.height.shape
         raise ValueError(f"source: got {rows} x {columns} cells without any height, want at least one")
@@ -57,19 +53,19 @@ def with_heights(grid: Grid) -> Grid:
 
 
 def reader_of(source: Any) -> RasterReader:
-    """A raster of heights that is checked, and not read yet.
+    """Return the checked reader of a raster of heights; heights are not read yet.
 
     Args:
-        source: the path of a raster that GDAL reads, with one band; an xarray.DataArray of two dimensions, or whose others
-            have one entry, NumPy's or Dask's; or (array, affine.Affine or its six numbers, a CRS or None). Cells without a
-            height are masked, NaN, infinite, beyond 1e30, what the raster says is none, or -9999, -99999, -32767, -32768.
+        source: Path of a raster with one band that GDAL reads; an xarray.DataArray (NumPy or Dask) of two dimensions, or
+            with one entry in each other dimension; or (array, affine.Affine or its six numbers, a CRS or None). Cells
+            without data are masked, NaN, infinite, beyond 1e30, the raster's nodata value, or -9999, -99999, -32767, -32768.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: something else; several bands; a CRS in degrees; no place on a map.
+        TypeError, ValueError, FileNotFoundError: Another object, several bands, a CRS in degrees, or no place on a map.
 
     Warns:
-        UserWarning: the unit of its heights is not told, and that of its coordinates is no metre; or it is not known here.
-            Or ways on its map are longer or shorter than on the ground by a twentieth and more, as by Web Mercator.
+        UserWarning: Unknown unit of heights with coordinates in another unit than metres; an unsupported unit; or a map on
+            which distances differ from the ground by 5 % or more, such as Web Mercator.
     """
     if isinstance(source, str | PathLike):
         return _of_file(fspath(source))
@@ -81,13 +77,13 @@ def reader_of(source: Any) -> RasterReader:
 
 
 def ground_of(source: Any) -> RasterReader:
-    """Return the reader of the heights that a call is about: without a CRS their coordinates are taken as metres.
+    """Return the reader of a call's main raster; without a CRS, coordinates are taken as metres.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: as of `reader_of`; no CRS, and coordinates that can only be degrees.
+        TypeError, ValueError, FileNotFoundError: As `reader_of`; or no CRS, and coordinates that must be degrees.
 
     Warns:
-        UserWarning: a file or an xarray.DataArray without a CRS; whoever gives a tuple with None knows.
+        UserWarning: A file or an xarray.DataArray without a CRS; a tuple with None states that there is none.
     """
     reader = reader_of(source)
     if reader.crs is None:
@@ -103,6 +99,7 @@ def ground_of(source: Any) -> RasterReader:
 
 
 def _of_file(path: str) -> RasterReader:
+    """Return the reader of a raster file."""
     with _opened(path) as file:
         bands = [n for n, colour in enumerate(file.colorinterp, 1) if colour != ColorInterp.alpha]
         if len(bands) != 1:
@@ -121,7 +118,7 @@ def _height_unit_beside(path: str) -> str:
 
 
 def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> np.ndarray:
-    """A part of a file's heights; opened for it alone, since GDAL's files are for one thread and one process."""
+    """Read a part of a file's heights; the file is opened each time, because GDAL's files are not shared between threads."""
     with _opened(path) as file:
         window = Window.from_slices(rows, columns)
         heights = coding.heights(file.read(band, window=window))
@@ -130,6 +127,7 @@ def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> 
 
 
 def _of_data_array(array: xr.DataArray) -> RasterReader:
+    """Return the reader of an xarray.DataArray."""
     try:
         dims = array.rio.y_dim, array.rio.x_dim
     except MissingSpatialDimensionError:
@@ -155,6 +153,7 @@ def _of_data_array(array: xr.DataArray) -> RasterReader:
 
 
 def _of_array(array: Any, transform: Any, crs: Any) -> RasterReader:
+    """Return the reader of an array with a transform and a CRS."""
     masked = np.ma.getmask(array)
     values = as_real(np.ma.getdata(array) if masked is not np.ma.nomask else array, "source", "an array of real numbers")
     masked = np.broadcast_to(masked, values.shape)
@@ -182,7 +181,7 @@ def _reader(
     dims: tuple[str, str] = ("y", "x"),
     coordinates: Mapping[str, Any] | None = None,
 ) -> RasterReader:
-    """A checked reader, whose heights are made those of the unit of its coordinates."""
+    """Return a checked reader that converts heights to the unit of the coordinates."""
     check_cells(transform, shape)
     found = crs_of(crs)
     metres, height_metres = metres_of(found), height_metres_of(found, unit) if found else None
@@ -203,7 +202,7 @@ def _reader(
 
 
 def files_read(path: str) -> list[Path]:
-    """The files that are read for a raster: itself, and those that a .vrt or an address within an archive refers to."""
+    """Return the files of a raster: the file itself, and files that a .vrt or an address within an archive refers to."""
     try:
         with _opened(path) as file:
             return [Path(path), *map(Path, file.files)]
@@ -213,11 +212,11 @@ def files_read(path: str) -> list[Path]:
 
 @contextmanager
 def _opened(path: str) -> Iterator[Any]:
-    """A file that rasterio reads.
+    """Open a file with rasterio.
 
     Raises:
-        FileNotFoundError: it is missing.
-        ValueError: it is no raster, or damaged.
+        FileNotFoundError: The file does not exist.
+        ValueError: The file is not a raster, or is damaged.
     """
     try:
         with warnings.catch_warnings():

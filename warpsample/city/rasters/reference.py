@@ -1,4 +1,4 @@
-"""What a coordinate reference system (CRS) says of a raster or of CityJSON: units, and where north is."""
+"""Information from a coordinate reference system (CRS) of a raster or of CityJSON: units, true north, and map distortion."""
 
 import re
 from typing import Any
@@ -25,17 +25,17 @@ _METRES |= {
 }
 _PART = re.compile(r"[?&]\d+=([^?&]+)")  # of an address of several systems: crs-compound?1=...&2=...
 _EPSG = re.compile(r"EPSG(?:/|::|:)(?:[^/:]*[/:])?(\d+)/?$", re.IGNORECASE)
-_SAME = 1.0  # m: versions of a datum are nearer to each other, other maps farther off
-_STRETCHED = 0.05  # UTM is 0.001 off at most, a map of a continent 0.03
+_SAME = 1.0  # m: versions of a datum differ by less, other maps by more
+_STRETCHED = 0.05  # relative error of lengths; UTM has at most 0.001, a map of a continent 0.03
 REPROJECT = "reproject it first, as by da.rio.reproject(da.rio.estimate_utm_crs())"
-_STEP = 1e-4  # degrees of latitude, 11 m: the meridian is straight over them, and float64 has them to nine digits
+_STEP = 1e-4  # degrees of latitude, 11 m: short enough for a straight meridian, long enough for nine digits in float64
 
 
 def crs_of(crs: Any) -> pyproj.CRS | None:
-    """A CRS whose first two axes are lengths; None for None.
+    """Return a pyproj CRS whose first two axes are lengths; None for None.
 
     Raises:
-        TypeError, ValueError: no CRS, or one in degrees; names `source`.
+        TypeError, ValueError: Not a CRS, or a CRS in degrees; the message names `source`.
     """
     if crs is None:
         return None
@@ -48,24 +48,24 @@ def crs_of(crs: Any) -> pyproj.CRS | None:
 
 
 def check_map(crs: pyproj.CRS, argument: str, mend: str) -> None:
-    """Refuse a CRS whose first two axes are no lengths of a map, and depths; the ValueError names the argument."""
+    """Raise a ValueError for a CRS of depths, or one whose first two axes are not lengths; the message names `argument`."""
     axes = _flat(crs).axis_info
     unit = axes[0].unit_name if axes else ""
     if any(angle in unit.lower() for angle in ("degree", "radian", "grad", "arc")):
         raise ValueError(f"{argument}: got coordinates in {unit} of {crs.name}, want lengths, as heights are; {mend}")
     if crs.is_geocentric or crs.type_name == "Vertical CRS":
-        raise ValueError(f"{argument}: got coordinates of {crs.name}, want those of a map, two of them level")
+        raise ValueError(f"{argument}: got coordinates of {crs.name}, want a map with two horizontal axes")
     if any(axis.direction == "down" for axis in crs.axis_info):
-        raise ValueError(f"{argument}: got depths, by {crs.name}, want heights: -1 times that, and a CRS that says so")
+        raise ValueError(f"{argument}: got depths, by {crs.name}, want heights: multiply by -1, with an upward CRS")
 
 
 def crs_by_address(text: str) -> pyproj.CRS:
-    """Return the CRS of an OGC address or URN, or of any text that pyproj knows.
+    """Return the CRS of an OGC address or URN, or of any text that pyproj accepts.
 
-    PROJ does not read addresses of several systems, crs-compound?1=...&2=..., which CityJSON has for a map and its heights.
+    PROJ cannot read addresses of several systems, crs-compound?1=...&2=..., which CityJSON uses for a map and its heights.
 
     Raises:
-        CRSError: no CRS that is known.
+        CRSError: An unknown CRS.
     """
     parts = [part for address in _PART.findall(text) if (part := _EPSG.search(address))]
     if len(parts) != len(_PART.findall(text)) or "crs-compound" not in text:
@@ -74,7 +74,7 @@ def crs_by_address(text: str) -> pyproj.CRS:
 
 
 def is_same_map(one: pyproj.CRS, other: pyproj.CRS, x: float, y: float) -> bool:
-    """Whether two CRS place a point of the first, (x, y), alike, but for their units."""
+    """Return True if two CRS place the point (x, y) of the first within 1 m of each other, regardless of units."""
     if _flat(one) == _flat(other):
         return True
     try:
@@ -86,15 +86,15 @@ def is_same_map(one: pyproj.CRS, other: pyproj.CRS, x: float, y: float) -> bool:
 
 
 def describe_stretch(crs: pyproj.CRS | None, x: float, y: float) -> str:
-    """Describe a map on which lengths about a place are wrong by a twentieth and more; "" for others."""
+    """Describe the distortion of a map where lengths around (x, y) are wrong by 5 % or more; return "" for other maps."""
     stretch = stretch_of(crs, x, y)
     if crs is None or abs(stretch - 1.0) <= _STRETCHED:
         return ""
-    return f"got a map, {crs.name}, on which ways are {stretch:.2f} times as long as on the ground, unlike heights"
+    return f"got a map, {crs.name}, on which distances are {stretch:.2f} times as long as on the ground, unlike heights"
 
 
 def metres_of(crs: pyproj.CRS | None) -> float:
-    """The length of the unit of a CRS's first two axes in metres; 1 if it is not known."""
+    """Return the length in metres of the unit of a CRS's first two axes; 1 if the unit is unknown."""
     axes = _flat(crs).axis_info if crs else []
     return axes[0].unit_conversion_factor or 1.0 if axes else 1.0
 
@@ -107,11 +107,11 @@ def check_unit(unit: str, crs: pyproj.CRS | None, what: str) -> None:
 
 
 def height_metres_of(crs: pyproj.CRS | None, unit: str) -> float | None:
-    """The unit of heights in metres, told by a name or else by a CRS of three axes; None if neither tells.
+    """Return the length in metres of the unit of heights, or None if the unit is unknown.
 
     Args:
-        crs: of the raster.
-        unit: as a band or an array tells it; "" for none.
+        crs: CRS of the raster, whose third axis is used if `unit` is unknown.
+        unit: Name of the unit from a band or an array, "" for none.
     """
     if unit.strip().lower() in _METRES:
         return _METRES[unit.strip().lower()]
@@ -121,10 +121,10 @@ def height_metres_of(crs: pyproj.CRS | None, unit: str) -> float | None:
 
 
 def true_north(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float, float]:
-    """The direction of the meridian at a place of the map, unit; (0, 1, 0) for a map that is nowhere on Earth.
+    """Return the unit vector on the map that points to true north at (x, y); (0, 1, 0) for a map without a place on Earth.
 
     Raises:
-        ValueError: the CRS does not reach there, or mirrors the ground; names `source`.
+        ValueError: The point is outside the CRS's domain, or the map mirrors the ground; the message names `source`.
     """
     if crs is None or crs.geodetic_crs is None:
         return 0.0, 1.0, 0.0
@@ -139,7 +139,7 @@ def true_north(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float
 
 
 def stretch_of(crs: pyproj.CRS | None, x: float, y: float) -> float:
-    """How many times as long as on the ground a way to the north is on the map; 1 where the map is nowhere on Earth."""
+    """Return the ratio of map length to ground length at (x, y), towards the north; 1 for a map without a place on Earth."""
     if crs is None or crs.geodetic_crs is None:
         return 1.0
     try:
@@ -150,7 +150,7 @@ def stretch_of(crs: pyproj.CRS | None, x: float, y: float) -> float:
 
 
 def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """Steps on the map to the north and to the east of a place, (2,) each, and the first one's metres on the ground."""
+    """Return map vectors (2,) of small steps to the north and to the east, and the ground length of the first in metres."""
     try:
         to_map = pyproj.Transformer.from_crs(crs.geodetic_crs.to_2d(), _flat(crs), always_xy=True)
         longitude, latitude = to_map.transform(x, y, direction="INVERSE", errcheck=True)
@@ -164,6 +164,6 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
 
 
 def _flat(crs: pyproj.CRS) -> pyproj.CRS:
-    """The horizontal part of a CRS."""
+    """Return the horizontal part of a CRS."""
     flat = crs.sub_crs_list[0] if crs.sub_crs_list else crs
     return flat.source_crs if flat.is_bound else flat

@@ -1,4 +1,4 @@
-"""What stands about the cells of a raster, with crowns and without them, one mesh after the other; and what they see."""
+"""Meshes of a tile with and without tree crowns, built when needed, and the results at the tile's points."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -12,16 +12,16 @@ Part = tuple[np.ndarray, np.ndarray]
 """(V, 3) float64 vertices, (F, 3) int32 faces."""
 
 Columns = Callable[[], Part]
-"""What makes the triangles of columns far off."""
+"""Function that builds the triangles of distant columns."""
 
 
 @dataclass(frozen=True, eq=False)
 class Scenery:
-    """Two scenes, each made when it is looked at: so there is one at a time, with its tree, if callers keep none.
+    """Two scenes, built on each call, so that only one mesh and its tree is in memory at a time.
 
     Attributes:
-        bare: () -> the mesh without crowns.
-        wooded: () -> the one with opaque crowns; None where there are none.
+        bare: Function that returns the mesh without crowns.
+        wooded: Function that returns the mesh with opaque crowns; None without crowns.
     """
 
     bare: Callable[[], Mesh]
@@ -30,23 +30,26 @@ class Scenery:
 
 @dataclass(eq=False)
 class Foreground:
-    """The triangles that are in several scenes, as they are. They are there once: as a part of the last one that has all.
+    """Triangles at full resolution that several scenes share, held in memory once.
+
+    After a scene with all triangles is built, its mesh holds them.
 
     Attributes:
-        triangles: of the ground, and after them of the crowns.
-        ground: how many of the vertices, and of the faces, are the ground's.
+        triangles: Vertices and faces of the ground, followed by those of the crowns.
+        ground: Numbers of vertices and faces of the ground.
     """
 
     triangles: Part
     ground: tuple[int, int]
 
     def before(self, *columns: Columns) -> Scenery:
-        """The scenes with columns behind: without crowns the first ones, with crowns the last ones, if there are two."""
+        """Return the scenes with columns in the background: the first columns without crowns, the last ones with crowns."""
         sizes = len(self.triangles[0]), len(self.triangles[1])
         wooded = partial(self._beside, sizes, *columns[-1:]) if sizes != self.ground or len(columns) > 1 else None
         return Scenery(partial(self._beside, self.ground, *columns[:1]), wooded)
 
     def _beside(self, sizes: tuple[int, int], *columns: Columns) -> Mesh:
+        """Build the mesh of the first `sizes` vertices and faces together with columns."""
         own = tuple(array[:size] for array, size in zip(self.triangles, sizes, strict=True))
         mesh = Mesh(*joined([own, *(made() for made in columns)]))
         if len(own[1]) == len(self.triangles[1]):
@@ -56,13 +59,13 @@ class Foreground:
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """What P points see, crowns in its way.
+    """Results at P points, with crowns taken into account.
 
     Attributes:
         value: (P,) float32.
-        standard_error: (P,) float32, at most so much.
-        half_width: (P,) float32, half of the 95 % confidence interval, at most so much.
-        rays: (P,) int32, in all runs.
+        standard_error: (P,) float32, an upper bound with crowns.
+        half_width: (P,) float32 half of the 95 % confidence interval, an upper bound with crowns.
+        rays: (P,) int32 number of rays in all runs.
         status: (P,) uint8, a `PointStatus`.
     """
 
@@ -74,7 +77,7 @@ class Seen:
 
 
 def joined(parts: Sequence[Part]) -> Part:
-    """The triangles of all parts, one after the other."""
+    """Join the triangles of all parts, in order."""
     vertices, faces = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
     first, start = 0, 0
     for some_vertices, some_faces in parts:

@@ -1,7 +1,7 @@
-"""A quantity in the cells of a raster, tile by tile: each with a margin as it is, and columns for what is beyond that.
+"""Computation of a quantity tile by tile, each with a full-resolution margin and pooled columns for the terrain outside.
 
-What is drawn at a cell follows its number in the whole raster, row * columns + column, so that tiles agree with the whole
-but for what is beyond their margin, and for how float32 rounds in another mesh.
+Random numbers of a cell depend on its number in the whole raster, row * columns + column. So tiles agree with the whole,
+except for the pooled terrain and for float32 rounding in another mesh.
 """
 
 from collections.abc import Iterator, Mapping
@@ -28,7 +28,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 
 MARGIN = 256
-"""Cells around a tile: 50 of them are as long as the cells of the nearest ring beyond."""
+"""Default number of full-resolution cells around a tile."""
 
 Span = tuple[slice, slice]
 """Rows and columns."""
@@ -36,18 +36,18 @@ Span = tuple[slice, slice]
 
 @dataclass(frozen=True, eq=False)
 class RasterRun:
-    """A checked call on a raster.
+    """Checked arguments of a call on a raster.
 
     Attributes:
-        reader: of the heights.
-        quantity: what is computed in each cell.
-        options: arguments of its call by name, without the mesh and the points.
-        model, receiver: see `surface`.
-        canopy: or None.
-        transmittance: (1,), (12,) or (365,), what passes crowns.
-        tile: cells along the sides of a tile; None: one for all.
-        margin: cells around it.
-        other: the raster of what is beyond the edges, or None.
+        reader: Reader of the heights.
+        quantity: Quantity to compute in each cell.
+        options: Arguments of the quantity's call by name, without the mesh and the points.
+        model, receiver: Surface model and receiver, see `surface` and the calls.
+        canopy: Tree crowns, or None.
+        transmittance: (1,), (12,) or (365,) transmittance of crowns.
+        tile: Number of cells along the sides of a tile; None for a single tile.
+        margin: Number of full-resolution cells around a tile.
+        other: Reader of the terrain beyond the edges, or None.
     """
 
     reader: RasterReader
@@ -78,10 +78,10 @@ class RasterRun:
         margin: Any,
         far: Any,
     ) -> "RasterRun":
-        """A run of arguments as the calls of `rasters` take them.
+        """Check the arguments of a call of `rasters` and return the run.
 
         Raises:
-            TypeError, ValueError, FileNotFoundError: one that cannot be used; names it, what it got and what it wants.
+            TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
         """
         check_choice(model, "model", MODELS)
         check_choice(receiver, "receiver", RECEIVERS)
@@ -106,10 +106,10 @@ class RasterRun:
         return cls(reader, quantity, options, model, receiver, trees, shares, tile, margin, other)
 
     def check(self) -> None:
-        """Computes one cell of level ground, so that options of the quantity are refused before anything is made.
+        """Compute one cell of level ground, so that invalid options of the quantity raise an error before the run starts.
 
         Raises:
-            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
+            TypeError, ValueError: An option that cannot be used; the message names the option.
         """
         flat = replace(self.reader, shape=(1, 1), coordinates={}, heights=lambda *_: np.zeros((1, 1)))
         cell = slice(0, 1), slice(0, 1)
@@ -117,13 +117,13 @@ class RasterRun:
 
     @property
     def rasters(self) -> dict[str, RasterReader]:
-        """All that it reads, by the arguments that they are given as."""
+        """Input rasters, keyed by argument name."""
         trees = {} if self.canopy is None else {"canopy": self.canopy.top, "trunk": self.canopy.trunk}
         given = {"source": self.reader, **trees, "far": self.other}
         return {name: raster for name, raster in given.items() if isinstance(raster, RasterReader)}
 
     def reading(self, rasters: Mapping[str, RasterReader]) -> "RasterRun":
-        """Puts other readers in place of all `rasters` of a run, which stays as it is otherwise."""
+        """Return a copy of the run that reads `rasters` in place of its own."""
         canopy = self.canopy
         if canopy is not None:
             canopy = replace(canopy, top=rasters["canopy"], trunk=rasters.get("trunk", canopy.trunk))
@@ -131,40 +131,40 @@ class RasterRun:
 
     @property
     def far(self) -> bool:
-        """Whether there may be something beyond the margins, so that results are bounds."""
+        """Boolean, True if terrain outside the margins is pooled, so that results are bounds."""
         return self.tile is not None or self.other is not None
 
     @cached_property
     def field(self) -> FarField | None:
-        """The ground and buildings beyond the margins: read once."""
+        """Far field of ground and buildings, read once; None without terrain outside the margins."""
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model) if self.far else None
 
     @cached_property
     def wooded(self) -> FarField | None:
-        """Crowns, too: the ground and buildings are what they are without them."""
+        """Far field with tree crowns included; `field` if there are none."""
         if not self.far or self.canopy is None:
             return self.field
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model, canopy=self.canopy)
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What there is in each cell."""
+        """Names of the result arrays."""
         return ("value", "standard_error", "half_width", *(("far_error",) if self.far else ()))
 
     @property
     def grid(self) -> tuple[int, int]:
-        """How many tiles are above, and beside each other."""
+        """Number of tile rows and tile columns."""
         (rows, columns), (height, width) = self.reader.shape, self.sides
         return -(-rows // height), -(-columns // width)
 
     @property
     def sides(self) -> tuple[int, int]:
-        """Rows and columns of a tile, but the last ones."""
+        """Rows and columns of a tile; the last tiles may be smaller."""
         rows, columns = self.reader.shape
         return (rows, columns) if self.tile is None else (min(self.tile, rows), min(self.tile, columns))
 
     def spans(self) -> Iterator[Span]:
-        """Rows and columns of the tiles, row by row."""
+        """Yield the rows and columns of the tiles, row by row."""
         height, width = self.sides
         rows, columns = self.reader.shape
         for row in range(0, rows, height):
@@ -172,7 +172,7 @@ class RasterRun:
                 yield slice(row, min(row + height, rows)), slice(column, min(column + width, columns))
 
     def numbers(self, span: Span) -> dict[str, np.ndarray]:
-        """What there is in the cells of a tile: (rows, columns) float32 by name, NaN in cells without a height."""
+        """Compute the results of a tile: (rows, columns) float32 by name, NaN in cells without data."""
         shape = tuple(part.stop - part.start for part in span)
         log.info("tile of rows %d to %d, columns %d to %d", *(edge for part in span for edge in (part.start, part.stop - 1)))
         laid = {name: np.full(shape, np.nan, np.float32) for name in self.names}
@@ -204,14 +204,14 @@ class RasterRun:
         return laid
 
     def _foreground(self, mesh: Mesh, grid: Grid, window: Span) -> Foreground:
-        """The surface of a tile and its margin, and its crowns."""
+        """Build the surface of a tile with its margin, and the crowns over it."""
         ground = mesh.vertices, mesh.faces
         crowns = self.canopy and self.canopy.crowns(grid, *window)
         triangles = joined([ground, prisms(grid, crowns)]) if crowns and crowns.any else ground
         return Foreground(triangles, tuple(map(len, ground)))
 
     def _between(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
-        """What is near before the upper, and before the lower columns; or alone, where there are none."""
+        """Return the scenes with upper and with lower columns, or the only scene without columns."""
         if self.field is None:
             return [foreground.before()]
         fields = [self.field] if self.wooded is self.field else [self.field, self.wooded]
@@ -221,17 +221,21 @@ class RasterRun:
 
     @property
     def by_horizons(self) -> bool:
-        """Whether rays look for horizons where there are no holes: they pass there, as below crowns, to what is behind."""
+        """Boolean, True if rays search for horizons in tiles whose cells all have heights.
+
+        Rays pass below crowns and through cells without data, so that an azimuth has no single horizon there.
+        """
         return self.canopy is None and finds_horizons(self.quantity, self.options)
 
     def _seen(self, points: SurfacePoints, whole: bool, scene: Scenery) -> Seen:
+        """Compute the results at points of a tile, by horizons where possible."""
         if whole and self.by_horizons:
             return sky_by_horizons(self.quantity, scene.bare(), points, self.options)
         return seen_of(self.quantity, scene, points, self.options, self.transmittance)
 
 
 def _bounded(found: list[Seen]) -> dict[str, np.ndarray]:
-    """The middle of what is seen with the upper and with the lower columns, by the same rays, and half of its width."""
+    """Return the mean of the results with upper and lower columns, and half of the difference as `far_error`."""
     upper, lower = (vars(seen) for seen in (found[0], found[-1]))
     names = ("value", "standard_error", "half_width")
     means = {name: (upper[name].astype(np.float64) + lower[name]) / 2.0 for name in names}

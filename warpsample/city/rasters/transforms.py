@@ -1,4 +1,4 @@
-"""Where the cells of a raster are on its map: transforms, checked, and the coordinates that go with them."""
+"""Checks of raster transforms, and conversion between transforms and coordinates of cell centres."""
 
 from collections.abc import Callable
 
@@ -8,20 +8,20 @@ from affine import Affine
 
 from warpsample.host.arguments import told
 
-_DEGREES = 360.0, 90.0  # of longitude and latitude, at most
-_ARC_MINUTE = 0.02  # of degrees, and more: rasters with coarser cells show no terrain that shades
+_DEGREES = 360.0, 90.0  # largest longitude and latitude
+_ARC_MINUTE = 0.02  # degrees, slightly more than an arc minute: rasters with larger cells resolve no shading terrain
 _STEEP = 50.0
 """Least relief over the diagonal of a raster in degrees: a second of arc is 31 m, so 1 m over 10 cells is a ratio of 250.
 
 In metres, with cells of at most 2 cm, it would be 7 m of relief in 5 x 5 cells; a model 1 m wide and 0.3 m high has 0.2.
 """
 _RELIEF = 1.0
-_LOOKED_AT = 512  # rows and columns in the middle
-_APART = 1e-3  # of a cell: to so much float64 must hold its coordinates
+_LOOKED_AT = 512  # rows and columns in the middle whose relief is checked
+_APART = 1e-3  # largest rounding of coordinates, in cells
 
 
 def affine_of(transform: object) -> Affine:
-    """Six numbers as a transform; a TypeError for anything else."""
+    """Return six numbers as an affine.Affine; raise a TypeError for anything else."""
     try:
         return Affine(*(float(number) for number in tuple(transform)[:6]))
     except (TypeError, ValueError):
@@ -31,7 +31,7 @@ def affine_of(transform: object) -> Affine:
 
 
 def check_place(transform: Affine, crs: object, what: str) -> None:
-    """Refuses rasters that neither say where they are nor how large their cells are."""
+    """Raise a ValueError for a raster without a transform and without a CRS."""
     if transform == Affine.identity() and crs is None:
         raise ValueError(
             f"source: got {what}, which has no place on a map, want a raster with a transform; "
@@ -40,7 +40,7 @@ def check_place(transform: Affine, crs: object, what: str) -> None:
 
 
 def check_cells(transform: Affine, shape: tuple[int, int]) -> None:
-    """Refuses cells without an area, and those that are so small, or so far off, that they lie upon each other."""
+    """Raise a ValueError for cells without area, or too small for the precision of their coordinates in float64."""
     numbers = np.array(transform[:6])
     size = max(np.abs(numbers[[0, 1, 3, 4]]).max(), 1e-300)
     if not np.isfinite(numbers).all() or abs(transform.determinant) <= 1e-12 * size**2:
@@ -54,10 +54,9 @@ def check_cells(transform: Affine, shape: tuple[int, int]) -> None:
 
 
 def check_lengths(transform: Affine, shape: tuple[int, int], heights: Callable[[slice, slice], np.ndarray]) -> None:
-    """Refuse a raster without a CRS that can only be in degrees, by the relief in its middle.
+    """Raise a ValueError for a raster without a CRS whose coordinates must be degrees, judged by the relief in its middle.
 
-    Raises:
-        ValueError: names `source`.
+    The message names `source`.
     """
     corners = np.array([transform @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), shape[::-1])])
     sides = np.hypot(np.array(transform[:2]), np.array(transform[3:5]))
@@ -74,9 +73,9 @@ def check_lengths(transform: Affine, shape: tuple[int, int], heights: Callable[[
 
 
 def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
-    """The transform by the coordinates of an array; where it has none, or one only, by what is stored beside them.
+    """Return the transform of an array from its coordinates, or from the stored transform if coordinates are missing.
 
-    That may be of a larger array, of which this one is a part.
+    Coordinates have precedence, because the stored transform may belong to a larger array of which this one is a part.
     """
     if not all(name in array.coords and array.coords[name].ndim == 1 and array.sizes[name] > 1 for name in dims):
         transform = array.rio.transform()
@@ -97,7 +96,7 @@ def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
 
 
 def coordinates_of(transform: Affine, shape: tuple[int, int]) -> dict[str, np.ndarray]:
-    """The centres of cells, to the bit as rioxarray has them when it opens a file; none for a raster that is turned."""
+    """Return the coordinates of cell centres, bit for bit those of rioxarray; empty for a rotated raster."""
     a, b, c, d, e, f = transform[:6]
     if b or d:
         return {}

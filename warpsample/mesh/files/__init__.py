@@ -1,7 +1,8 @@
 """Mesh files: `load_mesh`, with one reader for each format.
 
-A file is read whole or refused in one sentence, before memory is taken for what it declares and does not hold. No library
-that we know keeps to that but usd-core; each reader says what others do. The tests are in `tests/mesh/test_mesh_files.py`.
+A reader reads a file completely or raises an error of one sentence. It compares declared sizes with the size of the file
+before it allocates memory. Of the libraries known to us only usd-core does so; each reader's page lists the failures of
+others. Tests are in `tests/mesh/test_mesh_files.py`.
 """
 
 from os import PathLike
@@ -25,30 +26,30 @@ SUFFIXES = tuple(_READERS)
 
 
 def load_mesh(path: str | PathLike[str], *, transmittance: Any = None, reflectance: Any = None) -> Mesh:
-    """The triangle mesh in a file: .ply .obj .stl .off .glb .gltf or, with usd-core, .usd .usda .usdc .usdz.
+    """Read the triangle mesh in a file: .ply .obj .stl .off .glb .gltf or, with usd-core, .usd .usda .usdc .usdz.
 
-    Several meshes in one file become one, each where its scene places it, or its joints pose it (glTF); polygons are cut
-    into triangles; of an .stl, whose faces share no corners, those of equal coordinates become one vertex. Coordinates keep
-    all digits that the file holds.
-    What it names is in `part` and `parts`: objects, groups and materials of an .obj, solids of an .stl, nodes, prims.
-    A file that ends early is refused, but for what it does not tell: the end of an .obj between two of its lines, and of
-    .obj, .off and .ply as text within the very last number; and numbers that were changed into others.
-    "courtyard", where no file is called that, is an example: four buildings around a yard, in metres.
+    Several meshes in one file are joined into one, each as its scene places it, or as its joints pose it (glTF). Polygons
+    are cut into triangles. Corners of an .stl with equal coordinates become one vertex. Coordinates keep all digits of the
+    file. Names become `part` and `parts`: objects, groups and materials of an .obj, solids of an .stl, nodes of a glTF,
+    prims of USD. A truncated file raises an error, with two exceptions that no reader can detect: an .obj that ends between
+    two lines, and an .obj, .off or text .ply that ends within its very last number. Numbers that were changed are not
+    detected, either. "courtyard", if no file has that name, is an example: four buildings around a yard, in metres.
 
     Args:
-        path: of the file, or "courtyard".
-        transmittance: a number from 0 to 1, or (F,) of them, a face each: see `Mesh`.
-        reflectance: likewise; with the transmittance at most 1.
+        path: Path of the file, or "courtyard".
+        transmittance: A number from 0 to 1, or (F,) of them, one per face; see `Mesh`. Default: None, opaque faces.
+        reflectance: A number from 0 to 1, or (F,) of them, one per face; see `Mesh`. The sum with the transmittance is at
+            most 1. Default: None, black faces.
 
     Returns:
-        vertices in the file's coordinates and unit, float64, and faces, checked.
+        A checked mesh with float64 vertices in the coordinates and unit of the file.
 
     Raises:
-        TypeError: not a path, or shares that are no numbers.
-        FileNotFoundError: no such file.
-        ValueError: another suffix, no mesh in it, or a file that is truncated, damaged or of another format; names the path.
-            Shares that no surface has.
-        ModuleNotFoundError: a .usd file without usd-core; says how to install it.
+        TypeError: `path` is not a path, or optical properties are not numbers.
+        FileNotFoundError: The file does not exist.
+        ValueError: Another suffix, no mesh in the file, or a file that is truncated, damaged or of another format; the
+            message names the path. Also optical properties outside 0 to 1 or with a sum above 1.
+        ModuleNotFoundError: A .usd file without usd-core; the message explains how to install it.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")
@@ -61,6 +62,7 @@ def load_mesh(path: str | PathLike[str], *, transmittance: Any = None, reflectan
 
 
 def _read(path: Any) -> Mesh:
+    """Read a mesh file with the reader of its suffix."""
     path = check_file(path, "path", "a mesh file")
     suffix = path.suffix.lower()
     if suffix not in _READERS:

@@ -1,4 +1,4 @@
-"""The files that mesh files name, and need beside them: data, materials and pictures."""
+"""Lists the files that a mesh file refers to: buffers, materials and pictures."""
 
 import os
 from collections.abc import Iterator
@@ -9,14 +9,14 @@ from urllib.parse import unquote
 from warpsample.host.json_tree import Part, parsed
 from warpsample.mesh.files.gltf_data import binary
 
-_PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm")  # what a line of an .mtl with the name of one begins with
-_WORDS = 20  # of such a line: options come before the name, which may have spaces
+_PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm")  # first words of lines with a picture in an .mtl
+_WORDS = 20  # largest number of words of such a line that is read
 
 
 def files_beside(path: Path | None) -> list[Path]:
-    """The files that a .gltf, .glb or .obj needs: buffers and pictures, materials and their pictures.
+    """Return the paths of the files that a .gltf, .glb or .obj refers to: buffers, materials and pictures.
 
-    None of another file, nor of one that cannot be read: whoever reads it says so.
+    Returns an empty list for other formats and for files that cannot be read; reading such a file raises the error.
     """
     reader = _READERS.get(path.suffix.lower()) if path is not None else None
     with suppress(OSError, TypeError, ValueError):
@@ -26,17 +26,19 @@ def files_beside(path: Path | None) -> list[Path]:
 
 
 def uris_of(tree: Part) -> Iterator[str]:
-    """What the JSON of a glTF file says of the files that it needs."""
+    """Yield the URIs of pictures and buffers in the JSON of a glTF file, embedded data excluded."""
     for item in (*tree.parts("images"), *tree.parts("buffers")):
         if "uri" in item and not (uri := item.text("uri")).startswith("data:"):
             yield uri
 
 
 def _gltf(path: Path) -> Iterator[str]:
+    """Yield the file names in a .gltf or .glb."""
     return map(unquote, uris_of(binary(path)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())))
 
 
 def _obj(path: Path) -> Iterator[str]:
+    """Yield the material files that an .obj names, and the pictures that the material files name."""
     for line in _lines(path):
         if line.startswith("mtllib"):
             for library in _names(line):
@@ -48,12 +50,16 @@ def _obj(path: Path) -> Iterator[str]:
 
 
 def _names(line: str) -> list[str]:
-    """What of a line may be the name of a file: any of its words with all that follow."""
+    """Return all candidates for the file name in a line: each word after the first, with everything that follows.
+
+    Options precede the name, and the name may contain spaces.
+    """
     words = line.split()[:_WORDS]
     return [" ".join(words[start:]) for start in range(1, len(words))]
 
 
 def _lines(path: Path) -> Iterator[str]:
+    """Yield the lines of a file, without surrounding spaces."""
     with path.open("rb") as file:
         yield from (os.fsdecode(line).strip() for line in file)
 

@@ -1,6 +1,6 @@
-"""Mesh files: .glb and .gltf.
+"""Reader of .glb and .gltf files.
 
-Not by trimesh, which takes a damaged .gltf for one without a name and reads the `model.gltf` beside it instead.
+trimesh is not used: for a damaged .gltf trimesh reads the file `model.gltf` in the same folder instead.
 """
 
 from collections.abc import Iterator
@@ -19,33 +19,34 @@ from warpsample.mesh.parts import Named
 from warpsample.mesh.polygons import triangles
 
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
-# They change the faces, and are not supported.
+# Unsupported extensions that change the faces.
 _EXTENSIONS = {
     "KHR_draco_mesh_compression",
     "EXT_meshopt_compression",
     "KHR_meshopt_compression",
     "EXT_mesh_gpu_instancing",
 }
-_WIDTHS = {"NORMAL": 3, "TANGENT": 4}  # of attributes; of others, 2
+_WIDTHS = {"NORMAL": 3, "TANGENT": 4}  # components of attributes; others have 2
 
 
 def read(path: Path) -> Named:
-    """Vertices and faces of the file's scene as its joints pose it, without morph targets; lines and points are left out.
+    """Read vertices, faces, and parts of a glTF file's scene, as posed by joints; ignore morph targets, lines and points.
 
-    A part is a node that places a mesh, by its name, or by that of the mesh if it has none.
+    A part is a node that places a mesh. Its name is the node's name, or else the mesh's name.
 
-    A ValueError is for a file that is shorter or longer than it declares, no glTF as its specification has it, or
-    compressed, sparse or instanced by an extension.
+    Raises:
+        ValueError: A file that is shorter or longer than declared, violates the glTF specification, or is compressed, sparse
+            or instanced by an extension.
     """
     with opened(path) as (tree, data):
         return joined_parts(_surfaces(tree, data))
 
 
 def read_corners(path: Path, name: str) -> np.ndarray:
-    """(F, 3, k) float64: an attribute of the corners of `read`'s faces, NaN of primitives that have none.
+    """Read an attribute at the corners of the faces of `read`, as (F, 3, k) float64.
 
-    Those of "NORMAL" and "TANGENT" are unit vectors, turned as the nodes turn them, and the fourth number of a tangent
-    changes its sign where they mirror; those of others, as "TEXCOORD_0", are as they are.
+    "NORMAL" and "TANGENT" are transformed with their nodes to unit vectors; the fourth number of a tangent changes its sign
+    where a node mirrors. Other attributes, such as "TEXCOORD_0", are unchanged. Primitives without the attribute have NaN.
     """
     with opened(path) as (tree, data):
         return joined_corners(_attributes(placed, data, name) for placed in placed_primitives(tree))
@@ -53,7 +54,7 @@ def read_corners(path: Path, name: str) -> np.ndarray:
 
 @contextmanager
 def opened(path: Path) -> Iterator[tuple[Part, Data]]:
-    """The JSON of a file and its data; what is wrong with a member is a ValueError."""
+    """Open a glTF file and give its JSON and data; convert errors of members to ValueError."""
     tree, chunk = binary(path) if path.suffix.lower() == ".glb" else (parsed(path.read_bytes()), memoryview(b""))
     try:
         check_extensions(tree)
@@ -64,7 +65,7 @@ def opened(path: Path) -> Iterator[tuple[Part, Data]]:
 
 
 def check_extensions(tree: Part) -> None:
-    """Refuses, by a ValueError, a file whose faces are not where its accessors say."""
+    """Raise a ValueError for extensions that compress or instance faces."""
     needed = _EXTENSIONS & set(tree.texts("extensionsUsed"))
     if needed:
         raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file that does not")
@@ -72,15 +73,15 @@ def check_extensions(tree: Part) -> None:
 
 @dataclass(frozen=True)
 class PlacedPrimitive:
-    """A primitive of triangles at one of its places, in the order in which `read` has their faces.
+    """One placement of a triangle primitive, in the face order of `read`.
 
     Attributes:
-        node: that places it.
-        mesh: the number of the mesh that it is of.
-        number: of the primitive within that mesh.
-        primitive: what the file says of it.
-        matrix: that places it, and multiplies from the right.
-        skin: the joints that pose it; then the matrix tells its winding only.
+        node: Node that places the primitive.
+        mesh: Index of the primitive's mesh.
+        number: Index of the primitive within that mesh.
+        primitive: JSON of the primitive.
+        matrix: (4, 4) matrix of the node for row vectors, vector @ matrix.
+        skin: Joints that pose the primitive, or None. With a skin, the matrix determines only the winding.
     """
 
     node: Part
@@ -92,7 +93,7 @@ class PlacedPrimitive:
 
 
 def placed_primitives(tree: Part) -> Iterator[PlacedPrimitive]:
-    """The primitives of triangles that the scene places."""
+    """Yield the triangle primitives in the scene, once for each placement."""
     meshes = tree.parts("meshes")
     for node, matrix, skin in placed_nodes(tree):
         if "mesh" in node:
@@ -101,13 +102,13 @@ def placed_primitives(tree: Part) -> Iterator[PlacedPrimitive]:
 
 
 def _faced(mesh: Part) -> list[tuple[int, Part]]:
-    """The primitives of triangles of a mesh, and their numbers."""
+    """Return the triangle primitives of a mesh, each with its index."""
     primitives = enumerate(mesh.parts("primitives"))
     return [(i, p) for i, p in primitives if p.whole("mode", _TRIANGLES, _FAN) >= _TRIANGLES]
 
 
 def _attributes(placed: PlacedPrimitive, data: Data, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Values, triangles and matrix of an attribute of a primitive."""
+    """Return values, triangles and matrix of an attribute of a primitive; values are NaN if the attribute is missing."""
     points, triangles = surface(placed.primitive, data)
     attributes, width = placed.primitive.part("attributes"), _WIDTHS.get(name, 2)
     if name not in attributes:
@@ -125,7 +126,7 @@ def _attributes(placed: PlacedPrimitive, data: Data, name: str) -> tuple[np.ndar
 
 
 def _turned_tangents(tangents: np.ndarray, matrix: np.ndarray) -> np.ndarray:
-    """Tangents, whose first three numbers are unit vectors, where a matrix, or one for each, has moved the surface."""
+    """Transform tangents by one matrix, or by one matrix per vertex; the first three numbers become unit vectors again."""
     rows = matrix[..., :3, :3]
     along = _times(tangents[:, :3], rows)
     sign = tangents[:, 3:] * np.sign(np.linalg.det(rows)).reshape(-1, 1)
@@ -133,19 +134,20 @@ def _turned_tangents(tangents: np.ndarray, matrix: np.ndarray) -> np.ndarray:
 
 
 def _turned(normals: np.ndarray, matrix: np.ndarray) -> np.ndarray:
-    """Unit normals where a matrix, or one for each, has moved the surface; NaN of those that it makes none of."""
+    """Transform unit normals by one matrix or one per vertex; return unit vectors, or NaN where the matrix is singular."""
     rows = matrix[..., :3, :3]
-    inverse = np.cross(rows[..., [1, 2, 0], :], rows[..., [2, 0, 1], :])  # its columns, times the determinant
+    inverse = np.cross(rows[..., [1, 2, 0], :], rows[..., [2, 0, 1], :])  # columns of the inverse, times the determinant
     turned = _times(normals, inverse * np.sign(np.linalg.det(rows))[..., None, None])
     return turned / np.linalg.norm(turned, axis=1, keepdims=True)
 
 
 def _times(vectors: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Multiply vectors (V, 3) by one (3, 3) matrix, or by one matrix per vector."""
     return vectors @ rows if rows.ndim == 2 else np.einsum("vi,vij->vj", vectors, rows)
 
 
 def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray | None, str]]:
-    """Points, triangles, matrix and name of each mesh that a node of the scene places. A mesh is read once."""
+    """Yield points, triangles, matrix and name for each placement of a mesh in the scene; each mesh is read once."""
     meshes = tree.parts("meshes")
     found: dict[int, tuple[np.ndarray, np.ndarray] | None] = {}
     for node, matrix, skin in placed_nodes(tree):
@@ -164,9 +166,10 @@ def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, 
 def _skinned(
     faced: list[tuple[int, Part]], data: Data, skin: Skin, matrix: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray] | None:
-    """Points and triangles of a mesh that joints pose; the matrix of its node is for primitives without these."""
+    """Return points and triangles of a mesh posed by joints; the node's matrix applies only to primitives without joints."""
 
     def placed(primitive: Part) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+        """Return points, triangles and matrix of a primitive, posed by its joints."""
         points, triangles = surface(primitive, data)
         poses = skin.poses(primitive, data)
         return (points, triangles, matrix) if poses is None else (posed(points, poses), outward(triangles, matrix), None)
@@ -175,7 +178,7 @@ def _skinned(
 
 
 def surface(primitive: Part, data: Data) -> tuple[np.ndarray, np.ndarray]:
-    """Points (V, 3) and triangles (F, 3) of a primitive, before it is placed."""
+    """Return the points (V, 3) and triangles (F, 3) of a primitive, before its node's matrix is applied."""
     points = data.vectors(primitive.part("attributes"), "POSITION")
     corners = data.indices(primitive, "indices") if "indices" in primitive else np.arange(len(points), dtype=np.int32)
     mode = primitive.whole("mode", _TRIANGLES)

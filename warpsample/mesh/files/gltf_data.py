@@ -1,4 +1,4 @@
-"""The bytes of a glTF file, and the numbers that its accessors find in them."""
+"""Buffers of a glTF file, and the arrays that its accessors describe."""
 
 import re
 from base64 import b64decode
@@ -15,12 +15,12 @@ from warpsample.host.json_tree import Part, parsed
 _WHOLE = {5121: "<u1", 5123: "<u2", 5125: "<u4"}
 _KINDS = {**_WHOLE, 5120: "<i1", 5122: "<i2", 5126: "<f4"}
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
-_SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]+:")  # of a URI; one letter is a drive
+_SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]+:")  # scheme of a URI; one letter is a drive of Windows
 
 
 @dataclass(frozen=True)
 class Data:
-    """The numbers of a file: what they are, where they are in the buffers, and these, as many bytes as are declared."""
+    """Arrays of a glTF file: accessors, buffer views, and buffers cut to their declared lengths."""
 
     accessors: list[Part]
     views: list[Part]
@@ -28,11 +28,14 @@ class Data:
 
     @classmethod
     def of(cls, tree: Part, path: Path, chunk: memoryview) -> "Data":
-        """The data of a file, whose path other files are near to, and whose first buffer may be a chunk of itself."""
+        """Read the buffers of a file; `chunk` is the binary part of a .glb, and other files are relative to `path`."""
         return cls(tree.parts("accessors"), tree.parts("bufferViews"), _buffers(path, tree.parts("buffers"), chunk))
 
     def vectors(self, by: Part, key: str, width: int = 3) -> np.ndarray:
-        """(V, width) numbers of the accessor that a member refers to; without a copy unless they are normalized."""
+        """Return the (V, width) numbers of the accessor that `by[key]` refers to; normalized integers become float64.
+
+        Without a copy, unless the numbers are normalized.
+        """
         accessor, found = self._numbers(by, key, shape=f"VEC{width}", width=width, kinds=_KINDS)
         if not accessor.flag("normalized"):
             return found
@@ -41,28 +44,29 @@ class Data:
         return np.maximum(found / np.iinfo(found.dtype).max, -1.0)
 
     def indices(self, by: Part, key: str) -> np.ndarray:
-        """(N,) whole numbers of the accessor that a member refers to, without a copy."""
+        """Return the (N,) integers of the accessor that `by[key]` refers to, without a copy."""
         return self._numbers(by, key, shape="SCALAR", width=1, kinds=_WHOLE)[1].ravel()
 
     def matrices(self, by: Part, key: str) -> np.ndarray:
-        """(N, 4, 4) float64 matrices that multiply from the right, of the accessor that a member refers to."""
+        """Return the (N, 4, 4) float64 matrices, for row vectors, of the accessor that `by[key]` refers to."""
         found = self._numbers(by, key, shape="MAT4", width=16, kinds={5126: "<f4"})[1]
         return found.astype(np.float64).reshape(-1, 4, 4)
 
     def rows(self, by: Part, key: str) -> tuple[Part, np.ndarray]:
-        """The accessor that a member refers to, and its (V, k) numbers, whatever they are, without a copy."""
+        """Return the accessor that `by[key]` refers to and its (V, k) numbers of any type, without a copy."""
         shape = self.accessors[by.index(key, self.accessors)].text("type")
         if shape not in _WIDTHS:
             raise ValueError(f"{by.at(key)}: got numbers that are {told(shape)}, want one of {', '.join(_WIDTHS)}")
         return self._numbers(by, key, shape=shape, width=_WIDTHS[shape], kinds=_KINDS | _WHOLE)
 
     def picture(self, image: Part, path: Path) -> bytes:
-        """The bytes of a picture, in the file `path` itself or near to it."""
+        """Return the bytes of a picture that is in the file `path`, or in a file relative to `path`."""
         if "uri" in image:
             return bytes(content_of(path, image.text("uri"), 0, image))
         return bytes(self._view(self.views[image.index("bufferView", self.views)]))
 
     def _numbers(self, by: Part, key: str, *, shape: str, width: int, kinds: Mapping[int, str]) -> tuple[Part, np.ndarray]:
+        """Return an accessor and its (V, width) numbers, after checks of type, kind and bounds."""
         accessor = self.accessors[by.index(key, self.accessors)]
         if "sparse" in accessor or "bufferView" not in accessor:
             raise ValueError("it has sparse data, want a file that holds all numbers")
@@ -81,6 +85,7 @@ class Data:
         return accessor, np.ndarray((count, width), kind, data, begin, (stride, kind.itemsize))
 
     def _view(self, view: Part) -> memoryview:
+        """Return the bytes of a buffer view."""
         data = self.buffers[view.index("buffer", self.buffers)]
         begin, length = view.whole("byteOffset", 0), view.whole("byteLength")
         if begin + length > len(data):
@@ -89,7 +94,11 @@ class Data:
 
 
 def binary(path: Path) -> tuple[Part, memoryview]:
-    """The JSON of a .glb, and the bytes of its first buffer; a ValueError if it is longer or shorter than it declares."""
+    """Read the JSON and the binary part of a .glb.
+
+    Raises:
+        ValueError: A file with another length than its header declares, or of another format.
+    """
     actual = path.stat().st_size
     with path.open("rb") as file:
         header = file.read(20)
@@ -106,7 +115,7 @@ def binary(path: Path) -> tuple[Part, memoryview]:
 
 
 def _buffers(path: Path, buffers: list[Part], chunk: memoryview) -> list[memoryview]:
-    """The bytes of all buffers; a file that several name is read once."""
+    """Return the bytes of all buffers; a file that several buffers name is read once."""
     lengths = [buffer.whole("byteLength") for buffer in buffers]
     names = [buffer.text("uri") if "uri" in buffer else None for buffer in buffers]
     longest: dict[str, tuple[int, Part]] = {}
@@ -122,7 +131,10 @@ def _buffers(path: Path, buffers: list[Part], chunk: memoryview) -> list[memoryv
 
 
 def content_of(path: Path, uri: str, length: int, by: Part) -> memoryview:
-    """At most the first `length` bytes of what the URI of a member names: data that it holds, or a file near `path`."""
+    """Return the first `length` bytes of embedded data or of a file relative to `path`, as specified by a URI.
+
+    A length of 0 returns all bytes.
+    """
     if uri[:5].lower() == "data:":
         _, mark, data = uri.partition(";base64,")
         try:
@@ -138,5 +150,6 @@ def content_of(path: Path, uri: str, length: int, by: Part) -> memoryview:
 
 
 def _check_length(declared: int, held: int) -> None:
+    """Raise a ValueError if data are shorter than declared."""
     if held < declared:
         raise ValueError(f"it declares {declared:,} bytes of data, but there are {held:,}")

@@ -1,4 +1,4 @@
-"""Where the nodes of a glTF scene are: the matrices that place them, and the joints that pose their meshes."""
+"""Transformations of the nodes in a glTF scene, and the joints that pose meshes."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -9,11 +9,11 @@ from warpsample.host.json_tree import Part
 from warpsample.host.locks import imported
 from warpsample.mesh.files.skins import Skin
 
-_AFFINE = 1e-6  # of a matrix' last row (0, 0, 0, 1): some float32 roundings, nothing that a perspective would need
+_AFFINE = 1e-6  # largest deviation of a matrix' last column from (0, 0, 0, 1): float32 rounding
 
 
 def placed_nodes(tree: Part) -> Iterator[tuple[Part, np.ndarray, Skin | None]]:
-    """The nodes of the scene, each before its children, with the matrices that place them, and the joints that pose them."""
+    """Yield the nodes of the scene, parents first, each with its matrix for row vectors and its skin or None."""
     nodes = tree.parts("nodes")
     places = dict(_places(tree, nodes))
     for number, matrix in places.items():
@@ -21,7 +21,7 @@ def placed_nodes(tree: Part) -> Iterator[tuple[Part, np.ndarray, Skin | None]]:
 
 
 def _places(tree: Part, nodes: list[Part]) -> Iterator[tuple[int, np.ndarray]]:
-    """The numbers of the nodes of the scene, and the matrices that place them and multiply from the right."""
+    """Yield the index and matrix, for row vectors, of each node of the scene, parents first."""
     scenes = tree.parts("scenes")
     children = [node.indices("children", nodes) for node in nodes]
     parents = _parents(children)
@@ -36,7 +36,7 @@ def _places(tree: Part, nodes: list[Part]) -> Iterator[tuple[int, np.ndarray]]:
         if times > 1:
             raise ValueError(f"{scene.path} lists node {number} {times} times, want each node once")
     left = [(number, np.eye(4)) for number in reversed(roots)]
-    while left:  # ends, as nodes without a parent have trees below them
+    while left:  # ends, because each node below a root has one parent
         number, above = left.pop()
         matrix = _matrix(nodes[number]) @ above
         yield number, matrix
@@ -44,7 +44,7 @@ def _places(tree: Part, nodes: list[Part]) -> Iterator[tuple[int, np.ndarray]]:
 
 
 def _parents(children: list[list[int]]) -> dict[int, int]:
-    """The parent of each node that has one; a ValueError if a node has two, or is its own ancestor."""
+    """Return the parent of each node that has one; raise a ValueError if a node has two parents or is its own ancestor."""
     parents: dict[int, int] = {}
     for number, below in enumerate(children):
         for child in below:
@@ -65,6 +65,7 @@ def _parents(children: list[list[int]]) -> dict[int, int]:
 
 
 def _matrix(node: Part) -> np.ndarray:
+    """Return the (4, 4) matrix of a node relative to its parent, for row vectors."""
     if "matrix" in node:
         matrix = node.reals("matrix", (0.0,) * 16).reshape(4, 4)
         if np.abs(matrix[:, 3] - (0.0, 0.0, 0.0, 1.0)).max() > _AFFINE:
@@ -81,7 +82,8 @@ def _matrix(node: Part) -> np.ndarray:
 
 
 def _rotation(node: Part) -> np.ndarray:
+    """Return the (3, 3) rotation matrix of a node's quaternion, for row vectors."""
     quaternion = node.reals("rotation", (0.0, 0.0, 0.0, 1.0))
-    if not 0.5 < np.linalg.norm(quaternion) < 2.0:  # rounded ones are nearer to 1
+    if not 0.5 < np.linalg.norm(quaternion) < 2.0:  # rounding causes smaller deviations from 1
         raise ValueError(f"{node.at('rotation')}: got {quaternion.tolist()}, want a quaternion of length 1")
     return imported("scipy.spatial.transform").Rotation.from_quat(quaternion).as_matrix().T

@@ -1,9 +1,10 @@
-"""Mesh files: .ply, as text or binary of either byte order.
+"""Reader of .ply files, as text or binary of either byte order.
 
-Not by plyfile 1.1.5, with which 14 of our 42 tests fail: it allocates what a header declares (2.7 GB for 3 * 10^8 faces in
-200 bytes), ignores what follows the last row, takes "1_0" for a number and a fraction for the length of a list, and rounds
-text to the declared type. 10^6 triangles take it 2.7 s, where one step is enough (0.01 s). Of a text of 80 faces that was
-cut off, trimesh 5.2 gives 72, and VTK 9.7 gives 80, some of memory that nobody wrote; a binary one crashes it.
+plyfile 1.1.5 is not used, because 14 of our 42 tests fail with it. It allocates whatever a header declares (2.7 GB for 3 *
+10^8 faces in 200 bytes), ignores data after the last row, accepts "1_0" as a number and a fraction as the length of a list,
+and rounds text to the declared type. It takes 2.7 s for 10^6 triangles, which one NumPy call reads in 0.01 s. From a
+truncated text of 80 faces, trimesh 5.2 reads 72, and VTK 9.7 reads 80, some of them uninitialized memory; a truncated binary
+file crashes VTK.
 """
 
 from array import array
@@ -32,14 +33,14 @@ _KINDS = {
 _KINDS |= {f"{name}{8 * size}": f"{name[0]}{size}" for name in ("int", "uint") for size in (1, 2, 4, 8)}
 _KINDS |= {"float32": "f4", "float64": "f8"}
 _ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
-_LONGEST = 4096  # bytes of a line in a header
+_LONGEST = 4096  # largest number of bytes in a header line
 
 
 @dataclass(frozen=True)
 class _Property:
     name: str
     kind: np.dtype
-    count_kind: np.dtype | None = None  # of a list
+    count_kind: np.dtype | None = None  # type of a list's length; None: not a list
 
 
 @dataclass(frozen=True)
@@ -49,19 +50,21 @@ class _Element:
     properties: list[_Property] = field(default_factory=list)
 
     def check(self, is_text: bool, size: int) -> None:
-        """Refuses, before anything is allocated, an element that `size` bytes cannot hold even with empty lists."""
+        """Raise a ValueError, before allocation, if `size` bytes cannot hold the element even with empty lists."""
         least = sum(2 if is_text else (p.count_kind or p.kind).itemsize for p in self.properties)
         if not 0 <= self.count * least <= size + 1 or (self.count and not least):
             raise self.cut(f"{size:,} bytes follow")
 
     def cut(self, found: str) -> ValueError:
+        """Return the error for an element with fewer rows than the header declares."""
         return ValueError(f"its header declares {self.count:,} of '{self.name}', but {found}")
 
 
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces; polygons are cut into triangles, other elements ignored.
+    """Read vertices and faces; polygons are cut into triangles, and other elements are ignored.
 
-    No vertices or faces in the header, and more or less data than it declares, are a ValueError.
+    Raises:
+        ValueError: A header without vertices or faces, or more or less data than the header declares.
     """
     with path.open("rb") as file:
         order, elements = _header(file)
@@ -81,6 +84,7 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
+    """Return vertices (V, 3) and triangles (F, 3) from the columns of all elements."""
     vertex, face = found.get("vertex", {}), found.get("face", {})
     polygons = face.get("vertex_indices", face.get("vertex_index"))
     if not {"x", "y", "z"} <= vertex.keys() or not isinstance(polygons, tuple):
@@ -92,7 +96,7 @@ def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _header(file: BinaryIO) -> tuple[str, list[_Element]]:
-    """The byte order, "" for text, and the declared elements."""
+    """Read the byte order, "" for text, and the declared elements."""
     if file.readline(_LONGEST).split() != [b"ply"]:
         raise ValueError("it does not begin with 'ply'")
     order, elements, line = None, [], ""
@@ -119,6 +123,7 @@ def _header(file: BinaryIO) -> tuple[str, list[_Element]]:
 
 
 def _kind(order: str | None, name: str, kinds: str = "iuf") -> np.dtype:
+    """Return the NumPy type of a declared type; raise a ValueError if it is not one of `kinds`."""
     kind = np.dtype(_KINDS[name])
     if order is None or kind.kind not in kinds:
         raise ValueError
@@ -126,7 +131,7 @@ def _kind(order: str | None, name: str, kinds: str = "iuf") -> np.dtype:
 
 
 def _text(rows: Iterator[list[bytes]], element: _Element) -> dict[str, Any]:
-    """Columns by name; a list is (lengths, all its numbers)."""
+    """Read an element of a text file as columns by name; a list column is (lengths, all numbers)."""
     lengths, numbers = _empty(element, lambda p: array("d" if p.kind.kind == "f" else "q"))
     steps = [(p.name in lengths, real if p.kind.kind == "f" else whole, p.name) for p in element.properties]
     seen = 0
@@ -149,7 +154,7 @@ def _text(rows: Iterator[list[bytes]], element: _Element) -> dict[str, Any]:
 
 
 def _binary(file: BinaryIO, element: _Element) -> dict[str, Any]:
-    """Like `_text`: in one step if all rows have the lengths of the first, else row by row."""
+    """Read an element of a binary file as columns like `_text`, in one step if all rows have equal lengths, else by rows."""
     start = file.tell()
     left = file.seek(0, SEEK_END) - file.seek(start)
     kind = _first_row(file, element, left)
@@ -164,6 +169,7 @@ def _binary(file: BinaryIO, element: _Element) -> dict[str, Any]:
 
 
 def _first_row(file: BinaryIO, element: _Element, left: int) -> np.dtype:
+    """Return the NumPy type of rows with the list lengths of the first row."""
     fields: list[tuple] = []
     for p in element.properties:
         if p.count_kind is not None:
@@ -177,6 +183,7 @@ def _first_row(file: BinaryIO, element: _Element, left: int) -> np.dtype:
 
 
 def _rows(file: BinaryIO, element: _Element) -> dict[str, Any]:
+    """Read an element of a binary file row by row."""
     start, data, at = file.tell(), file.read(), 0
     lengths, numbers = _empty(element, lambda _: bytearray())
     for _ in range(element.count):
@@ -195,14 +202,16 @@ def _rows(file: BinaryIO, element: _Element) -> dict[str, Any]:
 
 
 def _empty(element: _Element, make: Callable[[_Property], Any]) -> tuple[dict[str, array], dict[str, Any]]:
-    """Empty containers for the lengths of lists and for numbers."""
+    """Return empty containers for the lengths of lists and for numbers."""
     lengths = {p.name: array("q") for p in element.properties if p.count_kind is not None}
     return lengths, {p.name: make(p) for p in element.properties}
 
 
 def _columns(lengths: dict[str, Any], numbers: dict[str, np.ndarray]) -> dict[str, Any]:
+    """Return the columns of an element by name; a list column is (lengths, all numbers)."""
     return {name: (np.asarray(lengths[name]), found) if name in lengths else found for name, found in numbers.items()}
 
 
 def _order(kind: np.dtype) -> Literal["little", "big"]:
+    """Return the byte order of a type."""
     return "big" if kind.byteorder == ">" else "little"

@@ -1,4 +1,4 @@
-"""Skins of glTF files: meshes that joints pose, for which the place of their own node says nothing."""
+"""Skins of glTF files: joints that pose a mesh in place of its node's matrix."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -10,16 +10,16 @@ from warpsample.host.engine import check_memory
 from warpsample.host.json_tree import Part
 from warpsample.mesh.files.gltf_data import Data
 
-_BYTES = 400  # of a vertex, for its matrix and what makes it
+_BYTES = 400  # memory per vertex: its matrix and temporary arrays
 
 
 @dataclass(frozen=True, eq=False)
 class Skin:
-    """The joints that pose a mesh.
+    """Joints that pose a mesh.
 
     Attributes:
-        part: what the file says of it.
-        joints: (J, 4, 4) matrices that place them in the scene, and multiply from the right.
+        part: JSON of the skin.
+        joints: (J, 4, 4) matrices of the joints in the scene, for row vectors.
     """
 
     part: Part
@@ -27,7 +27,7 @@ class Skin:
 
     @classmethod
     def of(cls, tree: Part, node: Part, places: Mapping[int, np.ndarray]) -> "Skin | None":
-        """That of a node, if it has one; `places` are the matrices of the nodes of the scene, by their numbers."""
+        """Return the skin of a node, or None; `places` maps node indices of the scene to matrices."""
         if "skin" not in node:
             return None
         skins = tree.parts("skins")
@@ -39,7 +39,10 @@ class Skin:
         return cls(part, np.array([places[joint] for joint in joints]).reshape(-1, 4, 4))
 
     def poses(self, primitive: Part, data: Data) -> np.ndarray | None:
-        """(V, 4, 4) matrices that pose its vertices, and multiply from the right; None of one that has no joints."""
+        """Return (V, 4, 4) matrices for row vectors that pose a primitive's vertices.
+
+        Returns None for a primitive without joints.
+        """
         attributes = primitive.part("attributes")
         sets = list(takewhile(lambda number: f"JOINTS_{number}" in attributes, count()))
         if not sets:
@@ -50,7 +53,7 @@ class Skin:
             raise ValueError(f"{attributes.path}: got JOINTS of shape {joints.shape}, WEIGHTS of {weights.shape}")
         check_memory(_BYTES * len(joints), f"a skin of {len(joints):,} vertices", "leave it out")
         weights = weights.astype(np.float64)
-        weights[~weights.any(axis=1), 0] = 1.0  # as viewers do: a vertex without a weight goes with its first joint
+        weights[~weights.any(axis=1), 0] = 1.0  # as viewers do: a vertex without weights follows its first joint
         joints = np.where(weights == 0.0, 0, joints).astype(np.int64)
         if len(joints) and not 0 <= joints.min() <= joints.max() < len(self.joints):
             raise ValueError(f"{attributes.at('JOINTS_0')}: got joint {joints.max()} of {len(self.joints)} of the skin")
@@ -61,7 +64,7 @@ class Skin:
         return found
 
     def _moves(self, data: Data) -> np.ndarray:
-        """(J, 4, 4) from where the mesh is bound to each joint to where this has it."""
+        """Return (J, 4, 4) matrices that move the mesh from its bind pose to the pose of each joint."""
         if "inverseBindMatrices" not in self.part:
             return self.joints
         inverse = data.matrices(self.part, "inverseBindMatrices")
@@ -72,7 +75,7 @@ class Skin:
 
 
 def posed(points: np.ndarray, poses: np.ndarray) -> np.ndarray:
-    """Points (V, 3) where their matrices (V, 4, 4) put them."""
+    """Transform points (V, 3) by one (4, 4) matrix per point."""
     if len(points) != len(poses):
         raise ValueError(f"it has joints for {len(poses):,} of {len(points):,} vertices")
     return np.einsum("vi,vij->vj", points.astype(np.float64), poses[:, :3, :3]) + poses[:, 3, :3]

@@ -1,7 +1,7 @@
-"""Mesh files: .stl, binary or text. Its faces share no corners, so equal corners are merged.
+"""Reader of .stl files, binary or text; equal corners are merged, because faces of an .stl share no vertices.
 
-Not by trimesh, meshio or VTK: a binary file that was cut off, with a header that begins with "solid", is a mesh without
-faces for them, and no error; of a text of 80 faces meshio gives 78.
+trimesh, meshio and VTK are not used: for a truncated binary file whose header begins with "solid" all three return a mesh
+without faces and raise no error. For a truncated text of 80 faces, meshio returns 78.
 """
 
 from array import array
@@ -19,9 +19,10 @@ _WORDS = {"solid", "facet", "outer", "vertex", "endloop", "endfacet", "endsolid"
 
 
 def read(path: Path) -> Named:
-    """Vertices and faces; corners of equal coordinates are one vertex. A text's solids are its parts, by their names.
+    """Read vertices and faces; corners with equal coordinates become one vertex. Solids of a text file become named parts.
 
-    Another size than the header declares, unknown words, and facets, loops or solids that do not end are a ValueError.
+    Raises:
+        ValueError: A size other than the header declares, unknown words, or facets, loops or solids without an end.
     """
     size = path.stat().st_size
     with path.open("rb") as file:
@@ -37,7 +38,7 @@ def read(path: Path) -> Named:
 
 
 def _text(path: Path) -> tuple[np.ndarray, list[int], list[str]]:
-    """(N, 3) corners, and the number of facets and the name of each solid."""
+    """Read a text file: (N, 3) corners, and the number of facets and the name of each solid."""
     positions, seen = array("d"), Counter(dict.fromkeys(_WORDS, 0))
     starts, names = [], []
     for number, words in numbered(path):
@@ -59,6 +60,7 @@ def _text(path: Path) -> tuple[np.ndarray, list[int], list[str]]:
 
 
 def _merged(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Merge equal corners; return unique vertices (V, 3) and faces (F, 3)."""
     order = np.lexsort(corners.T)
     is_new = np.arange(len(corners)) == 0
     for axis in corners.T:

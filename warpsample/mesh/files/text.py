@@ -1,8 +1,8 @@
-"""Text mesh files: .obj and .off.
+"""Readers of .obj and .off files.
 
-Not by trimesh, meshio or VTK: of an .obj of 80 faces that was cut off all three give 72, and so does trimesh of an .off;
-nothing can be checked afterwards without parsing again. trimesh also drops broken lines and relative indices of an .obj, and
-cannot read an .off whose polygons have different numbers of corners.
+trimesh, meshio and VTK are not used: from a truncated .obj of 80 faces all three read 72, and so does trimesh from an .off.
+Such a loss cannot be detected without parsing the file again. trimesh also drops broken lines and relative indices of an
+.obj, and cannot read an .off whose polygons have different numbers of corners.
 """
 
 import re
@@ -24,12 +24,15 @@ _NO_SURFACE |= {"usemap", "maplib", "shadow_obj", "trace_obj"}
 
 
 def read_obj(path: Path) -> Named:
-    """Vertices and faces of an .obj; polygons are cut into triangles. A ValueError gives the number of the line.
+    """Read vertices, faces and parts of an .obj; polygons are cut into triangles.
 
-    A part is what has one object, group and material ("o", "g", "usemtl"); those that are given, joined by "/", name it.
+    Faces with the same object, group and material ("o", "g", "usemtl") form a part. Its name joins these names by "/".
 
-    It declares no counts, so a truncated file cannot always be detected. Detected are a line with too few numbers, a face
-    with fewer than three corners or with corners of different kinds, and a face with missing vertices.
+    An .obj declares no counts, so a truncated file cannot always be detected. Detected are a line with too few numbers, a
+    face with fewer than three corners or with corners of different kinds, and a face with missing vertices.
+
+    Raises:
+        ValueError: A line that cannot be read; the message gives the number of the line.
     """
     positions, lengths, corners, number = array("d"), array("i"), array("i"), 0
     given, parts, part = dict.fromkeys(_NAMING, ""), {"": 0}, array("i")
@@ -54,9 +57,10 @@ def read_obj(path: Path) -> Named:
 
 
 def read_obj_uv(path: Path) -> np.ndarray:
-    """(F, 3, 2) texture coordinates of the corners of `read_obj`'s faces, v upward; NaN of faces that have none.
+    """Read (F, 3, 2) texture coordinates at the corners of the faces of `read_obj`, v upward; NaN for faces without any.
 
-    A ValueError gives the number of the line.
+    Raises:
+        ValueError: A line that cannot be read; the message gives the number of the line.
     """
     positions, texture, number = array("d"), array("d", (nan, nan)), 0
     lengths, corners, named = array("i"), array("i"), array("i")
@@ -79,7 +83,7 @@ def read_obj_uv(path: Path) -> np.ndarray:
 
 
 def _texture_corners(words: list[str], coordinates: int) -> list[int]:
-    """The texture coordinates of the corners of a face, from 1 on."""
+    """Return the 1-based indices of the texture coordinates of a face's corners."""
     found = [index + 1 for index in _corners(words, coordinates, 1)]
     if not 1 <= min(found) <= max(found) <= coordinates:
         raise ValueError(f"a face has the texture coordinates {min(found)} to {max(found)}, but they are 1 to {coordinates}")
@@ -87,7 +91,7 @@ def _texture_corners(words: list[str], coordinates: int) -> list[int]:
 
 
 def _used(part: np.ndarray, names: list[str]) -> tuple[np.ndarray | None, list[str]]:
-    """The parts that have faces; (None, []) if none has a name."""
+    """Return part numbers and names without the parts that have no faces; (None, []) if no part has a name."""
     if len(names) == 1:
         return None, []
     used, part = np.unique(part, return_inverse=True)
@@ -95,9 +99,10 @@ def _used(part: np.ndarray, names: list[str]) -> tuple[np.ndarray | None, list[s
 
 
 def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of an .off, COFF or NOFF, without colours and normals; polygons are cut into triangles.
+    """Read vertices and faces of an .off, COFF or NOFF; colours and normals are ignored, polygons are cut into triangles.
 
-    Another header, more or fewer lines than it declares, and a line that cannot be read are a ValueError.
+    Raises:
+        ValueError: Another header, more or fewer lines than declared, or a line that cannot be read.
     """
     lines = (words for _, words in numbered(path))
     keyword, *counts = next(lines, [""])
@@ -123,7 +128,10 @@ def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def numbered(path: Path, joins: bool = False) -> Iterator[tuple[int, list[str]]]:
-    """Number and words of each line that is not empty, without comments; with `joins`, a backslash continues a line."""
+    """Yield the line number and words of each nonempty line, without comments.
+
+    With `joins`, a backslash at the end of a line continues the line.
+    """
     held = ""
     with path.open(encoding="utf-8-sig", errors="replace") as file:
         for number, line in enumerate(file, 1):
@@ -139,31 +147,38 @@ def numbered(path: Path, joins: bool = False) -> Iterator[tuple[int, list[str]]]
 
 
 def three(words: list[str]) -> list[float]:
-    """The coordinates of a vertex; further numbers are ignored."""
+    """Return the three coordinates of a vertex; further numbers are ignored."""
     if len(words) < 3:
         raise ValueError(f"a vertex has {len(words)} numbers, not 3")
     return [real(word) for word in words[:3]]
 
 
 def real(word: str | bytes) -> float:
-    """A real number as written in mesh files."""
+    """Convert a word of a mesh file to a float."""
     return float(_plain(word))
 
 
 def whole(word: str | bytes) -> int:
-    """A whole number as written in mesh files."""
+    """Convert a word of a mesh file to an int."""
     return int(_plain(word))
 
 
 def _plain(word: str | bytes) -> str | bytes:
-    """Refuses numbers that only Python accepts: 1_0 for 10, and digits of other scripts."""
+    """Return a word that is a number; raise a ValueError for formats that only Python accepts.
+
+    Such formats are 1_0 for 10, and digits of other scripts.
+    """
     if {"_", "\\"} & set(ascii(word)):
         raise ValueError(f"{ascii(word)[:60]} is not a number")
     return word
 
 
 def _corners(words: list[str], vertices: int, column: int = 0) -> list[int]:
-    """The corners of a face of an .obj, from 0 on: the file counts from 1, or back from -1; slashes precede other data."""
+    """Return the 0-based vertex indices of a face of an .obj.
+
+    Indices of the file are 1-based, or count back from the last vertex, which is -1. `column` selects the number between
+    slashes.
+    """
     parts = [word.split("/") for word in words]
     if len({tuple(map(bool, part)) for part in parts}) != 1 or len(parts) < 3:
         raise ValueError(f"it is not a face: {' '.join(words)[:60]!r}")
@@ -174,5 +189,6 @@ def _corners(words: list[str], vertices: int, column: int = 0) -> list[int]:
 
 
 def _cut(positions: array, lengths: array, corners: array) -> tuple[np.ndarray, np.ndarray]:
+    """Return vertices (V, 3) and triangles (F, 3) from flat arrays of coordinates, corner counts and corners."""
     vertices = np.frombuffer(positions).reshape(-1, 3)
     return vertices, triangles(vertices, np.frombuffer(lengths, "i"), np.frombuffer(corners, "i"))

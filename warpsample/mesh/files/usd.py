@@ -1,6 +1,6 @@
-"""Mesh files: .usd, .usda, .usdc and .usdz, by usd-core in a process of its own.
+"""Reader of .usd, .usda, .usdc and .usdz files, by usd-core in a separate process.
 
-A changed byte lets usd-core end the process that it is in, or take all its memory.
+A single damaged byte can crash usd-core or make it use all memory.
 """
 
 import sys
@@ -16,39 +16,39 @@ from warpsample.mesh.parts import Named
 from warpsample.mesh.usd_stage import UP
 
 _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh import usd_stage; usd_stage.main({file!r}, {what!r})"
-_LONGEST = 200  # characters of a reason, which may quote an array of the file
+_LONGEST = 200  # characters of an error message, which may quote an array of the file
 
 
 def read(path: Path) -> Named:
-    """Vertices and faces of all meshes that a renderer would show, with instances, at their earliest time.
+    """Read vertices, faces and parts of all visible meshes of a USD file, instances included, at their earliest time.
 
-    A part is a prim, by its path; the instances of a point instancer are one.
+    A part is a prim, named by its path; all instances of a point instancer form one part.
 
-    Points, curves, invisible prims, guides and proxies are left out. A subdivision surface gives its cage, an animated mesh
-    its first pose, without skeletons.
+    Points, curves, invisible prims, guides and proxies are left out. A subdivision surface gives its control cage. An
+    animated mesh gives its first pose, without skeletons.
 
     Raises:
-        ModuleNotFoundError: usd-core is missing; says how to install it.
-        ValueError: a file that usd-core cannot open, or that refers to one; a surface that is no mesh, such as a sphere.
+        ModuleNotFoundError: usd-core is not installed; the message explains how to install it.
+        ValueError: usd-core cannot open the file or a file that it refers to, or a surface is not a mesh, such as a sphere.
     """
     return joined_parts(_parts(_found(path)))
 
 
 def read_corners(path: Path, number: int) -> np.ndarray:
-    """(F, 3, 2) float64: a set of texture coordinates of the corners of `read`'s faces, v upward; NaN of prims without it.
+    """Read (F, 3, 2) float64 texture coordinates at the corners of the faces of `read`, v upward.
 
-    Number 0 is the primvar "st", or the first by name; the errors are those of `read`.
+    Prims without the set have NaN. Set 0 is the primvar "st", or the first primvar by name. Errors are those of `read`.
     """
     return joined_corners(part[:3] for part in _parts(_found(path, str(number))))[..., :2]
 
 
 def read_up_axis(path: Path) -> str:
-    """What a file says is up, as Y or Z, with the errors of `read`."""
+    """Read the axis that points up in a USD file, "Y" or "Z", with the errors of `read`."""
     return _found(path, UP).decode()
 
 
 def _found(path: Path, what: str = "") -> bytes:
-    """What a process of `usd_stage` writes of a file."""
+    """Run `usd_stage` on a file in a new process and return its output."""
     if find_spec("pxr") is None:
         raise missing(f"path: got {path.name!r}, which needs usd-core", "pxr")
     status, found = run_program(_PROGRAM.format(path=sys.path, file=str(path), what=what))
@@ -61,10 +61,11 @@ def _found(path: Path, what: str = "") -> bytes:
 
 
 def _parts(found: bytes) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, str]]:
-    """Points, triangles, matrix and name of each mesh."""
+    """Yield points, triangles, matrix and name of each mesh in the output of `usd_stage`."""
     at = 0
 
     def taken(kind: type, rows: int, columns: int) -> np.ndarray:
+        """Return the next array of the output, and advance."""
         nonlocal at
         array = np.frombuffer(found, kind, rows * columns, at).reshape(rows, columns)
         at += array.nbytes

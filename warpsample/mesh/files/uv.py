@@ -1,4 +1,4 @@
-"""Texture coordinates of mesh files: `load_uv`, for the formats that hold some."""
+"""Reader of texture coordinates, `load_uv`, for mesh formats that have some."""
 
 from collections.abc import Callable
 from os import PathLike
@@ -10,26 +10,30 @@ from warpsample.host.arguments import check_file, check_integer, naming_file
 from warpsample.mesh.files import gltf, text, usd
 
 LAST_SET = 255
-"""The largest number of a set of texture coordinates that is asked for."""
+"""Largest index of a set of texture coordinates."""
 
 _UPWARD = np.array((1.0, -1.0)), np.array((0.0, 1.0))
 
 
 def _gltf(path: Path, number: int) -> np.ndarray:
+    """Read the set TEXCOORD_n of a glTF file."""
     return gltf.read_corners(path, f"TEXCOORD_{number}")
 
 
 def _obj(path: Path, number: int) -> np.ndarray:
+    """Read the texture coordinates of an .obj, with v downward."""
     if number:
-        raise ValueError(f"it has one set of texture coordinates, and set is {number}")
+        raise ValueError(f"it has one set of texture coordinates, 0, but set is {number}")
     return _downward(text.read_obj_uv(path))
 
 
 def _usd(path: Path, number: int) -> np.ndarray:
+    """Read a set of texture coordinates of a USD file, with v downward."""
     return _downward(usd.read_corners(path, number))
 
 
 def _downward(uv: np.ndarray) -> np.ndarray:
+    """Replace v by 1 - v."""
     scale, shift = _UPWARD
     return uv * scale + shift
 
@@ -41,29 +45,28 @@ _READERS: dict[str, Callable[[Path, int], np.ndarray]] = {
 }
 
 SUFFIXES = tuple(_READERS)
-"""Suffixes of the files that hold texture coordinates."""
+"""Suffixes of the files that `load_uv` reads."""
 
 
 def load_uv(path: str | PathLike[str], *, set: int = 0) -> np.ndarray:
-    r"""The texture coordinates of the faces that `load_mesh` reads from the same file.
+    r"""Read the texture coordinates of the faces that `load_mesh` reads from the same file.
 
-    (0, 0) is the upper left corner of a picture and v points down, as glTF has it, whatever the format: those of .obj and
-    USD, whose v points up, become 1 - v. They are as the file has them, from 0 to 1 or not: no KHR_texture_transform is in
-    them.
+    (0, 0) is the upper left corner of a picture and v points down, as in glTF, for all formats: v of .obj and USD files,
+    which points up, becomes 1 - v. Coordinates may be outside 0 to 1. KHR_texture_transform is not applied.
 
     Args:
-        path: of a .glb .gltf .obj or, with usd-core, a .usd .usda .usdc .usdz.
-        set: which, from 0 on: TEXCOORD_0, TEXCOORD_1 ... of glTF; the one of .obj; of USD, set 0 is the primvar "st", and
-            the others follow by name.
+        path: Path of a .glb, .gltf or .obj or, with usd-core, a .usd, .usda, .usdc or .usdz.
+        set: Index of the set of coordinates, an integer from 0: TEXCOORD_0, TEXCOORD_1 ... in glTF; an .obj has only set 0;
+            in USD, set 0 is the primvar "st" and the others follow by name. Default: 0.
 
     Returns:
-        (F, 3, 2) float64, u and v of the corners of each face; NaN of faces that have no such set.
+        (F, 3, 2) float64, u and v at the corners of each face; NaN for faces without the set.
 
     Raises:
-        TypeError: not a path, or not a whole number.
-        FileNotFoundError: no such file.
-        ValueError: another suffix, a file that cannot be read, or in which no face has such a set; names the path.
-        ModuleNotFoundError: a .usd file without usd-core; says how to install it.
+        TypeError: `path` is not a path, or `set` not an integer.
+        FileNotFoundError: The file does not exist.
+        ValueError: Another suffix, a file that cannot be read, or no face with the set; the message names the path.
+        ModuleNotFoundError: A .usd file without usd-core; the message explains how to install it.
 
     Example:
         >>> import pathlib, tempfile
@@ -84,5 +87,5 @@ def load_uv(path: str | PathLike[str], *, set: int = 0) -> np.ndarray:
         if not len(uv):
             raise ValueError("it has no faces")
         if np.isnan(uv).all():
-            raise ValueError(f"none of its faces has the set {set} of them")
+            raise ValueError(f"none of its faces has set {set} of texture coordinates")
         return uv

@@ -1,1 +1,1 @@
-"""Points on meshes and above them: at random, apart from each other, and on grids."""
+"""Sample points on and above meshes: random points, Poisson-disk points, and grids."""

@@ -1,4 +1,4 @@
-"""Points on regular grids, as sensors of radiation tools have them: above ground and floors, or on flat parts."""
+"""Points on regular grids, as sensors of radiation tools: above ground and floors, or on flat parts."""
 
 from typing import Any
 
@@ -13,8 +13,8 @@ from warpsample.mesh.points.lattice import lattice_points
 from warpsample.mesh.surface import SurfacePoints
 
 _PLACES = ("ground", "faces")
-_LEAST_UP = 0.17  # cosine: 80 degrees from up; what is steeper is a wall, not a ground
-_CLOSE = 1e-9  # of the mesh's extent: crossings that are one
+_LEAST_UP = 0.17  # cosine of 80 degrees from up; steeper faces are walls
+_CLOSE = 1e-9  # distance of crossings that count as one, relative to the mesh's diagonal
 
 
 def grid_points(
@@ -26,26 +26,30 @@ def grid_points(
     faces: Any = None,
     up: Any = (0.0, 0.0, 1.0),
 ) -> SurfacePoints:
-    """Points on a regular grid: at a height above what can be walked on, or on every flat part.
+    """Return points on a regular grid at a height above ground, floors and roofs, or on every flat part of a mesh.
+
+    On "ground", the grid is horizontal, at odd multiples of half the spacing, so that grids of neighbouring meshes fit
+    together. Points lie above each surface that is inclined by less than 80 degrees. Left out are points with an obstacle
+    between surface and point, and points inside bodies, where the next face above is seen from its back.
+    On "faces", each flat part (neighbouring faces in one plane that share vertices) gets a grid in the middle of its
+    bounding rectangle with a horizontal side. A flat part that the grid misses gets the centroid of its largest face.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        spacing: of the grid, in the mesh's units.
-        height: above the ground, 1.5 by default; or in front of the faces, 0 by default.
-        on: "ground": a horizontal grid at odd multiples of half the spacing, so that grids of neighbouring meshes fit
-            together, above each surface that looks up by less than 80 degrees: ground, floors and roofs. Left out is what
-            has something within the height above it, or the back of a face as the first thing above: what is in a body.
-            "faces": a grid in each flat part (neighbouring faces in a plane, by shared vertices), in the middle of its
-            rectangle, which has a level side; the centre of its largest face if the grid misses it.
-        faces: (F,) bool, those that points are above or on, such as `mesh.part == 2`; all by default.
-        up: (3,), of any length; what is walked on is below.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        spacing: Distance of neighbouring grid points, a float in mesh units.
+        height: Height above the ground or distance in front of the faces, a float in mesh units. Default: None, 1.5 above
+            the ground and 0 in front of faces.
+        on: "ground" or "faces". Default: "ground".
+        faces: (F,) bool mask of the faces to put points above or on, such as `mesh.part == 2`. Default: None, all faces.
+        up: (3,) vector that points up, of any length. Default: (0, 0, 1).
 
     Returns:
-        position float64; normal: up, or that of the face; face: that of each point at height 0, else -1; row by row.
+        SurfacePoints with position float64; normal, which is `up` or the normal of the face; and face, which is -1 unless
+        the height is 0. Points are in order of rows.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it.
-        MemoryError: more than is free.
+        TypeError, ValueError: An argument that cannot be used; the message names the argument.
+        MemoryError: The points do not fit into the free memory.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")
@@ -66,7 +70,7 @@ def grid_points(
 
 
 def _check_faces(value: Any, faces: int) -> np.ndarray:
-    """Which faces are meant, (F,) bool."""
+    """Return the (F,) bool mask of the selected faces; all faces for None."""
     if value is None:
         return np.ones(faces, bool)
     wants = f"({faces},) bool, one for each face"
@@ -79,7 +83,7 @@ def _check_faces(value: Any, faces: int) -> np.ndarray:
 
 
 def _above_ground(mesh: Mesh, spacing: float, height: float, chosen: np.ndarray, upward: np.ndarray) -> SurfacePoints:
-    """Points at a height above the chosen faces, in columns of a lattice that all meshes have in common."""
+    """Return points at a height above the chosen faces, on vertical lines through a lattice common to all meshes."""
     axes = np.stack(axes_in_plane(upward[None], upward))[:, 0]
     found = lattice_points((mesh.vertices @ axes.T / spacing - 0.5)[mesh.faces])
     corners = (mesh.vertices @ upward)[mesh.faces[found.triangle]]
@@ -90,7 +94,7 @@ def _above_ground(mesh: Mesh, spacing: float, height: float, chosen: np.ndarray,
     kept = chosen[face] & (facing > _LEAST_UP)
     kept &= _is_free(place, z, facing, height, _CLOSE * mesh.diagonal)
     first = np.flatnonzero(kept)
-    again = np.zeros(len(first), bool)  # the same crossing, by a face that shares an edge
+    again = np.zeros(len(first), bool)  # the same crossing, found again by a face that shares an edge
     again[1:] = (place[first[1:]] == place[first[:-1]]).all(axis=1) & (np.diff(z[first]) <= _CLOSE * mesh.diagonal)
     rows = first[~again]
     position = (place[rows] + 0.5) * spacing @ axes + (z[rows] + height)[:, None] * upward
@@ -99,7 +103,11 @@ def _above_ground(mesh: Mesh, spacing: float, height: float, chosen: np.ndarray,
 
 
 def _is_free(place: np.ndarray, z: np.ndarray, facing: np.ndarray, height: float, close: float) -> np.ndarray:
-    """(N,) bool, of crossings in order: nothing within the height above, and no back of a face as the first thing there."""
+    """Return the (N,) bool mask of ground crossings that are outside bodies and have free space above.
+
+    Crossings are sorted by column and height. A crossing is left out if another face is within `height` above, or if the
+    next face above is seen from its back.
+    """
     count = len(z)
     above = np.arange(1, count + 1)
     last = np.arange(count)
@@ -114,7 +122,7 @@ def _is_free(place: np.ndarray, z: np.ndarray, facing: np.ndarray, height: float
 
 
 def _on_faces(mesh: Mesh, spacing: float, height: float, chosen: np.ndarray, upward: np.ndarray) -> SurfacePoints:
-    """Points in the planes of the flat parts of the chosen faces."""
+    """Return points on grids in the planes of the flat parts of the chosen faces."""
     rows = np.flatnonzero(chosen)
     part, x, y = flat_parts(mesh, rows, upward)
     triangles = (mesh.vertices - mesh.bounds.mean(axis=0))[mesh.faces[rows]]

@@ -1,4 +1,4 @@
-"""Which points of a lattice lie in triangles of the plane: exactly, with the rim, whatever else shares it."""
+"""Search for the integer lattice points in triangles of the plane, exact on shared edges."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -7,18 +7,18 @@ import numpy as np
 
 from warpsample.host.engine import check_memory
 
-_AT_A_TIME = 1 << 21  # pairs of a triangle and a point of its bounding box
+_AT_A_TIME = 1 << 21  # pairs of a triangle and a lattice point of its bounding box per step
 _BYTES_PER_POINT = 96
 
 
 @dataclass(frozen=True)
 class LatticePoints:
-    """Points of a lattice in triangles.
+    """Integer lattice points in triangles.
 
     Attributes:
-        triangle: (N,) int64, its row.
-        place: (N, 2) int64, the point's whole numbers.
-        weights: (N, 3) float64, of the triangle's corners.
+        triangle: (N,) int64 index of the triangle that contains the point.
+        place: (N, 2) int64 coordinates of the point.
+        weights: (N, 3) float64 barycentric coordinates of the point in the triangle.
     """
 
     triangle: np.ndarray
@@ -27,12 +27,13 @@ class LatticePoints:
 
 
 def lattice_points(corners: np.ndarray) -> LatticePoints:
-    """The points with whole coordinates in triangles (N, 3, 2) float64, those on their rim too; none in a line.
+    """Return the points with integer coordinates in triangles (N, 3, 2) float64, boundaries included.
 
-    A point on an edge that two triangles share is in both; none falls between them, as both see one number for an edge.
+    A point on an edge of two triangles is in both. No point falls between two triangles, because both compute the same
+    number for a shared edge. Triangles without area have no points.
 
     Raises:
-        MemoryError: more than is free.
+        MemoryError: The points do not fit into the free memory.
     """
     low, high = np.ceil(corners.min(axis=1)), np.floor(corners.max(axis=1))
     sides = np.maximum(high - low + 1.0, 0.0)
@@ -47,7 +48,7 @@ def lattice_points(corners: np.ndarray) -> LatticePoints:
 
 
 def _blocks(counts: np.ndarray) -> Iterator[np.ndarray]:
-    """Rows of triangles, so many at a time that their boxes hold few points; those without one are left out."""
+    """Yield groups of triangles whose bounding boxes have few lattice points in total; skip triangles without any."""
     rows = np.flatnonzero(counts)
     block = (np.cumsum(counts[rows]) // _AT_A_TIME).astype(np.int64)
     yield from np.split(rows, np.flatnonzero(np.diff(block)) + 1) if len(rows) else ()
@@ -56,7 +57,10 @@ def _blocks(counts: np.ndarray) -> Iterator[np.ndarray]:
 def _inside(
     corners: np.ndarray, rows: np.ndarray, low: np.ndarray, sides: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The fields of `LatticePoints` for some of the triangles, whose boxes begin at `low` and have so many points."""
+    """Return the fields of `LatticePoints` for the triangles `rows`.
+
+    Their bounding boxes begin at `low` and have `sides` lattice points per axis.
+    """
     counts = sides.prod(axis=1)
     pair = np.repeat(np.arange(len(rows)), counts)
     step = np.arange(len(pair)) - np.repeat(np.cumsum(counts) - counts, counts)
@@ -71,7 +75,7 @@ def _inside(
 
 
 def _side(start: np.ndarray, end: np.ndarray, place: np.ndarray) -> np.ndarray:
-    """(N,), on which side of an edge a point is; the same number, or its negative, whichever way the edge runs."""
+    """Return twice the (N,) signed area between an edge and a point; reversing the edge only changes the sign, exactly."""
     turned = (start[:, 0] > end[:, 0]) | ((start[:, 0] == end[:, 0]) & (start[:, 1] > end[:, 1]))
     a, b = np.where(turned[:, None], end, start), np.where(turned[:, None], start, end)
     cross = (b[:, 0] - a[:, 0]) * (place[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (place[:, 0] - a[:, 0])

@@ -1,4 +1,4 @@
-"""Random points of the surface of a mesh: independent ones, or such that keep a distance."""
+"""Random points on the surface of a mesh: independent points, or Poisson-disk points with a minimum distance."""
 
 from typing import Any
 
@@ -13,7 +13,7 @@ from warpsample.mesh.points.thinning import darts_for, thinned
 from warpsample.mesh.surface import SurfacePoints
 
 BYTES_PER_POINT = 24 + 12 + 4
-"""Of memory: position, normal and face."""
+"""Bytes of memory per point: position, normal and face."""
 
 SPACINGS = ("random", "blue")
 
@@ -86,6 +86,7 @@ def sample_surface(
 
 
 def _check_radius(radius: Any, count: Any, spacing: str) -> float:
+    """Return `radius` as a float; raise a ValueError unless spacing is "blue" and `count` is None."""
     if spacing != "blue":
         raise ValueError(f"radius: got {radius!r} with spacing={spacing!r}, want spacing='blue'")
     if count is not None:
@@ -94,14 +95,14 @@ def _check_radius(radius: Any, count: Any, spacing: str) -> float:
 
 
 def _random_points(mesh: Mesh, count: int, options: CallOptions, barycentric: bool) -> SurfacePoints:
-    """Independent points, uniform by area."""
+    """Sample independent points on the surface, uniformly by area."""
     memory = options.memory
     size = count * (BYTES_PER_POINT + (24 if barycentric else 0))
     check_memory(size, f"{count:,} surface points", "take them in parts with first_point")
     position, normal, face = np.empty((count, 3)), np.empty((count, 3), np.float32), np.empty(count, np.int32)
     weights = np.empty((count if barycentric else 0, 3))
     block = BLOCK if memory.in_place else 1
-    last = int(np.searchsorted(mesh.area_sums, mesh.area_sums[-1]))  # the last face that has an area
+    last = int(np.searchsorted(mesh.area_sums, mesh.area_sums[-1]))  # last face with an area above 0
     guide = guide_to(mesh.area_sums[: last + 1], count)
     with memory.loan() as whole:
         surface = [len(mesh.vertices), last, *map(whole.put, (mesh.vertices, mesh.faces, mesh.area_sums, guide))]

@@ -1,8 +1,8 @@
-"""Poisson-disk points: of random points of a surface those that keep a distance, as if darts were thrown one by one.
+"""Poisson-disk points: random points of a surface, thinned to a minimum distance as if accepted one by one.
 
-Which ones follows from their order alone: a point stays if no earlier one that stays is within the distance. All points are
-judged at once, in rounds, each of which settles those whose earlier neighbours are settled (Blelloch2012), so the result is
-that of one after the other, by any number of threads.
+The order of the points alone determines the result: a point is accepted if no earlier accepted point is within the distance.
+Parallel rounds decide each point whose earlier neighbours are decided (Blelloch2012). So the result is that of the
+sequential method for any number of threads.
 """
 
 from collections.abc import Callable
@@ -18,25 +18,33 @@ from warpsample.host.locks import once
 if TYPE_CHECKING:
     from warpsample.mesh.surface import SurfacePoints
 
-_DARTS = 16  # random points for each one that is to stay: by endlessly many the distance would be 1.09 times as large
-_FILLED = 0.585  # points that stay by so many darts, times the square of the distance, of the area: as measured, for a start
+_DARTS = 16  # random points per accepted point; with infinitely many the distance would be 1.09 times as large
+_FILLED = 0.585  # measured: accepted points * distance^2 / area for this number of darts; the search starts with it
 _BYTES_PER_DART = 150
-_ROUNDS, _TOO_MANY = 20, 1.003  # tries of a distance, until at most so many more stay than are asked for
-_OPPOSITE = wp.constant(wp.float32(-0.5))  # cosine of two normals: the sides of a sheet do not keep their distance
+_ROUNDS, _TOO_MANY = 20, 1.003  # largest number of tries of a distance; accepted / requested points that ends the search
+_OPPOSITE = wp.constant(wp.float32(-0.5))  # cosine: points on two sides of a thin sheet may be close
 _OPEN, _STAYS, _GOES = 0, 1, 2
 
 
 def darts_for(count: int | None, radius: float | None, area: float) -> int:
-    """How many random points are thrown for a count, or a distance; a MemoryError if there is no room for them."""
+    """Return the number of random points to thin for a requested count or distance.
+
+    Raises:
+        MemoryError: The points do not fit into the free memory.
+    """
     darts = _DARTS * (count if count is not None else _FILLED * area / radius**2 if radius else 0.0)
     check_memory(int(darts * _BYTES_PER_DART), f"{darts:,.0f} points to choose from", "take fewer, or a larger radius")
     return max(int(darts), 64)
 
 
 def thinned(points: "SurfacePoints", count: int | None, radius: float | None, area: float, workers: int) -> np.ndarray:
-    """The rows, rising, of random points that keep a distance: so many, by as large a one as found, or those by `radius`."""
+    """Return the rows of random points to keep, in rising order, so that all kept points have a minimum distance.
+
+    With `radius`, that is the distance. With `count`, the distance is searched for, as large as possible for `count` points.
+    """
 
     def kept(distance: float) -> np.ndarray:
+        """Return the rows of the points that are accepted for a distance."""
         return np.flatnonzero(_stay(points, distance, workers))
 
     if count is None:
@@ -46,7 +54,7 @@ def thinned(points: "SurfacePoints", count: int | None, radius: float | None, ar
 
 
 def _distance_of(count: int, guess: float, kept: Callable[[float], np.ndarray]) -> np.ndarray:
-    """The rows of the largest distance by which at least `count` stay, as far as it is tried."""
+    """Search for the largest distance that accepts at least `count` points; return the rows of the accepted points."""
     low, high, best = 0.0, np.inf, None
     distance = guess
     for _ in range(_ROUNDS):
@@ -63,7 +71,7 @@ def _distance_of(count: int, guess: float, kept: Callable[[float], np.ndarray]) 
 
 
 def _stay(points: "SurfacePoints", distance: float, workers: int) -> np.ndarray:
-    """Which points stay, (N,) bool."""
+    """Return the (N,) bool mask of the points that are accepted for a distance."""
     count = len(points)
     if not distance > 0.0:
         return np.ones(count, bool)
@@ -86,10 +94,13 @@ def _array(values: np.ndarray, kind: Any) -> wp.array:
 
 
 def _neighbours(position: np.ndarray, distance: float) -> tuple[np.ndarray, np.ndarray]:
-    """Points (N, 3) sorted by cells as wide as the distance, and (N, 18) int32 the rows of nine runs of cells about each.
+    """Sort points (N, 3) by grid cells as wide as the distance, and find the points in the cells around each point.
+
+    Returns:
+        The sorted order (N,), and (N, 18) int32 start and end rows of nine runs of cells around each point.
 
     Raises:
-        ValueError: so small a distance that cells have no number.
+        ValueError: A distance so small that the number of grid cells exceeds int64.
     """
     with np.errstate(over="ignore"):
         cell = np.floor(position / distance) + 1.0
@@ -111,7 +122,7 @@ def _neighbours(position: np.ndarray, distance: float) -> tuple[np.ndarray, np.n
 
 @once
 def settle() -> wp.Kernel:
-    """A kernel of a round: a task for each point, which stays, goes, or waits for an earlier neighbour."""
+    """Build the kernel of one round: each task accepts a point, rejects it, or leaves it undecided until the next round."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def settle(
