@@ -44,19 +44,28 @@ def test_every_option_of_the_command_line_is_for_some_quantity(call):
         (
             "samples",
             (
-                "Rays of each point; by default 256, or 1024 for irradiation and sky-matrix; "
-                "not for position, normals, thickness, sun-hours."
+                "Number of rays per point. Default: 256, or 1024 for irradiation and sky-matrix. "
+                "Not for position, normals, thickness, sun-hours."
             ),
         ),
-        ("ground_albedo", "Of the ground beyond the mesh; by default 0.2; only for irradiation."),
+        (
+            "ground_albedo",
+            "Fraction of light that the ground around the mesh reflects, 0 to 1. Default: 0.2. Only for irradiation.",
+        ),
         (
             "north",
             (
-                "Where north is; -z where the file says that up is +y; by default 0 1 0; "
-                "only for irradiation, sky-matrix, sun-hours."
+                "Direction of north; 0 0 -1 for files with +y up. Default: 0 1 0. "
+                "Only for irradiation, sky-matrix, sun-hours."
             ),
         ),
-        ("period", "Of the year, as 06-01 08-31 or 03-21T09 03-21T15; only for irradiation, sun-hours."),
+        (
+            "period",
+            (
+                "First and last day of the period, such as 06-01 08-31, or with hours, 03-21T09 03-21T15. "
+                "Default: the whole year. Only for irradiation, sun-hours."
+            ),
+        ),
     ],
 )
 def test_the_help_of_an_option_says_its_default_and_whom_it_is_for(option, text):

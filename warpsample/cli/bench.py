@@ -1,4 +1,4 @@
-"""`warpsample bench`: a command for each benchmark, and one for all."""
+"""The commands `warpsample bench NAME`, one for each benchmark, and `warpsample bench all`."""
 
 import inspect
 import sys
@@ -16,16 +16,20 @@ from warpsample.bench.scenes import check_scenes
 from warpsample.cli.terminal import console, fail_plainly, option, with_progress, working
 from warpsample.host.files import check_output, check_output_folder
 
-app: typer.Typer = typer.Typer(no_args_is_help=True, help="Run time, measured on this machine.")
+app: typer.Typer = typer.Typer(
+    no_args_is_help=True, help="Measure run times and errors on this machine, and compare with other programs."
+)
 
 Write = Annotated[
     bool,
-    typer.Option("--write", help="Save the results in the checkout, and write both pages of benchmarks and their pictures."),
+    typer.Option(
+        "--write", help="Save the results in the checkout, and update both pages of benchmarks and their pictures."
+    ),
 ]
 
 
 def _measure(benchmark: Benchmark, **settings: Any) -> Result:
-    """Measures a benchmark, with a bar meanwhile, and prints its tables."""
+    """Measure a benchmark with a progress bar, print its tables, and return the result."""
     chosen = benchmark.settings(**settings)
     rows = benchmark.measure(lambda items, total: with_progress(items, total, f"measuring {benchmark.name}"), **chosen)
     result = Result(describe_machine(), chosen, rows)
@@ -36,10 +40,11 @@ def _measure(benchmark: Benchmark, **settings: Any) -> Result:
 def _run_and_save(
     benchmark: Benchmark,
     settings: dict[str, Any],
-    json: Annotated[Path | None, option("A file for machine, settings and every repeat.")] = None,
-    plot: Annotated[Path | None, option("A folder for pictures; made if need be.")] = None,
+    json: Annotated[Path | None, option("File for the machine, the settings and every repeat: .json.")] = None,
+    plot: Annotated[Path | None, option("Folder for pictures; created if missing.")] = None,
     write: Write = False,
 ) -> None:
+    """Measure a benchmark, write the requested files, and exit with status 1 if methods disagree."""
     check_scenes(settings.get("scene"))
     if json is not None:
         check_output(json, "--json")
@@ -62,18 +67,19 @@ def _run_and_save(
 
 
 def _check_write() -> None:
+    """Raise an error if `--write` cannot work: outside a checkout, or without Matplotlib."""
     readme.check_checkout("--write")
     pictures.check_matplotlib("--write")
 
 
 def _write(results: list[tuple[Benchmark, Result]]) -> None:
-    """Keeps results and makes the README's measured part: after all are measured, so that an interrupt leaves both as is."""
+    """Save all results and write the pages of benchmarks; called last, so that an interrupt changes no file."""
     for file in [*(save_summary(*rows, readme.RESULTS) for rows in results), *readme.write_pages()]:
         print(f"{file}", file=sys.stderr)
 
 
 def _command(name: str, benchmark: Benchmark) -> Callable[..., None]:
-    """With the benchmark's settings as options, and the three of all."""
+    """Return the command of a benchmark: its settings as options, and `--json`, `--plot` and `--write`."""
     shared = list(inspect.signature(_run_and_save).parameters.values())[2:]
 
     def command(json: Path | None, plot: Path | None, write: bool, **settings: Any) -> None:
@@ -93,7 +99,7 @@ for _name, _benchmark in benchmarks().items():
 @app.command("all")
 @fail_plainly()
 def bench_all(write: Write = False) -> None:
-    """Everything by its defaults, one benchmark after the other."""
+    """Run all benchmarks one after another, with default settings."""
     if write:
         _check_write()
     results = [(benchmark, _measure(benchmark)) for benchmark in benchmarks().values()]

@@ -28,11 +28,14 @@ app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={
 app.add_typer(bench.app, name="bench")
 
 _SPATIAL = (name for name in distributions.names() if distributions.get(name).width == 3)
-DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(_SPATIAL)}."
+DISTRIBUTION_HELP = (
+    f"Distribution of the directions, with or without parameters, such as 'beckmann(alpha=0.1)': {', '.join(_SPATIAL)}."
+)
 
 
-def _say_version(asked: bool) -> None:
-    if asked:
+def _print_version(is_requested: bool) -> None:
+    """Print the version and exit if the option `--version` is given."""
+    if is_requested:
         print(f"warpsample {warpsample.__version__}")
         raise typer.Exit
 
@@ -40,16 +43,16 @@ def _say_version(asked: bool) -> None:
 @app.callback()
 def warpsample_command(
     version: Annotated[
-        bool, typer.Option("--version", help="Say the version and exit.", callback=_say_version, is_eager=True)
+        bool, typer.Option("--version", help="Print the version and exit.", callback=_print_version, is_eager=True)
     ] = False,
 ) -> None:
-    """Sample directions at points of 3D models, and compute sky, sun and light there, with error bars."""
+    """Sample directions at points of 3D models, and compute sky view, sunlight and occlusion with error bars."""
 
 
 @app.command()
 @fail_plainly()
 def info(mesh: MeshFile) -> None:
-    """Say what is in a mesh file and what is wrong with it."""
+    """Print the size, the extent and the defects of a mesh file."""
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
@@ -68,12 +71,12 @@ def info(mesh: MeshFile) -> None:
             (f"{axis} from, to", f"{low:.6g}, {high:.6g}", "")
             for axis, low, high in zip("xyz", report.lower, report.upper, strict=True)
         ),
-        ("degenerate faces", f"{report.degenerate_faces:,}", "no area, so no points"),
-        ("duplicate faces", f"{report.duplicate_faces:,}", "same three vertices"),
-        ("unused vertices", f"{report.unreferenced_vertices:,}", "no normal"),
-        ("boundary edges", f"{report.boundary_edges:,}", "open there"),
+        ("degenerate faces", f"{report.degenerate_faces:,}", "no area, no points on them"),
+        ("duplicate faces", f"{report.duplicate_faces:,}", "same vertices as another face"),
+        ("unused vertices", f"{report.unreferenced_vertices:,}", "in no face"),
+        ("boundary edges", f"{report.boundary_edges:,}", "one face only"),
         ("non-manifold edges", f"{report.nonmanifold_edges:,}", "more than two faces"),
-        ("inconsistent edges", f"{report.inconsistent_edges:,}", "wound both ways"),
+        ("inconsistent edges", f"{report.inconsistent_edges:,}", "faces with opposite orientation"),
     ]
     if mesh.suffix.lower() == ".stl":
         rows.insert(1, ("merged corners", f"{3 * report.faces - report.vertices:,}", "an .stl repeats them"))
@@ -88,15 +91,17 @@ def directions_command(
     mesh: MeshFile,
     output: Annotated[Path, output_file(".npz .vtp .ply")],
     *,
-    points: Annotated[int | None, option("So many points, uniform by area; 10,000 without --at.")] = None,
+    points: Annotated[
+        int | None, option("Number of points, placed uniformly by area. Default: 10,000 if --at is not given.")
+    ] = None,
     at: At = None,
-    samples: Annotated[int, typer.Option(help="Directions at each point.")] = 64,
+    samples: Annotated[int, typer.Option(help="Number of directions per point.")] = 64,
     distribution: Annotated[str, typer.Option(help=DISTRIBUTION_HELP)] = "cosine_hemisphere",
-    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "sobol",
-    seed: Annotated[int, typer.Option(help="Seed of points and directions.")] = 0,
+    sequence: Annotated[str, typer.Option(help=f"Sampling sequence: {', '.join(sequences.names())}.")] = "sobol",
+    seed: Annotated[int, typer.Option(help="Seed of the random points and directions.")] = 0,
     workers: Workers = None,
 ) -> None:
-    """Sample directions at points of a mesh into a file; .npz holds all that is needed to repeat the run."""
+    """Sample directions at points of a mesh and write them to a file; an .npz also records the arguments and versions."""
     from warpsample.output.export import DirectionsRun, export
 
     points = 10_000 if points is None and at is None else points
@@ -114,7 +119,7 @@ app.command("view-factors")(fail_plainly()(radiation.view_factors_command))
 @app.command()
 @fail_plainly()
 def view(
-    mesh: Annotated[Path | None, typer.Argument(help=f"{MESH_HELP}; by default the bunny in warp-lang.")] = None,
+    mesh: Annotated[Path | None, typer.Argument(help=f"{MESH_HELP}. Default: the bunny of warp-lang.")] = None,
     *,
     points: Annotated[
         int | None,
@@ -122,8 +127,8 @@ def view(
             help="Number of points with clouds, placed uniformly by area. Default: 100.", min=1, show_default=False
         ),
     ] = None,
-    samples: Annotated[int, typer.Option(help="Directions at each point.", min=1)] = 1024,
-    distribution: Annotated[str | None, option(f"{DISTRIBUTION_HELP} By default offset_sphere(rho=1.0).")] = None,
+    samples: Annotated[int, typer.Option(help="Number of directions per point.", min=1)] = 1024,
+    distribution: Annotated[str | None, option(f"{DISTRIBUTION_HELP} Default: offset_sphere(rho=1.0).")] = None,
     density: Annotated[
         str | None,
         option(
@@ -131,11 +136,11 @@ def view(
             " offset_ball, the distribution itself for others."
         ),
     ] = None,
-    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "independent",
-    seed: Annotated[int, typer.Option(help="Of points and directions.")] = 0,
-    up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up in the picture.")] = "y",
+    sequence: Annotated[str, typer.Option(help=f"Sampling sequence: {', '.join(sequences.names())}.")] = "independent",
+    seed: Annotated[int, typer.Option(help="Seed of the random points and directions.")] = 0,
+    up: Annotated[Literal["x", "y", "z"], typer.Option(help="Axis of the mesh that points up in the picture.")] = "y",
     screenshot: Annotated[
-        Path | None, option("No window, but a file: .png, or .html of the clouds to turn in a browser.")
+        Path | None, option("File to write instead of opening a window: .png, or .html to turn in a browser.")
     ] = None,
     size: Size = (1600, 900),
 ) -> None:
@@ -156,7 +161,7 @@ def view(
     chosen = any(each is not None for each in (points, distribution, density))
     choice = start.choice(distribution, density, sequence, samples, seed)
     rendering.check_size(size, start.LEAST_SIZE)
-    with working("trying whether pictures can be drawn here"):
+    with working("testing whether pictures can be drawn on this machine"):
         rendering.check_rendering()
     path = mesh or start.bunny()
     with working(f"reading {path}"):

@@ -1,4 +1,4 @@
-"""What the command line says of sun and sky: `view-factors` and `shading`."""
+"""The commands `warpsample view-factors` and `warpsample shading`."""
 
 from pathlib import Path
 from typing import Annotated
@@ -10,18 +10,23 @@ from warpsample.cli.terminal import MeshFile, Workers, option, output_file, work
 
 def view_factors_command(
     mesh: MeshFile,
-    output: Annotated[Path, output_file(".npz .vf, or vfsparse.inp and more")],
+    output: Annotated[Path, output_file(".npz .vf, or vfsparse.inp with its companion files")],
     *,
-    count: Annotated[int, typer.Option(help="Rays of each face.")] = 4096,
+    count: Annotated[int, typer.Option(help="Number of rays per face.")] = 4096,
     groups: Annotated[
-        Path | None, option("Text or .npy: the number of each face's surface; or part, the named ones.")
+        Path | None, option("Text or .npy file with the surface number of each face; or part, for the named parts.")
     ] = None,
-    reciprocal: Annotated[bool, typer.Option("--reciprocal", help="Pool both directions of each pair, and close.")] = False,
-    up: Annotated[tuple[float, float, float] | None, option("The sky's axis, to part sky from ground.")] = None,
+    reciprocal: Annotated[
+        bool, typer.Option("--reciprocal", help="Use the rays of both faces of a pair, and scale rows to sum to 1.")
+    ] = False,
+    up: Annotated[
+        tuple[float, float, float] | None,
+        option("Direction of the zenith, such as 0 0 1; splits the outside into sky and ground."),
+    ] = None,
     seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
     workers: Workers = None,
 ) -> None:
-    """Estimate the view factors between all faces of a mesh, what is in the way included, into a sparse matrix."""
+    """Compute the view factors between all faces of a mesh, with occlusion, and write them as a sparse matrix."""
     from warpsample.radiation.exchange.run import run_view_factors
 
     options = {"count": count, "reciprocal": reciprocal, "up": up, "seed": seed, "workers": workers}
@@ -33,18 +38,24 @@ def shading_command(
     mesh: MeshFile,
     groups: Annotated[
         Path,
-        typer.Argument(help="Text with a line for each triangle: its surface's name in EnergyPlus.", show_default=False),
+        typer.Argument(help="Text file; line N is the EnergyPlus surface name of triangle N.", show_default=False),
     ],
     output: Annotated[Path, output_file(".csv")],
     *,
-    weather: Annotated[Path, option("The place and its hours, .epw, or athens, an example.")],
-    samples: Annotated[int, typer.Option(help="Points of each surface, uniform by area.")] = 1024,
-    up: Annotated[tuple[float, float, float], typer.Option(help="The sky's axis.")] = (0.0, 0.0, 1.0),
-    north: Annotated[tuple[float, float, float], typer.Option(help="Where north is.")] = (0.0, 1.0, 0.0),
-    seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
+    weather: Annotated[
+        Path, option("Weather file (.epw) with the location and the hours, or athens for the built-in example.")
+    ],
+    samples: Annotated[int, typer.Option(help="Number of points per surface, placed uniformly by area.")] = 1024,
+    up: Annotated[tuple[float, float, float], typer.Option(help="Direction from the ground to the zenith.")] = (
+        0.0,
+        0.0,
+        1.0,
+    ),
+    north: Annotated[tuple[float, float, float], typer.Option(help="Direction of north.")] = (0.0, 1.0, 0.0),
+    seed: Annotated[int, typer.Option(help="Seed of the random points.")] = 0,
     workers: Workers = None,
 ) -> None:
-    """Write the sunlit share of surfaces in each hour of a year, as EnergyPlus reads it: Schedule:File:Shading."""
+    """Write the sunlit fraction of each surface in each hour of a year, as a Schedule:File:Shading for EnergyPlus."""
     from warpsample.output.shading import Shading, write_shading
 
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):

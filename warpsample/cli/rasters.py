@@ -1,4 +1,4 @@
-"""What the command line says of rasters: options of `bake` that apply to them alone."""
+"""Options of `warpsample bake` for rasters of heights, and the function that computes a raster."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,51 +12,62 @@ from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import check_options, quantity_of
 
 SUFFIXES = (".tif", ".tiff", ".vrt", ".asc")
-"""Of rasters of heights."""
+"""Suffixes of rasters of heights."""
 
 OPTIONS: dict[str, Any] = {
-    "model": Annotated[Literal["joined", "block", "tin"] | None, option("Surface of a raster; by default joined.")],
+    "model": Annotated[
+        Literal["joined", "block", "tin"] | None,
+        option(
+            "Surface through the heights: joined (walls at steps), block (flat cells) or tin (triangles). Default: joined."
+        ),
+    ],
     "receiver": Annotated[
         Literal["horizontal", "surface"] | None,
-        option("Normals in a raster's cells; by default surface for the sun, else horizontal."),
+        option("Orientation of the cells. Default: surface for irradiation and sun-hours, else horizontal."),
     ],
-    "canopy": Annotated[Path | None, option("Heights of crowns above the ground, in a raster's cells.")],
-    "trunk": Annotated[str | None, option("Their undersides: a share of that, by default 0.25, or another raster.")],
+    "canopy": Annotated[Path | None, option("Raster with the heights of tree crowns above the ground, on the same cells.")],
+    "trunk": Annotated[
+        str | None, option("Height of the undersides of crowns: a fraction of --canopy, or a raster. Default: 0.25.")
+    ],
     "transmittance": Annotated[
         str | None,
         option(
-            "Share of light that passes faces: a number, NAME.npy, or by part, as leaf=0.2,glass=0.8; by default none. "
-            "Of a raster, a number, what passes crowns; by default 0.03."
+            "Fraction of light that faces transmit, 0 to 1: a number, NAME.npy with one number per face, or numbers "
+            "by part, such as leaf=0.2,glass=0.8. Default: 0. For a raster, the fraction that tree crowns transmit. "
+            "Default: 0.03."
         ),
     ],
-    "tile": Annotated[int | None, option("Cells along the sides of a raster's tiles; by default one for all.")],
-    "margin": Annotated[int | None, option("Cells around a tile; by default 256.")],
-    "far": Annotated[Path | None, option("Another raster, of the terrain beyond the edges.")],
+    "tile": Annotated[
+        int | None, option("Number of cells along each side of a tile. Default: one tile for the whole raster.")
+    ],
+    "margin": Annotated[int | None, option("Number of cells at full resolution around a tile. Default: 256.")],
+    "far": Annotated[Path | None, option("Raster of the terrain outside the first raster.")],
 }
-"""The types of the options that apply to rasters, of which transmittance applies to meshes, too."""
+"""Annotations of the options for rasters, keyed by name; `transmittance` also applies to meshes."""
 
 _OF_MESHES = ("points", "at", "by", "lod", "split", "context", "report", "reflectance", "up", "north")
 _OF_THE_SUN = ("irradiation", "sun-hours")
 
 
 def is_raster(source: Path, output: Path) -> bool:
-    """Whether a command is about a raster: by the name of the file that it reads, or writes."""
+    """Return whether the input or the output of a command is a raster, judged by the suffixes of both files."""
     return source.suffix.lower() in SUFFIXES or output.suffix.lower() in SUFFIXES[:2]
 
 
 def bake_raster_file(
     run: BakeRun, of_rasters: Mapping[str, Any], of_stores: Mapping[str, Any], of_textures: Mapping[str, Any]
 ) -> str:
-    """Computes a raster's numbers by `cluster.raster_baking`; what is missing is a ModuleNotFoundError.
+    """Compute a quantity in each cell of a raster, write the output, and return the report as text.
 
     Args:
-        run: of which `mesh` is the raster.
-        of_rasters: the options that are given of this file.
-        of_stores: those of stores, of which rasters take some.
-        of_textures: those of textures, of which they take none.
+        run: Arguments of the command; `run.mesh` is the path of the raster.
+        of_rasters: Given options of this module.
+        of_stores: Given options for stores. Only `processes` and `resume` apply to rasters.
+        of_textures: Given options for textures. None apply to rasters.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is computed.
+        ModuleNotFoundError: A package for rasters is not installed.
+        TypeError, ValueError, FileNotFoundError: An argument is invalid; raised before any work.
     """
     try:
         from warpsample.city.rasters.calls import QUANTITIES
@@ -73,21 +84,23 @@ def bake_raster_file(
     for name, value in (refused | dict(of_textures)).items():
         raise ValueError(f"--{name}: got {value} for {run.mesh.name}; it applies only to meshes")
     check_options(quantity_of(run.quantity), options)
-    told = {ARGUMENTS.get(name, name): _plain(name, value) for name, value in (options | dict(of_rasters)).items()}
-    receiver = told.pop("receiver", "surface" if run.quantity in _OF_THE_SUN else "horizontal")
-    job = RasterJob(str(run.mesh), run.quantity, told.pop("model", "joined"), receiver, tuple(sorted(told.items())))
+    arguments = {ARGUMENTS.get(name, name): _to_plain(name, value) for name, value in (options | dict(of_rasters)).items()}
+    receiver = arguments.pop("receiver", "surface" if run.quantity in _OF_THE_SUN else "horizontal")
+    job = RasterJob(
+        str(run.mesh), run.quantity, arguments.pop("model", "joined"), receiver, tuple(sorted(arguments.items()))
+    )
     return bake_raster(job, run.output, of_stores.get("processes"), of_stores.get("resume", False))
 
 
 def refuse_for_meshes(mesh: Path, options: Mapping[str, Any]) -> None:
-    """Refuses the options of rasters that are given for meshes; the ValueError names the first."""
+    """Raise a ValueError if a mesh is given an option that applies only to rasters."""
     for name, value in options.items():
         if name != "transmittance":
             raise ValueError(f"--{name}: got {value} for {mesh.name}; it applies only to rasters")
 
 
-def _plain(name: str, value: Any) -> Any:
-    """Paths as texts, and a trunk or a transmittance as the number that it may be."""
+def _to_plain(name: str, value: Any) -> Any:
+    """Return a path as a string, a numeric trunk or transmittance as a float, and other values unchanged."""
     if name in ("trunk", "transmittance"):
         try:
             return float(value)

@@ -20,27 +20,31 @@ from warpsample.host.files import WriteError
 
 
 def option(words: str, *names: str) -> Any:
-    """An option of a command, whose help says what it is by default, if there is something to say."""
+    """Return an option of a command; `words` is the whole help text, including the default."""
     return typer.Option(*names, help=words, show_default=False)
 
 
 def output_file(kinds: str) -> Any:
-    """The option that names the file to write, with the suffixes that it may have."""
-    return option(f"The file to write: {kinds}.", "--output", "-o")
+    """Return the required option `--output` / `-o`; `kinds` lists the suffixes in the help text."""
+    return option(f"File to write: {kinds}.", "--output", "-o")
 
 
-MESH_HELP = "Mesh file: .ply .obj .stl .off .glb .gltf .usd; or courtyard, an example"
+MESH_HELP = "Mesh file (.ply .obj .stl .off .glb .gltf .usd), or courtyard for the built-in example"
 MeshFile = Annotated[Path, typer.Argument(help=f"{MESH_HELP}.", show_default=False)]
 BakedFile = Annotated[
     Path,
-    typer.Argument(help=f"{MESH_HELP}; or CityJSON; or a raster of heights, as .tif.", show_default=False, metavar="mesh"),
+    typer.Argument(
+        help=f"{MESH_HELP}; CityJSON file; or raster of heights, such as a .tif.", show_default=False, metavar="mesh"
+    ),
 ]
 At = Annotated[
     Literal["vertices", "faces"] | None,
-    option("Where, if not at --points: at the vertices, or the faces' centres, as by default for a .png and CityJSON."),
+    option("Use the vertices or the centres of the faces, instead of --points."),
 ]
-FigureFile = Annotated[Path | None, option("No window, but a file: .png, .svg or .pdf.")]
-Workers = Annotated[int | None, option("Threads; by default as WARPSAMPLE_WORKERS says, or all cores.")]
+FigureFile = Annotated[Path | None, option("File to write instead of opening a window: .png, .svg or .pdf.")]
+Workers = Annotated[
+    int | None, option("Number of threads. Default: the environment variable WARPSAMPLE_WORKERS, or one per core.")
+]
 Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]
 
 _OF_SIGPIPE = 128 + 13  # the status of what ends by that signal

@@ -1,4 +1,4 @@
-"""`warpsample verify`: the trial of every sampler, of one, or of one's own."""
+"""The command `warpsample verify`: tests of all samplers, one sampler, or user-defined samplers."""
 
 import importlib
 import sys
@@ -11,22 +11,34 @@ import typer
 
 from warpsample.cli.terminal import console, fail_plainly, option, with_progress
 
-ONLY_HELP = "One distribution or sequence by its name, or meshes, rays or routes, in one table; --module brings your own."
+ONLY_HELP = (
+    "Test only one distribution or sequence, such as ggx or sobol; or meshes, rays or routes. See --module for your own."
+)
 
 
 @fail_plainly()
 def verify_command(
     *,
     only: Annotated[str | None, option(ONLY_HELP)] = None,
-    module: Annotated[Path | None, option("A Python file that registers distributions of your own.")] = None,
-    thorough: Annotated[bool, typer.Option("--thorough", help="Sweep all 2^24 variates, not every fourth.")] = False,
-    power: Annotated[bool, typer.Option("--power", help="Try the laws on planted defects instead.")] = False,
-    plant: Annotated[str | None, option("Put this planted defect among the samplers; see --power.")] = None,
-    markdown: Annotated[bool, typer.Option("--markdown", help="The README's table of distributions instead.")] = False,
+    module: Annotated[
+        Path | None, option("Python file that registers user-defined distributions, such as my_lobe.py.")
+    ] = None,
+    thorough: Annotated[
+        bool, typer.Option("--thorough", help="Test all 2^24 random numbers instead of every fourth.")
+    ] = False,
+    power: Annotated[
+        bool, typer.Option("--power", help="Test instead whether the tests find samplers with planted defects.")
+    ] = False,
+    plant: Annotated[
+        str | None, option("Name of a planted defect to test together with the samplers; --power lists the names.")
+    ] = None,
+    markdown: Annotated[
+        bool, typer.Option("--markdown", help="Print the table of distributions in the README instead.")
+    ] = False,
 ) -> None:
-    """Prove every sampler: a table for each law, and what to do about those that are broken. Exit status 1 if one is.
+    """Test every sampler against its density and other laws, and print tables and advice. Exit status 1 if a test fails.
 
-    Ctrl-C prints the tables of what is done by then.
+    Ctrl-C prints the tables of the tests completed by then.
     """
     from warpsample.host.registry import look_up
     from warpsample.proof import report, run
@@ -36,18 +48,18 @@ def verify_command(
     try:
         tasks = run.defect_tasks() if power else run.list_tasks(only) if only else run.list_tasks()
     except ValueError as error:
-        raise error if module is not None else ValueError(f"{error}; --module brings one of your own") from None
+        raise error if module is not None else ValueError(f"{error}; --module adds user-defined distributions") from None
     if plant is not None:
         defects = {task.key: task for task in run.defect_tasks()}
         tasks.append(look_up(defects, plant, "plant"))
     outcome: dict[Any, Any] = {}
     try:
-        with closing(run.run(tasks, thorough)) as found:  # its processes end with it, whoever is interrupted
-            outcome.update(with_progress(found, len(tasks), "verifying"))  # one by one: an interrupt keeps them
-    except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
-        interrupt.args = (f"interrupted after {len(outcome)} of {len(tasks)} parts; what is told is of these",)
+        with closing(run.run(tasks, thorough)) as parts:  # ends the worker processes after an interrupt
+            outcome.update(with_progress(parts, len(tasks), "verifying"))  # one by one: an interrupt keeps finished parts
+    except KeyboardInterrupt as interrupt:  # raise the same object: another signal may have caused it
+        interrupt.args = (f"interrupted after {len(outcome)} of {len(tasks)} parts; the tables contain only these parts",)
         if outcome and not (power or markdown):
-            _tell([v for found in outcome.values() for v in found], outcome, thorough, single=only is not None)
+            _print_report([v for found in outcome.values() for v in found], outcome, thorough, single=only is not None)
         raise
     in_order = {task: outcome[task] for task in tasks}
     verdicts = [verdict for found in in_order.values() for verdict in found]
@@ -57,12 +69,12 @@ def verify_command(
     if markdown:
         print(report.markdown(verdicts))
     else:
-        _tell(verdicts, tasks, thorough, single=only is not None)
+        _print_report(verdicts, tasks, thorough, single=only is not None)
     raise SystemExit(not all(v.passed for v in verdicts))
 
 
-def _tell(verdicts: list[Any], tasks: Iterable[Any], thorough: bool, *, single: bool) -> None:
-    """Prints tables, how far the sweep went, and what to do about what is broken."""
+def _print_report(verdicts: list[Any], tasks: Iterable[Any], thorough: bool, *, single: bool) -> None:
+    """Print the tables, the number of random numbers tested, and advice on failed tests."""
     from warpsample.proof import advice, report, run
 
     tables = console()
@@ -73,7 +85,7 @@ def _tell(verdicts: list[Any], tasks: Iterable[Any], thorough: bool, *, single: 
 
 
 def _load(module: Path) -> None:
-    """Imports a file by its name, from its folder, so that the processes of the trial find it as well."""
+    """Add the folder of a Python file to `sys.path`, where worker processes find the file too, and import the file."""
     from warpsample.host.arguments import check_file
 
     path = check_file(module, "module", "a Python file")
