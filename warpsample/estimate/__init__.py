@@ -1,1 +1,1 @@
-"""Numbers for each point, from rays that never reach memory: `estimate` has the calls."""
+"""Monte Carlo estimates at surface points, such as ambient occlusion, by one kernel that stores no rays."""

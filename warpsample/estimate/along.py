@@ -1,4 +1,4 @@
-"""What an integrand is along directions that are given, wherever they start."""
+"""Evaluation of an integrand along given directions, without points or a mesh."""
 
 import numpy as np
 import warp as wp
@@ -9,11 +9,17 @@ from warpsample.host.engine import run
 from warpsample.host.locks import once
 from warpsample.maths.memory import set_vec3, vec3_at
 
-_BLOCK = 256  # directions of a task
+_BLOCK = 256  # directions per task
 
 
 def along(integrand: Integrand, directions: np.ndarray, workers: int) -> np.ndarray:
-    """(M, channels) float32 of (M, 3) contiguous float32 unit directions; each is the normal of its own lobe."""
+    """Return the integrand's values (M, channels) float32 along M unit directions.
+
+    Args:
+        integrand: Function to evaluate. The lobe's normal is the direction itself; the lobe's row and point id are 0.
+        directions: (M, 3) contiguous float32 unit vectors.
+        workers: Number of CPU threads.
+    """
     made = np.empty((len(directions), 3), np.float32)
     if len(made):
         memory = Memory.of(None)
@@ -26,7 +32,7 @@ def along(integrand: Integrand, directions: np.ndarray, workers: int) -> np.ndar
 
 @once
 def _kernel(function: wp.Function, struct: type) -> wp.Kernel:
-    """A kernel over blocks of directions."""
+    """Build the kernel that evaluates a function along directions, a block per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def along(total: wp.int64, directions: wp.uint64, target: wp.uint64, data: struct, first_task: wp.int64):

@@ -1,4 +1,4 @@
-"""Runs the plan of an estimate: by all of its rays, or by as many as reach a tolerance."""
+"""Execution of an estimate, with a fixed number of rays or with the number that reaches a tolerance."""
 
 import warnings
 from dataclasses import replace
@@ -16,7 +16,10 @@ _MISSED = 1.1  # times the tolerance: the error's own error is a few percent
 
 
 def estimate(plan: Plan, summed: RaySum) -> Estimate:
-    """The estimate of a sum over the rays of each point of a plan."""
+    """Compute the estimate of a plan: cast the rays of each point and sum their weights.
+
+    With a tolerance, a trial first finds the number of rays. A warning reports a tolerance that `count` rays do not reach.
+    """
     options, traced = plan.options, plan.at.scene is not None
     with bar(options.progress, "casting rays" if traced else "sampling directions"), options.memory.loan() as loan:
         runner = Runner(plan, summed, loan)

@@ -1,8 +1,8 @@
-"""Lobes that nothing blocks: the directions of several streams are made and integrated together, in loops that vectorise.
+"""Sums over lobes without a mesh: directions of several streams are generated and integrated together in vectorised loops.
 
-The points of a lattice go round the square. Where the integrand does not, as from the horizon to the normal, or from one end
-of a sector to the other, its step there is most of the error if it is smooth. Folded, u to 1 - |2u - 1|, which is uniform as
-well, the points go to and fro, and there is no step: the error falls by 1/n^2, not 1/n (Hickernell2002).
+The points of a lattice are periodic on the unit square. Integrands are not: they jump from the horizon to the normal, and
+from one end of a sector to the other. For a smooth integrand, this jump causes most of the error. Folding, the map of u to
+1 - |2u - 1|, keeps the points uniform and removes the jump. The error then falls as 1/n^2, not as 1/n (Hickernell2002).
 """
 
 import warp as wp
@@ -19,20 +19,23 @@ from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.point import ShadingPoint
 
 BLOCK = 256
-"""Directions that are made and integrated together: those of a lobe of as many, a stream for each stratum and half."""
+"""Number of directions that are generated and integrated together; they may come from several streams."""
 
-_TOGETHER = wp.constant(wp.int32(2 * LANES))  # variates are filled by multiples of it
+_TOGETHER = wp.constant(wp.int32(2 * LANES))  # variates are filled in multiples of this number
 
 
 @wp.func
 def _folded(u: wp.float32) -> wp.float32:
-    """1 - |2u - 1|, below 1."""
+    """Return 1 - |2u - 1|, clamped below 1: a uniform variate maps to a uniform variate, periodic at the ends."""
     return clamp_uniform(1.0 - wp.abs(2.0 * u - 1.0))
 
 
 @once
 def _stream_fill(slots: Slots) -> wp.Function:
-    """A function that fills the variates of a part of one stream, stretched over its sector; a full circle needs no fold."""
+    """Build the Warp function that fills the variates of a part of one stream, scaled to the stream's sector.
+
+    Lattice points are folded, but not along the azimuth of a full circle, where the integrand is periodic.
+    """
     fill, wraps = fill_variates(slots.sequence, BLOCK), slots.sequence.wraps
 
     @wp.func
@@ -56,7 +59,7 @@ def _stream_fill(slots: Slots) -> wp.Function:
 
 @once
 def _block_values(slots: Slots) -> wp.Function:
-    """A function that gives what the integrand is at each point of a block of variates, a row for each channel."""
+    """Build the Warp function that evaluates the integrand for a block of variates, with a row of values per channel."""
     weigh, struct, channels, about = slots.weigh, slots.struct, slots.channels, slots.about
     redraw, redraw_below, redraws = slots.redraw, slots.redraw_below, slots.redraw is not None
 
@@ -76,7 +79,7 @@ def _block_values(slots: Slots) -> wp.Function:
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)
             k += 1
-        if wp.static(redraws):  # noqa: SIM102  (one is decided when the kernel is built, the other when it runs)
+        if wp.static(redraws):  # noqa: SIM102  (the outer test is made when the kernel is built, the inner when it runs)
             if rare != 0:
                 for j in range(length):
                     at = wp.vec2(u[j], u[BLOCK + j])
@@ -91,13 +94,13 @@ def _block_values(slots: Slots) -> wp.Function:
 
 @wp.func
 def _rounded_up(length: wp.int32) -> wp.int32:
-    """To a multiple of as many variates as are filled at a time."""
+    """Return `length` rounded up to a multiple of the number of variates that are filled at a time."""
     return (length + _TOGETHER - 1) / _TOGETHER * _TOGETHER
 
 
 @wp.func
 def _sum_of(row: wp.uint64, length: wp.int32) -> wp.float64:
-    """The sum of float32 numbers in float64: four sums, so that no addition waits for the last."""
+    """Return the sum of float32 values in float64, by four independent partial sums for speed."""
     values = wp.array(ptr=row, shape=(BLOCK,), dtype=wp.float32)
     sums = wp.vec4d(ZERO, ZERO, ZERO, ZERO)
     k = wp.int32(0)
@@ -113,13 +116,16 @@ def _sum_of(row: wp.uint64, length: wp.int32) -> wp.float64:
 
 @once
 def free_lobe(slots: Slots) -> wp.Function:
-    """A function that sums a lobe that nothing blocks, as `traced_lobe` does one with a mesh."""
+    """Build the Warp function that sums the directions of one point's lobe without a mesh.
+
+    Its arguments and results are those of `traced_lobe`'s function.
+    """
     fill_stream, evaluate, widths = _stream_fill(slots), _block_values(slots), widths_of(slots)
     struct, channels = slots.struct, slots.channels
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """What `traced_lobe` gives; the workspace has a block of variates and its values."""
+        """Return the six sums of `traced_lobe`'s function; the workspace holds a block of variates and a block of values."""
         total = NOTHING
         variance = NOTHING
         unseen = NOTHING
@@ -135,7 +141,7 @@ def free_lobe(slots: Slots) -> wp.Function:
             for first in range(0, lobes.samples_per_stratum, BLOCK):
                 length = wp.min(BLOCK, lobes.samples_per_stratum - first)
                 filled = _rounded_up(length)
-                for i in range(taken):  # each overwrites what was filled beyond the one before it
+                for i in range(taken):  # each stream overwrites the padding of the stream before
                     fill_stream(lobes, point.key, lowest + i, first, filled, point.own + wp.uint64(4 * i * length))
                 evaluate(lobes, data, point, _rounded_up(taken * length), point.own, point.chunk)
                 for i in range(taken):

@@ -1,4 +1,4 @@
-"""The function that an estimate integrates: the user's `wp.func`, checked, in the one form that the kernels call."""
+"""Checks of the user's integrand, a `wp.func`, and its conversion to the signature that the kernels call."""
 
 from collections.abc import Callable, Iterator
 from ctypes import Structure
@@ -23,7 +23,12 @@ WANTED = "a wp.func (w: wp.vec3[, lobe: funcs.Lobe[, data: the struct of `data`]
 
 @wp.struct
 class Lobe:
-    """The point whose lobe is integrated: its unit normal, its row in this call, and its global id."""
+    """Point whose lobe is integrated, as passed to integrands.
+
+    normal: Unit normal in world coordinates.
+    row: Row of the point in the call.
+    point: Global id of the point.
+    """
 
     normal: wp.vec3
     row: wp.int32
@@ -32,26 +37,26 @@ class Lobe:
 
 @wp.struct
 class NoData:
-    """The data of a function that takes none."""
+    """Placeholder data for functions that take no data."""
 
     nothing: wp.int32
 
 
-_DIGITS = 16  # of the name of a function, which Warp's hash of a kernel sees
+_DIGITS = 16  # hexadecimal digits of the content in the name of a function, which enters Warp's hash of a kernel
 
 
 @dataclass(frozen=True)
 class Integrand:
-    """What is integrated.
+    """Function to integrate over a lobe, with its data.
 
     Attributes:
-        function: (direction, Lobe, Data) -> vec3 of a ray that meets nothing.
-        channels: how many components of the vec3 count, 1 or 3.
-        data: the third argument: an instance of `struct`, or its ctypes.
-        struct: its type.
-        arrays: (name, array) of the fields of the data that are addresses of NumPy's arrays.
-        constant: whether the function is (1, 0, 0) everywhere.
-        binary: whether it is (1, 0, 0) or 0.
+        function: Warp function (direction, Lobe, data) -> weight of an unoccluded ray, a vec3.
+        channels: Number of components of the vec3 that are used, 1 or 3.
+        data: Third argument of the function: an instance of `struct`, or its ctypes structure.
+        struct: Type of the data, a wp.struct.
+        constant: Whether the function is (1, 0, 0) everywhere.
+        binary: Whether the function is (1, 0, 0) or 0 everywhere.
+        arrays: (name, array) pairs of the data's fields that hold addresses of NumPy arrays.
     """
 
     function: wp.Function
@@ -63,7 +68,7 @@ class Integrand:
     arrays: tuple[tuple[str, np.ndarray], ...] = ()
 
     def data_for(self, loan: Loan) -> Any:
-        """The third argument as a kernel takes it, its arrays where that runs while the loan lasts."""
+        """Return the data as a kernel argument, with the arrays on the kernel's device for as long as the loan lasts."""
         if not isinstance(self.data, Structure):
             return (self.data if loan.memory.in_place else with_arrays(self.data, loan.clone)).__ctype__()
         data = type(self.data).from_buffer_copy(self.data)
@@ -73,11 +78,13 @@ class Integrand:
 
 
 def integrand_of(function: Any, data: Any = None, argument: str = "integrand", device: wp.Device | None = None) -> Integrand:
-    """A user's function and data, as they are now, for a device; the CPU by default.
+    """Check a user's function and data, and return the `Integrand` for a device, by default the CPU.
+
+    Later changes of the function's globals or of the data's fields do not change the `Integrand`.
 
     Raises:
-        TypeError: not a function that can be integrated; names the argument.
-        ValueError: an array in the data is neither on the CPU nor on the device.
+        TypeError: the function or the data cannot be integrated; the message names the argument.
+        ValueError: an array in the data is neither on the CPU nor on the device, or is not set.
     """
     data, struct = _own(data, device or cpu())
     if not isinstance(function, wp.Function) or function.func is None:
@@ -111,10 +118,10 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand", d
 
 
 def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
-    """(a copy of an instance that holds the same arrays, its wp.struct): its fields may be set while the call runs."""
+    """Return (shallow copy of the user's data, its wp.struct), so that the user may set fields while the call runs."""
     if data is None:
         return None, NoData
-    struct = getattr(data, "_cls", None)  # what a kernel's argument is annotated with
+    struct = getattr(data, "_cls", None)  # the type that annotates a kernel's argument
     if struct is None or not hasattr(data, "__ctype__"):
         raise TypeError(f"data: got {told(data)}, want an instance of a wp.struct, or None")
     own = data._cls()
@@ -129,24 +136,24 @@ def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
 
 
 def _check_arrays_are_set(data: Any, names: set[str]) -> None:
-    """Refuses data without an array that is read: a kernel would read from address 0."""
+    """Raise ValueError if an array field in `names` is not set: a kernel would read from address 0."""
     for name, array in _arrays_in(data):
         if array is None and name.rpartition(".")[2] in names:
             raise ValueError(f"data: got {_name(data._cls)} whose array {name} is not set, want one, or one of no elements")
 
 
 def _arrays_in(data: Any, within: str = "") -> Iterator[tuple[str, Any]]:
-    """(name, array) of all arrays in a struct and the structs in it; None for one that is not set."""
+    """Yield the (name, array) pairs of a struct and its nested structs; an unset array is None."""
     for name in data._cls.vars:
         value = getattr(data, name)
         if hasattr(value, "_cls"):
             yield from _arrays_in(value, f"{within}{name}.")
-        elif value is None or isinstance(getattr(value, "device", None), wp.Device):  # of NumPy's numbers it is "cpu"
+        elif value is None or isinstance(getattr(value, "device", None), wp.Device):  # NumPy scalars have device "cpu"
             yield within + name, value
 
 
 def with_arrays(data: Any, take: Callable[[wp.array], wp.array]) -> Any:
-    """An instance of the same struct, and of the structs in it, with what `take` makes of each array."""
+    """Return a copy of a struct and its nested structs with each array replaced by `take(array)`."""
     made = data._cls()
     for name in data._cls.vars:
         value = getattr(data, name)
@@ -157,12 +164,15 @@ def with_arrays(data: Any, take: Callable[[wp.array], wp.array]) -> Any:
 
 
 def _returns_colour(function: wp.Function, argument: str) -> bool:
-    """Whether a function gives a vec3, and not a number."""
+    """Return whether a function returns a vec3 rather than a number; raise TypeError if neither.
+
+    A function without a return annotation is called once.
+    """
     kind = returned(function)
     if kind is None:
         try:
             kind = type(function(wp.vec3(0.0, 0.0, 1.0)))
-        except Exception as error:  # whatever its author's code raises; and some of Warp, as wp.where, is for kernels alone
+        except Exception as error:  # any error of the user's code; and parts of Warp, as wp.where, work in kernels alone
             raise TypeError(
                 f"{argument}: got a function that does not say what it returns and cannot be called with a direction "
                 f"({error}), want {WANTED}"
@@ -189,9 +199,9 @@ def _number_as_vector(x: Any) -> wp.vec3:
 
 @once
 def _in_one_form(function: wp.Function, struct: Any, count: int, colour: bool, content: str) -> wp.Function:
-    """A function of up to three arguments that gives a number of any type or a vec3, as one of three that gives a vec3.
+    """Wrap a function of `count` arguments, 1 to 3, that returns a number or a vec3 as (w, lobe, data) -> vec3.
 
-    Another content makes another one, under a name that Warp's hash of a kernel sees.
+    A number becomes (number, 0, 0). The wrapper's name contains `content`, so that changed functions get another kernel.
     """
     name, vector = f"integrand_{content[:_DIGITS]}", _as_vector if colour else _number_as_vector
     if count == 1:

@@ -1,4 +1,4 @@
-"""The general estimate: the mean over a lobe of a function of the user's."""
+"""The mean of a user-defined function over the directions of a lobe."""
 
 from dataclasses import replace
 from typing import Any
@@ -91,7 +91,7 @@ def integrate(
 
 
 def _without_mesh(points: Any) -> PlacedPoints:
-    """Points, or normals alone, (P, 3), whose rays meet nothing."""
+    """Return placed points without a mesh, from SurfacePoints or from a (P, 3) array of normals."""
     if not isinstance(points, SurfacePoints):
         given = Triples.of(points, "points", "(P, 3)")
         if len(given.shape) != 1:
@@ -102,7 +102,10 @@ def _without_mesh(points: Any) -> PlacedPoints:
 
 
 def _first_of(plan: Plan) -> Plan:
-    """The first points with few rays; of a call with no more points than that, the plan itself."""
+    """Return a plan of the first 64 points with at most 64 rays each, or `plan` itself if `plan` has no more points.
+
+    The short run reports functions that do not compile or are not finite before the long run starts.
+    """
     if len(plan.at) <= _FEW_POINTS:
         return plan
     few, active = slice(_FEW_POINTS), plan.options.active
@@ -112,7 +115,7 @@ def _first_of(plan: Plan) -> Plan:
 
 
 def _check_finite(found: Estimate) -> None:
-    """Refuses a function that is NaN or infinite at all points that have a normal."""
+    """Raise ValueError if the integrand was NaN or infinite at all points that have a normal."""
     broken = np.count_nonzero(has_status(found.status, PointStatus.NONFINITE_VALUE))
     if broken and not has_status(found.status, PointStatus.OK).any():
         raise ValueError(f"integrand: got NaN or infinity at each of the first {broken} points, want finite numbers")

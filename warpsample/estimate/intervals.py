@@ -1,16 +1,18 @@
-"""The error of an estimate, from its few squared differences and from what is known of edges, as a t distribution.
+"""Confidence intervals of an estimate: a t distribution from squared differences of replicates and a prior on edges.
 
-A stratum that some rays left and some did not is *mixed*: an edge passes through it. How many rays of a low-discrepancy set
-are on one side of an edge varies by about one, whatever the edge (`Sequence.edge`). So the difference between a stratum's
-two replicates is not the only witness of its error. What edges let expect counts as if it were some differences more, which
-is the conjugate prior of a normal's variance, and the posterior is a t distribution; where the differences exceed what edges
-make, as among leaves, it counts for less. Strata without an edge speak for themselves.
+A stratum is *mixed* if some of its rays are occluded and some are not: an edge passes through the stratum. The number of
+rays of a low-discrepancy set on one side of an edge varies by about one, whatever the edge (`Sequence.edge`). The expected
+variance of edges is therefore a second source, besides the difference between a stratum's two replicates. The expectation
+counts as a number of further differences, the conjugate prior of a normal's variance. The posterior is a t distribution.
+The prior counts for less where the differences exceed the expectation, as among leaves. Strata without an edge have no
+prior.
 
-What no ray has met may be there all the same. If all rays agree, as they do under a small opening or below a wire, 3.7 rays
-are compatible with none at 95 %, by the bounds of Clopper1934, which hold for stratified rays, too; and so it is, within
-2 %, at all levels from 0.9 to 0.99, by a t distribution of 9 degrees of freedom and a scale of 1.64 rays. Else, `unseen` of
-the sequence is added: half a ray of a lattice, more of independent rays, of which two may be met where six are expected. If
-a single ray differs from the others of its stratum, 5.6 are compatible with it.
+Openings or blockers may exist that no ray has hit. If all rays agree, as under a small opening or below a wire, up to 3.7
+rays of the other kind are compatible with the sample at 95 % (Clopper1934; the bound holds for stratified rays, too). A t
+distribution with 9 degrees of freedom and a scale of 1.64 rays gives the same bound within 2 % at levels from 0.9 to 0.99.
+If rays disagree, the variance `unseen` of the sequence is added: half a ray squared for a lattice, more for independent
+rays, of which two may hit where six are expected. If a single ray differs from the others of its stratum, up to 5.6 rays
+are compatible with the sample.
 """
 
 from typing import NamedTuple
@@ -22,19 +24,19 @@ from numpy.typing import NDArray
 from warpsample.host.locks import imported
 from warpsample.maths.numerics import ONE, TWO, ZERO
 
-_HALF_A_RAY, _IF_ALL_AGREE, _IF_ONE_DIFFERS = 0.25, 1.64**2, 3.85  # variances of what no ray has met, in rays squared
+_HALF_A_RAY, _IF_ALL_AGREE, _IF_ONE_DIFFERS = 0.25, 1.64**2, 3.85  # variances of geometry without a hit, in rays squared
 _WORTH_IF_ALL_AGREE = 9.0
-_WORTH_OF_COUNTS = 16.0  # differences: the variance varies by a third of itself from edge to edge, at 4 to 8 samples
-_WORTH_OF_WEIGHTS = 4.0  # by how much an edge changes a weight is not known, but read off the rays
+_WORTH_OF_COUNTS = 16.0  # differences: from edge to edge the variance varies by a third of its mean, at 4 to 8 samples
+_WORTH_OF_WEIGHTS = 4.0  # less than for counts: the change of the weight at an edge is estimated from the rays
 _THREE = wp.constant(wp.float64(3.0))
 
 
 class Interval(NamedTuple):
-    """The ends of an interval.
+    """Lower and upper ends of an interval for each point.
 
     Attributes:
-        lower: (P,) float32, or (P, 3).
-        upper: of the same shape.
+        lower: Lower ends, (P,) or (P, 3) float32, in the unit of the values.
+        upper: Upper ends, of the same shape and unit.
     """
 
     lower: NDArray[np.float32]
@@ -42,17 +44,22 @@ class Interval(NamedTuple):
 
 
 def interval_of(value: np.ndarray, spread: np.ndarray, degrees: np.ndarray, level: float) -> Interval:
-    """The interval about a value with that much of a t distribution, of a scale and degrees of freedom."""
+    """Return the interval value -+ spread * q, with q the quantile of Student's t that gives the probability `level`.
+
+    Degrees of freedom below 1 count as 1.
+    """
     half = spread * imported("scipy.special").stdtrit(np.maximum(degrees, 1.0).astype(np.float64), 0.5 + 0.5 * level)
     return Interval((value - half).astype(np.float32), (value + half).astype(np.float32))
 
 
 @wp.struct
 class Prior:
-    """What is expected before any ray is cast.
+    """Prior of the variance of a sum of rays, before any ray is cast.
 
-    worth, unseen: differences that the expectation is worth, and the variance of what no ray has met, in rays squared.
-    worth_if_all_agree, unseen_if_all_agree: likewise where no stratum is mixed. unseen_if_one_differs: where one ray is all.
+    worth: Weight of the expected variance, as a number of squared differences.
+    unseen: Variance of geometry that no ray has hit, in rays squared.
+    worth_if_all_agree, unseen_if_all_agree: The same two numbers for a point without a mixed stratum.
+    unseen_if_one_differs: The number `unseen` for a point where a single ray differs from its stratum.
     """
 
     worth: wp.float64
@@ -63,7 +70,13 @@ class Prior:
 
 
 def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...]:
-    """The fields of a Prior, of rays that count 1 or 0 or have other weights, and that may be blocked or not."""
+    """Return the five fields of `Prior`, in order.
+
+    Args:
+        counts: Whether each ray adds exactly 0 or 1.
+        unseen: Variance of geometry that no ray has hit, in rays squared, of the sequence.
+        traced: Whether rays are traced against a mesh.
+    """
     worth = _WORTH_OF_COUNTS if counts else _WORTH_OF_WEIGHTS
     if not traced:
         return worth, _HALF_A_RAY, worth, _HALF_A_RAY, _HALF_A_RAY
@@ -72,9 +85,10 @@ def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...
 
 @wp.func
 def edge_variance(free: wp.int32, rays: wp.int32, limit: wp.float32) -> wp.float64:
-    """The variance to expect of the difference between a stratum's replicates, in rays squared; 0 where all rays agree.
+    """Return the expected variance of the difference between a stratum's two replicates, in rays squared.
 
-    That of independent rays, of which `free` went one way, or a limit if that is less.
+    The variance is that of independent rays, free * (rays - free) / (rays - 1), or `limit` if that is less. It is 0 where
+    all rays agree.
     """
     share = wp.float64(free) * wp.float64(rays - free) / wp.float64(rays - 1)
     return wp.min(share, wp.float64(limit))
@@ -92,18 +106,18 @@ def posterior(
     strata: wp.int32,
     prior: Prior,
 ):
-    """(square of the scale, degrees of freedom) of the t distribution of a sum of rays.
+    """Return (squared scale, degrees of freedom) of the t distribution of a sum of rays.
 
     Args:
-        variance: the sum of the strata's squared differences.
-        expected: of the mixed strata, what `edge_variance` expects of that.
-        unseen: what a ray more would add, squared.
-        rest: the part of `variance` that is of other strata.
-        fourth: the sum of the squares of what adds up to `rest`.
-        mixed: strata.
-        fewer: rays of these that differ from most of their stratum.
-        strata: all.
-        prior: differences that the expectation is worth count for less by the square of how far they exceed it.
+        variance: Sum over all strata of the squared difference between the replicates.
+        expected: Expected value of the mixed strata's part of `variance`, from `edge_variance`.
+        unseen: Squared weight of one ray, the mean over the strata.
+        rest: Part of `variance` from strata that are not mixed.
+        fourth: Sum of the squares of the terms of `rest`.
+        mixed: Number of mixed strata.
+        fewer: Number of rays of mixed strata that differ from the majority of their stratum.
+        strata: Number of all strata.
+        prior: Prior. Where the differences exceed the expectation, its `worth` is divided by the square of their ratio.
     """
     worth = wp.where(mixed > 0, prior.worth, prior.worth_if_all_agree)
     of_ray = wp.where(fewer == 1, prior.unseen_if_one_differs, prior.unseen)

@@ -1,4 +1,4 @@
-"""Numbers for each point in one kernel: strata are found empty or not, rays made, traced and summed; none is stored."""
+"""The estimate kernel: empty strata are skipped, and rays are generated, traced and summed without being stored."""
 
 import warp as wp
 
@@ -15,16 +15,16 @@ from warpsample.tracing.placement import id_of
 from warpsample.tracing.queries import CHUNK_FLOATS, PREPARED, Accelerator
 from warpsample.tracing.sight.point import ShadingPoint, orient_point, place_point, point_in, workspace_floats
 
-_ANYTHING = wp.constant(wp.float32(2.0**60))  # nothing is so low below a horizon
+_ANYTHING = wp.constant(wp.float32(2.0**60))  # no geometry is that far below a horizon
 
 
 @once
 def _keep(channels: int) -> wp.Function:
-    """A function that stores the numbers of a point."""
+    """Build the Warp function that stores the results of a point."""
 
     @wp.func
     def keep(lobes: Lobes, point: wp.int64, total: wp.vec3d, variance: wp.vec3d, width: wp.vec3d, degrees: wp.vec3d):
-        """Stores means over the rays, from sums over them."""
+        """Divide the sums over a point's rays by the number of rays, and store the results."""
         rays = wp.float64(2 * lobes.samples_per_stratum * lobes.bands * lobes.sectors)
         at = wp.uint64(point) * wp.uint64(4 * channels)
         value = wp.array(ptr=lobes.value + at, shape=(channels,), dtype=wp.float32)
@@ -42,13 +42,13 @@ def _keep(channels: int) -> wp.Function:
 
 @once
 def _estimator(slots: Slots) -> wp.Function:
-    """A function that estimates one point."""
+    """Build the Warp function that computes and stores the estimate of one point."""
     struct, upward, traced, keep = slots.struct, slots.upward, slots.query is not None, _keep(slots.channels)
     sum_lobe = (free_lobe if slots.query is None else traced_lobe)(slots)
 
     @wp.func
     def estimate_point(lobes: Lobes, accelerator: Accelerator, data: struct, visit: wp.int64, workspace: ShadingPoint):
-        """Stores the numbers of the point that is visited so many points after the first."""
+        """Compute and store the results of the point at position `visit` of the placement's order."""
         point = orient_point(workspace, lobes.placement, lobes.normals, lobes.active, visit)
         point.key = point_key(lobes.seed, id_of(lobes.placement, lobes.first_point, point.index))
         if wp.static(traced):
@@ -79,7 +79,10 @@ def _estimator(slots: Slots) -> wp.Function:
 
 @once
 def estimate_kernel(slots: Slots) -> wp.Kernel:
-    """A kernel with a task for each `rows` points in the order of the placement, which share cleared memory."""
+    """Build the estimate kernel, with one task per `lobes.rows` points in the order of the placement.
+
+    The points of a task share one block of cleared memory.
+    """
     struct, estimate_point, traced = slots.struct, _estimator(slots), slots.query is not None
     chunk = (CHUNK_FLOATS if slots.wide else PREPARED) if traced else slots.channels * BLOCK
     own = OWN_FLOATS if traced else 2 * BLOCK

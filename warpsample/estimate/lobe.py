@@ -1,4 +1,4 @@
-"""The lobe of one point: its empty strata are found, the others are summed one by one."""
+"""Sum over the lobe of one point. Empty strata are found by shafts through the tree; rays sum the remaining strata."""
 
 import warp as wp
 
@@ -17,7 +17,7 @@ NOTHING: wp.vec3d = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 @once
 def widths_of(slots: Slots) -> wp.Function:
-    """A function that says how wide an estimate's interval is."""
+    """Build the Warp function that computes the t distribution of each channel of a point."""
     channels = slots.channels
     numbers = prior_numbers(slots.counts, slots.sequence.unseen, slots.query is not None)
     worth, unseen_ray, worth_if_agreed, unseen_if_agreed, unseen_if_one = (wp.constant(wp.float64(x)) for x in numbers)
@@ -33,7 +33,10 @@ def widths_of(slots: Slots) -> wp.Function:
         fewer: wp.int32,
         strata: wp.int32,
     ):
-        """`posterior` of each channel; `unseen` is summed over the strata."""
+        """Return (squared scales, degrees of freedom) of the channels' t distributions, see `posterior`.
+
+        `unseen` is the sum over the strata of the squared weight of one ray.
+        """
         width = NOTHING
         degrees = NOTHING
         prior = Prior(worth, unseen_ray, worth_if_agreed, unseen_if_agreed, unseen_if_one)
@@ -49,14 +52,18 @@ def widths_of(slots: Slots) -> wp.Function:
 
 @once
 def traced_lobe(slots: Slots) -> wp.Function:
-    """A function that sums a lobe that a mesh may block."""
+    """Build the Warp function that sums the rays of one point's lobe against a mesh."""
     find, of_glass = finder_of(slots.glass), GLASS if slots.glass else 0
     constant, struct, wide, open_jump = slots.constant, slots.struct, slots.wide, ONE if slots.any_hit else HALF
     sum_stratum, widths, jump_at = stratum_sum(slots), widths_of(slots), jump_of(slots)
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """(sum of all rays' weights, squares of its standard error and spread, degrees, rays cast, in empty strata)."""
+        """Return six sums over the rays of a point.
+
+        They are: the sum of the weights, its squared standard error, its squared spread, the degrees of freedom, the number
+        of rays cast, and the number of rays in strata proven empty.
+        """
         total = NOTHING
         variance = NOTHING
         mixed = wp.int32(0)
@@ -76,7 +83,7 @@ def traced_lobe(slots: Slots) -> wp.Function:
         anything = wp.where(seen.starts == 0 and local == 0, 0, BLOCKERS) | of_glass
         for sector in range(lobes.sectors):
             sector_found = anything
-            for step in range(wp.where(lobes.bands > 2, 0, 1), lobes.bands + 1):  # a sector of many bands, then its bands
+            for step in range(wp.where(lobes.bands > 2, 0, 1), lobes.bands + 1):  # step 0: whole sector
                 found = sector_found
                 stratum_local = local
                 if wp.static(wide):

@@ -1,4 +1,4 @@
-"""The arguments of an estimate's kernel: the lobes of all points, cut into strata, and where their numbers go."""
+"""Arguments of the estimate kernel: the lobes of all points, their strata, and the addresses of the results."""
 
 import warp as wp
 
@@ -12,27 +12,35 @@ from warpsample.tracing.sight.search import EMPTY, in_local_leaf, search_shaft
 from warpsample.tracing.sight.shafts import VECTORS_BYTES, aim_about
 
 NONFINITE_VALUE = 5
-"""The status of a point whose integrand is not finite; `sight.point` and `directions.samples` have the others."""
+"""Status of a point whose integrand is not finite. `sight.point` and `directions.samples` define the other statuses."""
 
 
 BLOCKERS, GLASS = 1, 2
-"""What may be in a part of the lobe, as bits: faces that stop all light, and such that let some through."""
+"""Bits for the kinds of faces that rays of a part of the lobe may hit: opaque faces, partly transmitting faces."""
 
 
 @wp.struct
 class Lobes:
-    """Scalars and addresses of the lobes of all points, their strata, and where their numbers go.
+    """Kernel argument with the lobes of P points: scalars, and addresses of input and output arrays.
 
-    placement: of the points; its normals are those of their faces, along which they are moved off.
-    first_row: of these points in the whole call; first_point is the global id of the first of them.
-    visits, rows: points that are visited, in all and by a task.
-    normals, active: (P, 3) float32, (P,) uint8 or 0: the lobes' axes, and which points count.
-    samples_per_stratum, bands, sectors, shafts: as `Strata` has them; shafts 0 tests none.
-    skip: whether the tree is searched for what cannot be met.
-    edge: what is expected at most of an edge through a stratum, see `edge_variance`. parameters: of the distribution.
-    value, error, spread, degrees: (P, channels) float32.
-    glass: the faces that let some light through, if there are any.
-    cast, empty, status: (P,) int32, int32, uint8: rays cast, rays in parts of the lobe that meet nothing, why not.
+    placement: Positions and face normals of the points. Ray origins are moved off the face along the face normal.
+    seed: Random seed of the rays.
+    first_point: Global id of row 0 of these P points.
+    first_row: Row of these points' row 0 in the whole call.
+    visits, rows: Number of points to compute in all, and per task.
+    normals: Axes of the lobes, (P, 3) float32.
+    active: Mask of the points to compute, (P,) uint8, or address 0 for all points.
+    samples_per_stratum, bands, sectors: Numbers that define the strata, see `Strata`.
+    shafts: Shafts about the strata, see `Strata`, or address 0 to test no shaft.
+    skip: Whether the tree is searched for strata and nodes without faces to hit.
+    falloff: Exponent of the falloff, 0 without one.
+    edge: Largest variance expected from an edge through a stratum, in rays squared; the limit of `edge_variance`.
+    parameters: Parameters of the distribution.
+    value, error, spread, degrees: Results, (P, channels) float32.
+    cast: Number of rays cast, (P,) int32.
+    empty: Number of rays in strata that are proven empty, (P,) int32.
+    status: Status of the points, (P,) uint8.
+    glass: Tree of the partly transmitting faces, if the mesh has any.
     """
 
     placement: Placement
@@ -66,7 +74,7 @@ LobesArgs = type(Lobes().__ctype__())
 
 @wp.func
 def lobe_of(lobes: Lobes, point: ShadingPoint) -> Lobe:
-    """A point's lobe, as integrands are told of it."""
+    """Return the `Lobe` that describes a point to the integrand: unit normal, row in the call, global id."""
     lobe = Lobe()
     lobe.normal = point.n
     lobe.row = lobes.first_row + wp.int32(point.index)
@@ -76,11 +84,11 @@ def lobe_of(lobes: Lobes, point: ShadingPoint) -> Lobe:
 
 @once
 def finder_of(glass: bool) -> wp.Function:
-    """A function that looks for what is in a shaft about a part of the lobe."""
+    """Build the Warp function that searches the tree for faces in a shaft about a part of the lobe."""
 
     @wp.func
     def find(lobes: Lobes, tree: Accelerator, point: ShadingPoint, i: wp.int32, local: wp.int32):
-        """(what a ray of the i-th shaft may meet, which of the triangles of the local leaf)."""
+        """Return (bits of the kinds of faces in the i-th shaft, bits of the local leaf's triangles in that shaft)."""
         aim_about(lobes.shafts + wp.uint64(i) * VECTORS_BYTES, point)
         found = search_shaft(tree, point, local)
         may_meet = wp.where(found.state == EMPTY, 0, BLOCKERS)

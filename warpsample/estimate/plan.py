@@ -1,4 +1,4 @@
-"""The checked call of an estimate, and what it sums over the rays of a point."""
+"""Checked arguments of an estimate, and the definition of the sum over the rays of a point."""
 
 from dataclasses import dataclass
 from math import inf
@@ -17,20 +17,20 @@ from warpsample.host.options import RayKeywords
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
-_MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
+_MOST_RAYS = 2**24  # per point: hits are counted in float64 and rays in int32, and one task computes a whole point
 _BYTES_PER_POINT = 132
 
 
 @dataclass(frozen=True)
 class RaySum:
-    """What is summed over the rays of a point.
+    """Definition of the sum over the rays of a point.
 
     Attributes:
-        integrand: what a ray adds that meets nothing.
-        reach: how far rays go, in the user's units.
-        unit: what the mean of the rays is multiplied by.
-        falloff: see `ambient_occlusion`; None: a ray that meets something adds nothing.
-        result: the type of the estimate.
+        integrand: Weight of an unoccluded ray, as a function of the direction.
+        reach: Length of the rays, in mesh units.
+        unit: Factor by which the mean over the rays is multiplied.
+        falloff: Exponent of the falloff with distance, see `ambient_occlusion`; None if occluded rays add 0.
+        result: Type of the result, a subclass of `Estimate`.
     """
 
     integrand: Integrand
@@ -42,14 +42,14 @@ class RaySum:
 
 @dataclass(frozen=True)
 class Plan:
-    """A checked call, apart from what it sums.
+    """Checked arguments of an estimate, without the sum (`RaySum`).
 
     Attributes:
-        at: the points, and the mesh that they see.
-        count: rays of each point.
-        options: what calls share.
-        tolerance: the standard error to reach by at most `count` rays; None: by all of them.
-        distribution: of the rays.
+        at: Points, with the mesh that may block their rays.
+        count: Number of rays per point.
+        options: Options that all calls share.
+        tolerance: Standard error to reach with at most `count` rays; None to cast all `count` rays.
+        distribution: Distribution of the ray directions.
     """
 
     at: PlacedPoints
@@ -62,11 +62,11 @@ class Plan:
     def of(
         cls, at: PlacedPoints, count: Any, options: RayOptions, *, tolerance: Any = None, distribution: Any = POLAR_COSINE
     ) -> "Plan":
-        """The plan of a call from points that are placed and options that are checked.
+        """Check the count, the tolerance and the distribution, and return the plan for placed points and checked options.
 
         Raises:
-            TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-            MemoryError: more than is free.
+            TypeError, ValueError: an argument cannot be used; the message names the argument, what it got and what it wants.
+            MemoryError: the results need more memory than is free.
         """
         if at.mesh is not None and at.mesh.transmits:
             options.check_through_glass()
@@ -81,16 +81,16 @@ class Plan:
 
 
 def plan_of(at: PlacedPoints, count: Any, *, distribution: Any = POLAR_COSINE, **options: Unpack[RayKeywords]) -> Plan:
-    """Check the options of a call, and return its plan; errors are those of `Plan.of`."""
+    """Check the options of a call and return the call's plan; raises the errors of `Plan.of`."""
     tolerance = options.pop("tolerance", None)
     checked = RayOptions.of(len(at), ids=at.id, **options)
     return Plan.of(at, count, checked, tolerance=tolerance, distribution=distribution)
 
 
 def reach_of(max_distance: Any) -> float:
-    """How far rays go: infinitely far by default.
+    """Return the length of rays: `max_distance` as a float, infinity for None.
 
     Raises:
-        TypeError, ValueError: not a number from 0 on.
+        TypeError, ValueError: `max_distance` is not a number of at least 0.
     """
     return inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)

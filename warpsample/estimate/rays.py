@@ -1,4 +1,4 @@
-"""The directions of the rays of one stratum."""
+"""Directions of the rays of one stratum."""
 
 import warp as wp
 
@@ -10,22 +10,22 @@ from warpsample.tracing.queries import CHUNK, set_direction
 from warpsample.tracing.sight.point import ShadingPoint
 
 OWN_FLOATS = 3 * CHUNK
-"""float32 numbers of a chunk's variates, and then of its rays' weights."""
+"""Number of float32 values in a chunk's buffer, which holds the variates first and the rays' weights later."""
 
 LAST_UNIFORM: wp.float32 = wp.constant(wp.float32(1.0 - 2.0**-24))
-"""For variates that are rounded up to the next stratum."""
+"""Largest float32 below 1: upper limit for variates that would be rounded up to the next stratum."""
 
 
 @once
 def spread_of(slots: Slots) -> wp.Function:
-    """A function that writes the directions of a chunk of rays."""
+    """Build the Warp function that writes the directions of a chunk of a stratum's rays."""
     sample, directions = slots.sequence.sample, directions_of(slots)
 
     @wp.func
     def spread(lobes: Lobes, point: ShadingPoint, stratum: wp.int32, first: wp.int32, length: wp.int32):
-        """The directions of a stratum's rays, both replicates one after the other, from the first-th on.
+        """Write the directions of `length` rays of a stratum to the chunk, starting at ray number `first`.
 
-        Each replicate of each stratum is a stream of its own.
+        The rays of the first replicate come before those of the second. Each replicate of each stratum has its own stream.
         """
         u = wp.array(ptr=point.own, shape=(OWN_FLOATS,), dtype=wp.float32)
         stream = wp.uint32(2 * stratum)
@@ -53,7 +53,7 @@ def spread_of(slots: Slots) -> wp.Function:
 
 @once
 def directions_of(slots: Slots) -> wp.Function:
-    """A function that maps a chunk's variates to directions."""
+    """Build the Warp function that maps a chunk's variates to directions."""
     about, redraw, redraw_below, redraws = slots.about, slots.redraw, slots.redraw_below, slots.redraw is not None
 
     @wp.func

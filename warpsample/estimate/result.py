@@ -1,4 +1,4 @@
-"""The result of an estimate: a number for each point, its error, and what was skipped."""
+"""Results of estimates: values per point, standard errors, confidence intervals and statistics of skipped work."""
 
 from dataclasses import dataclass, fields
 from enum import IntEnum
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 class PointStatus(IntEnum):
-    """Why a point has a number or not."""
+    """Status of a point: OK (0), or the reason why the point has no value."""
 
     OK = Status.OK
     INACTIVE = Status.INACTIVE
@@ -37,7 +37,7 @@ class PointStatus(IntEnum):
 
 
 def status_of(points: SurfacePoints) -> np.ndarray:
-    """(P,) uint8, a `PointStatus`: of points whose numbers no kernel makes, as the estimates have it."""
+    """Return the `PointStatus` (P,) uint8 of points from their normals and positions, by the rules of the kernels."""
     normal = as_directions(points.normal)
     cases = {
         PointStatus.NONFINITE_NORMAL: ~np.isfinite(normal).all(axis=1),
@@ -48,23 +48,24 @@ def status_of(points: SurfacePoints) -> np.ndarray:
 
 
 def has_status(status: np.ndarray, wanted: PointStatus) -> np.ndarray:
-    """Which points have a status; NumPy is to see no `PointStatus`, only its int.
+    """Return the (P,) bool mask of the points with the status `wanted`.
 
-    Of an enum it looks attributes up on the class, by Python code, and drops what a signal's handler raises there: Ctrl-C.
+    NumPy gets the status as an int. NumPy looks up attributes of an enum by Python code and drops exceptions that a signal
+    handler raises there, such as KeyboardInterrupt.
     """
     return status == int(wanted)
 
 
 @dataclass(frozen=True)
 class Skipped:
-    """How much work was skipped, without a change to the result.
+    """Amount of work that was skipped without a change to the result.
 
     Attributes:
-        points: without a number: inactive, without a normal, nowhere.
-        open_points: that no ray was cast from, since nothing is where it would go.
-        empty_rays: in parts of the lobe that meet nothing, of `open_points` or others; their answer is known.
-        weightless_rays: below the sky's horizon, or where the radiance is 0.
-        unneeded_rays: that `tolerance` saved, less those of the trial that told so.
+        points: Number of points without a value: inactive, without a normal, or without a finite position.
+        open_points: Number of points that cast no ray because the mesh has no face in their lobe.
+        empty_rays: Number of rays not cast because their part of the lobe is proven empty, at any point.
+        weightless_rays: Number of rays not cast because their weight is 0, as below the sky's horizon.
+        unneeded_rays: Number of rays that `tolerance` saved, less the rays of the trial.
     """
 
     points: int = 0
@@ -75,18 +76,18 @@ class Skipped:
 
 
 class PointResult(Summary):
-    """What results of P points have in common: a `status` of each, and ways to PyVista and xarray."""
+    """Base class of results at P points: a `status` for each point, and conversion to PyVista and xarray."""
 
     status: NDArray[np.uint8]
 
     _axes: ClassVar[tuple[str, ...]] = ("component",)
-    """What the columns of an array with a row for each point are called."""
+    """Names of the dimensions after "point" of the result's arrays, for `to_xarray`."""
 
     def counts(self) -> dict[PointStatus, int]:
-        """How many points have each status; those that occur.
+        """Count the points of each status.
 
         Returns:
-            {status: number of points, at least 1}.
+            {status: number of points}, without statuses that no point has.
 
         Example:
             >>> mesh, active = ws.load_mesh("courtyard"), np.arange(100) < 40
@@ -97,31 +98,32 @@ class PointResult(Summary):
         return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
 
     def _arrays(self) -> dict[str, np.ndarray]:
-        """The fields that have a row for each point, by name."""
+        """Return the fields with a row for each point, keyed by name."""
         kept = {item.name: getattr(self, item.name) for item in fields(self)}  # type: ignore[arg-type]
         arrays = {name: a for name, a in kept.items() if isinstance(a, np.ndarray) and a.dtype.kind != "M"}  # no hours
         return {name: a for name, a in arrays.items() if a.shape[:1] == self.status.shape and a.ndim < 3}
 
     def _coordinates(self) -> dict[str, np.ndarray]:
-        """What is known of the columns of arrays, for `to_xarray`; nothing by default."""
+        """Return the coordinates of dimensions other than "point" for `to_xarray`; empty by default."""
         return {}
 
     def to_polydata(self, on: Any, at: Literal["vertices", "faces"] | None = None) -> "PolyData":
-        """The numbers on what they are of, as PyVista's PolyData.
+        """Return the points or the mesh as PyVista's PolyData, with the result's arrays as point data or cell data.
 
         Args:
-            on: the SurfacePoints of the result; or the mesh (a Mesh or whatever `as_mesh` takes), if they were its
-                vertices or the centres of its faces.
-            at: which of the two; by default the one of which there are as many as numbers.
+            on: SurfacePoints of the result, or the mesh (anything that `as_mesh` accepts) whose vertices or face centers
+                the points are.
+            at: Location of the points on the mesh, "vertices" or "faces". Default: None, the one whose number matches.
 
         Returns:
-            a copy with an array for each field that has a row for each point: "value", "standard_error", "rays", "status"
-            and what else there is.
+            A copy with one array per field that has a row for each point, such as "value", "standard_error", "rays" and
+            "status".
 
         Raises:
             ModuleNotFoundError: PyVista is missing.
-            TypeError: neither points nor a mesh.
-            ValueError: another number of points, or as many vertices as faces and no `at`.
+            TypeError: `on` is neither points nor a mesh.
+            ValueError: the number of points, vertices or faces differs from the result's, or vertices and faces both match
+                and `at` is missing.
 
         Example:
             >>> mesh = ws.load_mesh("courtyard")
@@ -145,19 +147,20 @@ class PointResult(Summary):
         return made
 
     def to_xarray(self, points: SurfacePoints) -> "Dataset":
-        """The numbers as a dataset of xarray, with where the points are as coordinates.
+        """Return the result as an xarray Dataset, with the points' positions as coordinates.
 
         Args:
-            points: the P points that they are of.
+            points: The P SurfacePoints of the result.
 
         Returns:
-            a variable for each field that has a row for each point, of the dimension "point", and of "component", "patch" or
-            "hour" where a point has several numbers; coordinates x, y, z, face, and id and hour where there are any.
+            A Dataset with one variable per field that has a row for each point. The dimensions are "point" and, where a
+            point has several numbers, "component", "patch" or "hour". The coordinates are x, y and z, and face, id and hour
+            where known.
 
         Raises:
             ModuleNotFoundError: xarray is missing.
-            TypeError: no points.
-            ValueError: another number of points.
+            TypeError: `points` is not SurfacePoints.
+            ValueError: the number of points differs from the result's.
 
         Example:
             >>> mesh = ws.load_mesh("courtyard")
@@ -182,13 +185,13 @@ class PointResult(Summary):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ExactResult(PointResult):
-    """Numbers of P points that rays of no random direction give.
+    """Values at P points that involve no random rays, with a standard error of 0.
 
     Attributes:
         value: (P,) or (P, 3) float32; 0 where the status is not 0.
-        standard_error: float32, 0, of the same shape.
-        rays: (P,) int32, the rays cast that are counted.
-        status: (P,) uint8, a `PointStatus`.
+        standard_error: Zeros, float32, of the shape of `value`.
+        rays: Number of rays cast per point, (P,) int32.
+        status: `PointStatus` of each point, (P,) uint8.
     """
 
     value: NDArray[np.float32]
@@ -199,19 +202,20 @@ class ExactResult(PointResult):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Estimate(PointResult):
-    """A number for each of P points.
+    """Estimated values at P points, with standard errors and confidence intervals.
 
     Attributes:
-        value: (P,) float32, or (P, 3); 0 where the status is not 0.
-        standard_error: of the same shape and unit, 0 where all rays agree. Its square is an unbiased estimate of the
-            variance, from two independent randomisations of the rays of each stratum, of which there are few. For the range
-            of the right value at a point see `interval`.
-        spread: of the same shape and unit, the scale of the t distribution by which `interval` goes; never 0 where there is
-            a number, but under no light.
-        degrees_of_freedom: of the same shape, those of that distribution, float32: at least 1, or 0 without a number.
-        rays: (P,) int32, rays cast, those of the trial of a `tolerance` among them.
-        status: (P,) uint8, a `PointStatus`.
-        skipped: what was not done.
+        value: (P,) or (P, 3) float32; 0 where the status is not 0.
+        standard_error: float32, of the shape and unit of `value`; 0 where all rays agree. The square is an unbiased estimate
+            of the variance, from two independent randomisations of the rays of each stratum. Strata are few: use `interval`
+            for the range of the true value at a point.
+        spread: Scale of the t distribution of `interval`, float32, of the shape and unit of `value`. It is 0 only at points
+            without a value and where all rays have weight 0.
+        degrees_of_freedom: Degrees of freedom of that t distribution, float32, of the shape of `value`: at least 1, or 0 at
+            points without a value.
+        rays: Number of rays cast per point, (P,) int32, including the rays of a trial for `tolerance`.
+        status: `PointStatus` of each point, (P,) uint8.
+        skipped: Amount of skipped work.
     """
 
     value: NDArray[np.float32]
@@ -223,24 +227,25 @@ class Estimate(PointResult):
     skipped: Skipped
 
     possible: ClassVar[tuple[float, float]] = (-inf, inf)
-    """The least and the greatest number that there can be."""
+    """Least and greatest possible value; intervals are clipped to this range."""
 
     def interval(self, level: float = 0.95) -> Interval:
-        """Where the right number of each point lies: between the two in a share of about `level` of all estimates.
+        """Return a confidence interval for each point, which contains the true value with a probability of about `level`.
 
-        value -+ spread * (the quantile of t), see `estimate.intervals`, clipped to the possible values: 0 to 1 for occlusion
-        and sky view. From 32 rays on, 95 to 99 % of the intervals of 0.95 contain the right value on bunny and city, where
-        points are not proven open; the room's README has other scenes. A picture's bright part that no ray has hit is in no
-        interval. The interval is (value, value) where the status is not 0.
+        The interval is value -+ spread * (quantile of Student's t), see `estimate.intervals`. It is clipped to the possible
+        values, 0 to 1 for occlusion and sky view. With 32 rays or more, 95 to 99 % of the intervals of level 0.95 contain
+        the true value on bunny and city, at points that are not proven open; `estimate/README.md` lists other scenes. The
+        interval does not account for a bright part of a picture that no ray has hit. It is (value, value) where the status
+        is not 0.
 
         Args:
-            level: 0.01 to 0.9999.
+            level: Confidence level, 0.01 to 0.9999. Default: 0.95.
 
         Returns:
-            (lower, upper), each of `value`'s shape and unit.
+            (lower, upper), each of the shape and unit of `value`.
 
         Raises:
-            TypeError, ValueError: a level that is none.
+            TypeError, ValueError: `level` is not a number from 0.01 to 0.9999.
 
         Example:
             >>> mesh = ws.load_mesh("courtyard")
@@ -256,6 +261,6 @@ class Estimate(PointResult):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Share(Estimate):
-    """An `Estimate` of a share, from 0 to 1."""
+    """An `Estimate` of a share, a number from 0 to 1."""
 
     possible: ClassVar[tuple[float, float]] = (0.0, 1.0)

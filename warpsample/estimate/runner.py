@@ -1,4 +1,4 @@
-"""Runs a checked call: the arrays of its points, made once, and a launch for each number of rays."""
+"""Kernel launches of a checked call. The arrays of the points are prepared once, for launches with any number of rays."""
 
 from typing import Any
 
@@ -18,13 +18,13 @@ from warpsample.tracing.placement import PlacementArgs
 from warpsample.tracing.queries import AcceleratorArgs
 from warpsample.tracing.rays import RAY_WORK
 
-_BYTES_OF_POINT = 128  # on a device: position, two normals, mask, order, and at most three of each number
-_TASK, _MOST_ROWS = 1 << 11, 16  # rays and points of a task on the CPU, where to clear memory takes as long as ten rays
-_MOST_REACH = 2.0**60  # of the scene's size: what is in it is at no distance at all from there on
+_BYTES_OF_POINT = 128  # on a device: position, two normals, mask, order, and up to three components of each result
+_TASK, _MOST_ROWS = 1 << 11, 16  # rays and points per task on the CPU, where clearing memory takes as long as ten rays
+_MOST_REACH = 2.0**60  # in sizes of the scene: relative to this reach, all distances in the scene round to 0
 
 
 class Runner:
-    """A plan and what it sums, ready to be run with any numbers of rays."""
+    """A plan and its integrand, prepared to run with any number of rays."""
 
     plan: Plan
     summed: RaySum
@@ -35,20 +35,20 @@ class Runner:
     data: Any
 
     def __init__(self, plan: Plan, summed: RaySum, loan: Loan) -> None:
-        """Finds where the rays of the points start; the loan lasts as long as the runner."""
+        """Prepare the ray origins of the points and the integrand's data; `loan` must last as long as the runner."""
         self.plan, self.summed, self.at, self.options = plan, summed, plan.at, plan.options
         self.traced = plan.at.scene is not None
         self.placement = self._placement() if len(plan.at) else None
         self.data = summed.integrand.data_for(loan)
 
     def result(self, seed: int, count: int, chosen: np.ndarray | None = None, skip: bool | None = None) -> Estimate:
-        """The estimate by `count` rays from each point.
+        """Compute the estimate with `count` rays per point.
 
         Args:
-            seed: of the rays.
-            count: rays.
-            chosen: (P,) bool, the points to estimate; the others get 0.
-            skip: as in the plan by default.
+            seed: Random seed of the rays.
+            count: Number of rays per point.
+            chosen: (P,) bool mask of the points to compute; the values of all other points are 0. Default: None, all points.
+            skip: Whether to skip rays whose answer is known. Default: None, the plan's option.
         """
         points, channels = len(self.at), self.summed.integrand.channels
         shape = (points,) if channels == 1 else (points, channels)
@@ -78,12 +78,12 @@ class Runner:
         if not self.traced:
             return PlacementArgs()
         placement = self.at.facing(self.options, self.summed.reach)
-        if self.summed.falloff is not None:  # is relative to the reach, so that must be a float32
+        if self.summed.falloff is not None:  # the falloff is relative to the reach, which must be a finite float32
             placement.reach = min(placement.reach, _MOST_REACH)
         return placement
 
     def _part(self, loan: Loan, rows: slice, strata: Strata, skip: bool) -> LobesArgs:
-        """The lobes of some points, without the seed of their rays and where their numbers go."""
+        """Return the kernel argument for the points of `rows`, without the seed and the addresses of the results."""
         options = self.options
         part = LobesArgs(
             placement=self.placement,
@@ -110,7 +110,7 @@ class Runner:
         return part
 
     def _run(self, loan: Loan, lobes: LobesArgs, chosen: np.ndarray | None) -> None:
-        """Sums the lobes of the chosen points, by default of all."""
+        """Launch the kernel for the chosen points, by default for all points."""
         options, memory = self.options, self.options.memory
         rays = 2 * lobes.samples_per_stratum * lobes.bands * lobes.sectors
         in_scene = self.traced and memory.in_place

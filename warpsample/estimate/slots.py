@@ -1,4 +1,4 @@
-"""The parts that a kernel of an estimate is made of; each combination is compiled once."""
+"""Compile-time parameters of the estimate kernel. Each combination of parameters is compiled once."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -10,25 +10,27 @@ from warpsample.sequences.record import Sequence
 
 @dataclass(frozen=True)
 class Slots:
-    """The parts that fit into the kernel.
+    """Compile-time parameters of the estimate kernel: Warp functions, types and switches.
 
     Attributes:
-        sequence: of the rays.
-        about: (unit normal, u, Parameters) -> (direction, pdf): its strata are those of the square.
-        redraw: what replaces `about` where its pdf is below `redraw_below`, or None.
-        redraw_below: that pdf.
-        upward: whether all directions have a cosine to the normal of at least 2^-12, as those of the cosine lobe do: then
-            what is below a point's horizon need not be looked at.
-        weigh: (direction, Lobe, data) -> vec3 that a ray adds which meets nothing; one of weight 0 is not cast.
-        struct: the type of the data.
-        constant: whether that is (1, 0, 0) in all directions.
-        counts: whether each ray adds 1 or 0, and nothing between.
-        channels: 1 or 3, how many of the vec3 are kept.
-        prepare: (chunk, rays): adds what the query needs.
-        query: (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves).
-        any_hit: whether some face is enough; else what is met at t of reach leaves 1 - (1 - t)^falloff of the weight.
-        wide: whether the query is that of the wide tree, which can be searched for what to skip.
-        glass: whether there are faces besides, that let some light through; then any hit will do.
+        sequence: Sequence of the rays' random numbers.
+        about: Warp function (unit normal, u, Parameters) -> (direction, pdf). Strata of the unit square become strata of
+            directions.
+        redraw: Warp function that replaces `about` where the pdf of `about` is below `redraw_below`, or None.
+        redraw_below: Pdf below which `redraw` is called, in 1/sr.
+        upward: Whether all directions have a cosine to the normal of at least 2^-12, as in the cosine lobe. The geometry
+            below a point's horizon is then skipped.
+        weigh: Warp function (direction, Lobe, data) -> weight of an unoccluded ray, a vec3. Rays of weight 0 are not cast.
+        struct: Type of the data, a wp.struct.
+        constant: Whether the weight is (1, 0, 0) in all directions.
+        counts: Whether each ray adds exactly 0 or 1.
+        channels: Number of components of the weight that are stored, 1 or 3.
+        prepare: Warp function (chunk, rays) that stores the values derived from each ray that the query needs, or None.
+        query: Warp function (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves), or None without a mesh.
+        any_hit: Whether any hit stops the ray. Otherwise a hit at fraction t of the reach leaves 1 - (1 - t)^falloff of the
+            weight.
+        wide: Whether the query traverses the wide tree, which can also be searched for work to skip.
+        glass: Whether the mesh has partly transmitting faces, which are kept in a tree of their own.
     """
 
     sequence: Sequence

@@ -1,7 +1,9 @@
-"""The cosine lobe cut into strata of equal weight, by which rays are stratified and which shafts may find empty.
+"""Division of a lobe into strata of equal probability, for stratified rays and for tests of empty space.
 
-A stratum is a rectangle of the square that the polar map makes directions of: a band of sin^2 theta in a sector of azimuths.
-Each has rays of its own, in two independent randomisations, so that their differences, stratum by stratum, tell the error.
+A stratum is a rectangle of the unit square, which the polar map turns into a band of sin^2 theta in a sector of azimuths.
+Each stratum has two independently randomised sets of rays, the replicates. The differences between replicates give the
+error. A shaft is a convex volume about a stratum's rays, bounded by planes. A stratum is empty if no face reaches into its
+shaft.
 """
 
 from dataclasses import dataclass
@@ -16,28 +18,30 @@ from warpsample.host.locks import once
 from warpsample.tracing.sight.shafts import shaft_vectors
 
 REPLICATES = 2
-"""Randomisations of a stratum's rays: with more, each has fewer rays, and low-discrepancy ones lose what sets them apart."""
+"""Number of independent randomisations of a stratum's rays; with more, each low-discrepancy set would have fewer rays."""
 
 POLAR_COSINE = CosineHemisphere("polar")
-"""The lobe of the built-in quantities."""
+"""Distribution of the ray directions of the built-in quantities."""
 
-_HALVINGS = 60  # of an interval of angles: more than float64 has digits
+_HALVINGS = 60  # bisections of an interval of angles: more than float64 has bits
 
 _GRIDS = ((1, 1, 1), (32, 1, 4), (256, 2, 4), (448, 4, 8), (4096, 4, 16), (16384, 8, 16))
-"""(rays from which on, bands, sectors): the fastest to an RMSE of 0.01 and 0.003 on the bunny, but for the four sectors
-from 32 rays on, which cost an eighth and give the error bar more than one difference to stand on."""
+"""(fewest rays, bands, sectors): the grids that reach a root mean square error of 0.01 and 0.003 fastest on the bunny.
+
+The four sectors from 32 rays on are an exception: they cost an eighth more and give the standard error four differences."""
 
 
 @dataclass(frozen=True, eq=False)
 class Strata:
-    """The strata of a lobe, sector by sector, and the shafts about them.
+    """Strata of a lobe, in the order of the sectors, and the shafts about the strata.
 
     Attributes:
-        bands: of sin^2 theta, of equal width.
-        sectors: of azimuth; 1, without shafts, or at least 4.
-        samples_per_stratum: rays of a stratum in each replicate.
-        shafts: (sectors, bands + 1, 3, 16) float32, local frame: of each sector and of its bands, as `shaft_vectors` has
-            them, with two planes at the azimuths, the one towards the normal and the one towards the horizon.
+        bands: Number of bands of equal probability, from the normal to the horizon.
+        sectors: Number of sectors of azimuth: 1, then without shafts, or at least 4.
+        samples_per_stratum: Number of rays per stratum and replicate.
+        shafts: (sectors, bands + 1, 3, 16) float32 in the local frame: the shafts of each whole sector and of its bands, in
+            the layout of `shaft_vectors`. Each shaft has two planes at the azimuths, one towards the normal and one towards
+            the horizon.
     """
 
     bands: int
@@ -47,20 +51,20 @@ class Strata:
 
     @property
     def step(self) -> int:
-        """What the number of rays of a point is a multiple of, since all strata have as many."""
+        """Number of strata times replicates; the ray count of a point must be a multiple of this number."""
         return self.bands * self.sectors * REPLICATES
 
     @property
     def rays(self) -> int:
-        """The number of rays of a point."""
+        """Number of rays per point."""
         return self.step * self.samples_per_stratum
 
 
 @once
 def strata_of(count: int, lobe: Distribution = POLAR_COSINE, traced: bool = True) -> Strata:
-    """The strata for at most `count` rays a point, at least 2; few if none is traced, as more would only cost time.
+    """Return the strata for at most `count` rays per point.
 
-    Without shafts if the lobe's strata are no parts of cones.
+    Untraced rays get at most four strata. Lobes whose strata are not parts of cones about the normal get no shafts.
     """
     _, bands, sectors = next(grid for grid in _grids(traced)[::-1] if count >= grid[0])
     edges = _edges(lobe, bands) if traced else None
@@ -75,7 +79,10 @@ def strata_of(count: int, lobe: Distribution = POLAR_COSINE, traced: bool = True
 
 
 def counts_with_the_strata_of(count: float, traced: bool = True) -> tuple[int, float]:
-    """(fewest, most) rays that `strata_of` cuts into as many strata as `count`; infinity if there are no finer ones."""
+    """Return (fewest, most) rays for which `strata_of` has the same strata as for `count` rays.
+
+    The second number is infinity for the finest strata.
+    """
     begins = [rays for rays, _, _ in _grids(traced)]
     fewest = max(rays for rays in begins if rays <= max(count, 1))
     finer = min((rays for rays in begins if rays > fewest), default=inf)
@@ -87,7 +94,10 @@ def _grids(traced: bool) -> tuple[tuple[int, int, int], ...]:
 
 
 def _edges(lobe: Distribution, bands: int) -> np.ndarray | None:
-    """(bands + 1,) sin^2 of the angles between which equal bands of u[0] are mapped; None if these are no bands of cones."""
+    """Return sin^2 of the angles between the bands, (bands + 1,) ascending from the normal.
+
+    The result is None if equal bands of u[0] are not bands of cones about the normal, or if angles exceed 90 degrees.
+    """
     shares = np.arange(bands + 1) / bands
     if lobe == POLAR_COSINE:
         return shares
@@ -102,10 +112,16 @@ def _edges(lobe: Distribution, bands: int) -> np.ndarray | None:
 
 
 def _shaft(first: float, last: float, low: float, high: float) -> list[tuple[float, float, float]]:
-    """The shaft about azimuths from first to last, in turns, and sin^2 theta from low to high.
+    """Return the four planes and four corner directions of the shaft about one stratum.
 
-    The cone towards the normal is replaced by the plane through its two corners, which cuts off more of it, and the one
-    towards the horizon by the plane that touches it between them.
+    The plane through the two corners replaces the cone towards the normal. The plane that touches the cone midway between
+    the corners replaces the cone towards the horizon.
+
+    Args:
+        first: First azimuth, as a fraction of a full circle.
+        last: Last azimuth, as a fraction of a full circle.
+        low: Smallest sin^2 theta.
+        high: Largest sin^2 theta.
     """
     start, stop, middle = 2.0 * pi * first, 2.0 * pi * last, pi * (first + last)
     half = cos(0.5 * (stop - start))
@@ -124,6 +140,6 @@ def _shaft(first: float, last: float, low: float, high: float) -> list[tuple[flo
 
 
 def _unit(along: float, up: float, azimuth: float) -> tuple[float, float, float]:
-    """The unit vector with those shares along an azimuth and upwards."""
+    """Return the unit vector of a horizontal component `along` at an azimuth in radians and a vertical component `up`."""
     length = sqrt(along * along + up * up)
     return along * cos(azimuth) / length, along * sin(azimuth) / length, up / length

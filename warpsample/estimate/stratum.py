@@ -1,4 +1,4 @@
-"""One stratum of the lobe: its rays are made, weighed, traced and summed, a chunk at a time."""
+"""Sum over the rays of one stratum, which are generated, weighted and traced a chunk at a time."""
 
 import warp as wp
 
@@ -25,18 +25,22 @@ from warpsample.tracing.sight.rays import (
 
 @once
 def jump_of(slots: Slots) -> wp.Function:
-    """A function that estimates the squared jump of the weight at an edge that passes through a stratum."""
+    """Build the Warp function that estimates the squared change of a ray's weight across an edge in a stratum."""
     any_hit, counts, glass = slots.any_hit, slots.counts, slots.glass
 
     @wp.func
     def jump_at(w: wp.vec3, total: wp.vec3d, free: wp.int32, rays: wp.int32) -> wp.vec3d:
-        """The squared change of a ray's weight across an edge, from a stratum's total and the number of its unoccluded rays.
+        """Return the squared change of a ray's weight across an edge, for each channel.
 
-        w is the weight of one ray, for where none is free; with glass, what rays that are not free have lost in the mean.
+        Args:
+            w: Weight of one ray; with partly transmitting faces, the mean weight that the occluded rays have lost.
+            total: Sum of the weights of the stratum's rays.
+            free: Number of unoccluded rays.
+            rays: Number of all rays of the stratum.
         """
         jump = wp.vec3d(ONE, ZERO, ZERO)
         if wp.static(not any_hit):
-            # What ends at an edge occludes by anything from nothing to what the others do, and so does what begins there.
+            # A blocker at an edge may occlude by anything between 0 and the mean of the occluded rays.
             if free < rays:
                 jump[0] = (wp.float64(rays) - total[0]) / wp.float64(rays - free)
             return wp.vec3d(HALF * jump[0] * jump[0], ZERO, ZERO)
@@ -51,7 +55,7 @@ def jump_of(slots: Slots) -> wp.Function:
 
 @wp.func
 def _fallen_off(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp.float32) -> wp.float32:
-    """By how much what is met at a distance along the k-th ray occludes."""
+    """Return the occlusion (1 - t)^falloff, 0 to 1, of a hit on the k-th ray, with t the distance divided by the reach."""
     reach = float_at(column_of(point.chunk, k), REACH)
     t = (distance + (point.reach - reach)) / point.reach
     return wp.pow(1.0 - t, lobes.falloff)
@@ -59,7 +63,7 @@ def _fallen_off(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp.flo
 
 @wp.func
 def _stopped_before(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp.float32):
-    """(what faces that stop a part of the k-th ray occlude up to a distance, what is left of it there)."""
+    """Return (occlusion by partly transmitting faces, transmitted share) of the k-th ray up to `distance`, both 0 to 1."""
     occluded = wp.float32(0.0)
     left = wp.float32(1.0)
     near, face = next_glass_crossing(lobes.glass, point, k, distance, 0.0, -1)
@@ -73,12 +77,12 @@ def _stopped_before(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp
 
 @once
 def share_of(slots: Slots) -> wp.Function:
-    """A function that traces a ray and gives the share of its weight that it adds, by how far it gets, or through glass."""
+    """Build the Warp function that traces one ray and returns the share of the ray's weight to add to the sum."""
     glass, any_hit, hit = slots.glass, slots.any_hit, first_hit(False, slots.query, slots.wide)
 
     @wp.func
     def share_of(lobes: Lobes, tree: Accelerator, point: ShadingPoint, local: wp.int32, k: wp.int32):
-        """(the share of its weight that a ray adds, whether it meets something)."""
+        """Return (share of the k-th ray's weight to add, 0 to 1; whether the ray hits a face)."""
         share = wp.float32(1.0)
         met = wp.bool(False)
         if wp.static(any_hit):
@@ -101,12 +105,12 @@ def share_of(slots: Slots) -> wp.Function:
 
 @once
 def weighing(slots: Slots) -> wp.Function:
-    """A function that weighs the rays of a chunk."""
+    """Build the Warp function that computes the weights of a chunk of rays."""
     weigh, struct, constant = slots.weigh, slots.struct, slots.constant
 
     @wp.func
     def weigh_rays(lobe: Lobe, data: struct, point: ShadingPoint, length: wp.int32) -> wp.uint64:
-        """The set of rays that weigh anything; all weights are kept, unless they are one."""
+        """Return the set of rays with a weight other than 0; store the weights unless the weight is constant."""
         alive = first_rays(length)
         if wp.static(not constant):
             alive = NO_RAYS
@@ -122,7 +126,7 @@ def weighing(slots: Slots) -> wp.Function:
 
 @once
 def stratum_sum(slots: Slots) -> wp.Function:
-    """A function that sums a stratum."""
+    """Build the Warp function that sums the rays of one stratum."""
     spread, weigh, struct = spread_of(slots), weighing(slots), slots.struct
     any_hit, constant, counts, channels = slots.any_hit, slots.constant, slots.counts, slots.channels
     prepare, block, share_left = prepare_rays(slots.prepare), rays_blocked(slots.query, slots.wide), share_of(slots)
@@ -139,8 +143,12 @@ def stratum_sum(slots: Slots) -> wp.Function:
         found: wp.int32,
         local: wp.int32,
     ):
-        """(sum of the weights of both replicates' rays, how much more the first has, rays cast, free, a weight)."""
-        # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
+        """Return five results of a stratum.
+
+        They are: the sum of the weights of both replicates, the first replicate's sum less the second's, the number of rays
+        cast, the number of unoccluded rays, and the weight `w` for `jump_of`'s function.
+        """
+        # Scalars, since a vector of doubles goes through memory and costs half as much as a ray.
         hits = wp.int32(0)
         more_hits = wp.int32(0)
         x = ZERO
@@ -191,7 +199,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
         if wp.static(counts):
             x = wp.float64(hits)
             more_x = wp.float64(more_hits)
-            free = hits  # and weighs 1
+            free = hits  # unoccluded rays of weight 1
         if wp.static(glass):
             w = lost / wp.float32(wp.max(2 * each - free, 1))
         return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, w

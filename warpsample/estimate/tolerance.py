@@ -1,8 +1,8 @@
-"""How many rays reach a standard error: found by a trial, by more and more rays from some of the points.
+"""Search for the number of rays that reaches a standard error, by trial rounds with more and more rays from some points.
 
-The trial has random numbers of its own and is then forgotten, so what its rays happened to meet does not sway the result.
-All points take one count: where nothing is to be met, strata of the lobe are found empty and cost no ray, so counts of their
-own would save little, and a trial of each point would cost more than that.
+The trial uses its own random numbers and its values are discarded, so the trial does not bias the result. All points take
+the same number of rays. A number for each point would save little, because empty strata cost no ray, and the trial of each
+point would cost more than the saving.
 """
 
 from math import log
@@ -14,24 +14,27 @@ from warpsample.estimate.runner import Runner
 from warpsample.estimate.strata import counts_with_the_strata_of, strata_of
 from warpsample.sequences.hashing import seed_for
 
-_AIM = 0.98  # of the tolerance: the trial's own error is 3 %, what it foretells errs upwards, and counts are rounded up
-_SHARE, _LEAST_SHARE = 12, 48  # one point in so many: the more strata a lobe has, the more each point tells
+_AIM = 0.98  # of the tolerance: the trial's error has an error of 3 %, its forecast errs upwards, and counts are rounded up
+_SHARE, _LEAST_SHARE = 12, 48  # one point in 12 to 48 is tried: the more strata a lobe has, the fewer points are needed
 _FEWEST_POINTS, _MOST_POINTS = 256, 1 << 14
-_TURN = 0.6180339887498949  # 1 / phi: points that are evenly spread over the rows, however many are taken
-_FIRST, _LEAST = 8, 4  # rays of the first round; and the fewest of the result, two of each replicate
-_FAR, _FAR_OF_ONE_CELL, _FARTHEST = 1.3, 2.0, 32.0  # needed of those tried: foretold; tried of those of the round before
-_WORTH_TRYING = 1.5  # rays where finer strata begin, of those needed
-_SLOWEST, _FASTEST, _APART = 0.5, 2.0, 4.0  # powers of the rays with which an error falls; told by so many times the rays
-_APART_IF_SMOOTH = 1.5  # where nothing blocks: the powers differ by integrands, and the error's own error is less
+_TURN = 0.6180339887498949  # 1 / phi: any number of first points is evenly spread over the rows
+_FIRST, _LEAST = 8, 4  # rays of the first round; fewest rays of the result, two for each replicate
+# Largest ratio of the needed rays to the tried rays that is extrapolated (the second for a single stratum), and the largest
+# ratio of one round's rays to those of the round before.
+_FAR, _FAR_OF_ONE_CELL, _FARTHEST = 1.3, 2.0, 32.0
+_WORTH_TRYING = 1.5  # finer strata are tried if they begin below this multiple of the needed rays
+_SLOWEST, _FASTEST = 0.5, 2.0  # limits of the exponent r: the error falls as rays^-r
+_APART = 4.0  # ratio of the rays of two rounds from which on the two rounds give an exponent
+_APART_IF_SMOOTH = 1.5  # the same ratio without a mesh: exponents differ by integrand, and the error is known better
 _ROUNDS = 8
-_PRIOR = 16.0  # points' worth of what edges let expect, for few points and for where no ray has met anything
+_PRIOR = 16.0  # weight of the prior on edges, as a number of points: for few points, and where no ray has hit anything
 
 
 def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
-    """The rays of each point that reach a standard error in the root mean square over the points.
+    """Find the number of rays per point with which the root mean square of the standard errors reaches `tolerance`.
 
     Returns:
-        (rays, at most those of the plan; rays that the trial cast from each point, (P,) int32).
+        (number of rays per point, at most the plan's count; rays that the trial cast from each point, (P,) int32).
     """
     trial, most, traced = _Trial(runner), runner.plan.count, runner.traced
     trial.run(_FIRST)
@@ -51,7 +54,10 @@ def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
 
 
 def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
-    """What is needed, or more with finer strata, if fewer rays of these are cast: more strata are empty."""
+    """Return `needed`, or a larger number of rays with finer strata if fewer of those rays are cast.
+
+    Finer strata may be cheaper because more strata are empty.
+    """
     cast, top = trial.cast * needed, counts_with_the_strata_of(needed)[1]
     finer = counts_with_the_strata_of(_WORTH_TRYING * needed)[0]
     if not (counts_with_the_strata_of(_FIRST)[1] < top < finer <= trial.runner.plan.count):
@@ -62,18 +68,18 @@ def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
 
 
 class _Trial:
-    """Some of the points of a runner, what they tell about the error by some rays, and all rays that they have cast.
+    """Trial runs on some of a runner's points, to learn how the standard error depends on the number of rays.
 
     Attributes:
-        count: rays of the last round.
-        error: the standard error by these, root mean square.
-        cast: the share of them that is cast; the rest is skipped.
-        rate: the error falls as the rays to the power of -rate: the sequence's, or as two rounds tell it.
-        rays: (P,) int32, in all rounds.
+        count: Number of rays per point in the last round; 0 before the first.
+        error: Root mean square of the standard errors in the last round.
+        cast: Share of the rays of the last round that were cast; the rest was skipped.
+        rate: Exponent r of the error, which falls as rays^-r: the sequence's, or estimated from two rounds.
+        rays: Number of rays cast in all rounds, (P,) int32.
     """
 
     def __init__(self, runner: Runner) -> None:
-        """Orders the points that are active, so that the first ones are spread over all."""
+        """Choose the trial points, in an order whose first points are spread over all active points."""
         self.runner, self.rate, self.count = runner, runner.options.sequence.rate, 0
         active = runner.options.active
         rows = np.arange(len(runner.at)) if active is None else np.flatnonzero(active)
@@ -82,22 +88,25 @@ class _Trial:
         self.active, self.rays = len(rows), np.zeros(len(runner.at), np.int32)
 
     def whole(self, count: float) -> int:
-        """A count rounded up to what the strata and the sequence go into, but not beyond the plan's."""
+        """Return `count` rounded up to a number that the strata and the sequence allow, at most the plan's count."""
         plan = self.runner.plan
         rays = int(np.ceil(min(count, plan.count)))
-        if self.runner.options.sequence.nets:  # of strata and replicates there are powers of two, too
+        if self.runner.options.sequence.nets:  # the numbers of strata and replicates are powers of two, too
             return min(1 << (rays - 1).bit_length(), plan.count)
         step = strata_of(rays, traced=self.runner.traced).step
         return min(-(-rays // step) * step, plan.count)
 
     def run(self, count: float) -> None:
-        """A round: the rows that are taken fall with the root of the number of strata."""
+        """Run one round with `count` rays per point; update the error, the exponent and the numbers of rays.
+
+        The number of points falls with the square root of the number of strata.
+        """
         traced, count = self.runner.traced, self.whole(count)
         strata = strata_of(count, traced=traced)
         share = min(_SHARE * np.sqrt(strata.bands * strata.sectors), _LEAST_SHARE)
         chosen = np.zeros(len(self.runner.at), bool)
         chosen[self.rows[: max(int(self.active / share), _FEWEST_POINTS)]] = True
-        # Skipping whatever the call says, as it changes no bit: so the count does not depend on it either.
+        # Skip always, whatever the call's `skip`: skipping changes no bit, and the count must not depend on the option.
         found = self.runner.result(seed_for("trial", self.runner.options.seed), count, chosen, skip=True)
         good = chosen & (found.status == 0)
         error = error_of(found, good)
@@ -108,18 +117,18 @@ class _Trial:
         self.cast = float(found.rays[good].mean()) / count if good.any() else 0.0
 
     def _apart(self, count: int) -> bool:
-        """Whether a round differs enough from the one before to tell a power."""
+        """Return whether a round's `count` differs enough from the last round's to estimate the exponent."""
         if self.runner.traced:
             return count >= _APART * self.count
         return max(count / self.count, self.count / count) >= _APART_IF_SMOOTH
 
     def needed(self, error: float) -> float:
-        """How many rays a standard error takes, by what the last round had."""
+        """Return the number of rays for a standard error of `error`, extrapolated from the last round."""
         return self.count * float(np.float_power(self.error / error, 1.0 / self.rate))
 
 
 def error_of(found: Estimate, good: np.ndarray) -> float:
-    """The root mean square of the errors of some points, of the worst component."""
+    """Return the root mean square of the standard errors of the points in `good`, of the component where it is largest."""
     points = np.count_nonzero(good)
     squares = [np.square(a[good].astype(np.float64)).sum(axis=0) for a in (found.standard_error, found.spread)]
     return float(np.sqrt(np.max((squares[0] + _PRIOR / max(points, 1) * squares[1]) / (points + _PRIOR), initial=0.0)))

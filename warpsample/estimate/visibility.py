@@ -1,4 +1,4 @@
-"""How much of its lobe a point sees: ambient occlusion, sky view, bent normals."""
+"""Ambient occlusion, sky view factor and bent normals at surface points."""
 
 from dataclasses import dataclass, fields
 from math import inf

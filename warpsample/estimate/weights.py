@@ -1,4 +1,4 @@
-"""The built-in integrands: `wp.func`s (direction, Lobe, Weights) -> vec3, what a ray adds that meets nothing."""
+"""Built-in integrands: Warp functions (direction, Lobe, Weights) -> weight of an unoccluded ray, a vec3."""
 
 from typing import Any
 
@@ -14,7 +14,7 @@ _TURNS = wp.constant(wp.float32(0.15915494309189535))
 
 @wp.struct
 class Weights:
-    """The data of the built-in integrands: a unit vector, by components; a picture of width x height RGB float32."""
+    """Data of the built-in integrands: a unit vector (x, y, z), and the address and size of an RGB float32 picture."""
 
     x: wp.float32
     y: wp.float32
@@ -29,19 +29,19 @@ WeightsArgs: Any = type(Weights().__ctype__())
 
 @wp.func
 def everywhere(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
-    """The weight 1 of a ray, whatever its direction."""
+    """Return the weight (1, 0, 0) for every direction."""
     return wp.vec3(1.0, 0.0, 0.0)
 
 
 @wp.func
 def above(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
-    """1 on the vector's side of the horizon, else 0."""
+    """Return the weight (1, 0, 0) if the direction is on the side of the vector in `weights`, else 0."""
     return wp.vec3(wp.where(d[0] * weights.x + d[1] * weights.y + d[2] * weights.z > 0.0, 1.0, 0.0), 0.0, 0.0)
 
 
 @wp.func
 def itself(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
-    """The direction as the ray's weight."""
+    """Return the direction as the ray's weight."""
     return d
 
 
@@ -56,7 +56,10 @@ def _pixel(weights: Weights, column: wp.int32, row: wp.int32) -> wp.vec3:
 
 @wp.func
 def environment(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
-    """The picture's radiance there, bilinear: rows from the vector down, columns by azimuth in the frame about it."""
+    """Return the radiance of an environment picture in direction `d`, interpolated bilinearly.
+
+    Rows go from the vector in `weights` down to its opposite. Columns go by azimuth in the frame about the vector.
+    """
     w = to_local(frame_about(wp.vec3(weights.x, weights.y, weights.z)), d)
     turns = wp.atan2(w[1], w[0]) * _TURNS
     across = (turns - wp.floor(turns)) * wp.float32(weights.width) - 0.5
@@ -71,19 +74,19 @@ def environment(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
 
 
 OPEN = Integrand(everywhere, 1, WeightsArgs(), Weights, constant=True, binary=True)
-"""1 in each direction: occlusion."""
+"""Integrand that is 1 in each direction, for ambient occlusion."""
 
 DIRECTION = Integrand(itself, 3, WeightsArgs(), Weights)
-"""The direction: bent normals."""
+"""Integrand that is the direction itself, for bent normals."""
 
 
 def above_plane(up: Any) -> Integrand:
-    """1 above the plane across a vector, 0 below it: the sky."""
+    """Return the integrand of the sky: 1 above the plane perpendicular to the unit vector `up`, 0 below the plane."""
     return Integrand(above, 1, WeightsArgs(x=up[0], y=up[1], z=up[2]), Weights, binary=True)
 
 
 def seen_in(pixels: np.ndarray, up: Any) -> Integrand:
-    """A picture of the radiance all around, (H, W, 3) contiguous float32."""
+    """Return the integrand of an environment picture (H, W, 3) of radiances, contiguous float32, with unit vector `up`."""
     height, width = pixels.shape[:2]
     data = WeightsArgs(x=up[0], y=up[1], z=up[2], width=width, height=height)
     return Integrand(environment, 3, data, Weights, arrays=(("pixels", pixels),))

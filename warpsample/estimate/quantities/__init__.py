@@ -1,1 +1,1 @@
-"""The quantities that rays around a normal make, a file each."""
+"""Quantities computed from rays about the normal, with one file per quantity."""

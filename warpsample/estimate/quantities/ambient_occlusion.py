@@ -1,4 +1,4 @@
-"""Ambient occlusion as a quantity."""
+"""Record of ambient occlusion, for the command line, files and stores."""
 
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Share

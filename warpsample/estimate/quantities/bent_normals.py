@@ -1,4 +1,4 @@
-"""Bent normals as a quantity."""
+"""Record of bent normals, for the command line, files and stores."""
 
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.visibility import bent_normals

@@ -1,4 +1,4 @@
-"""The mean distance to the nearest hit: what maps of thickness and of openness are made of."""
+"""Mean distance to the first hit, for maps of thickness and openness."""
 
 from dataclasses import dataclass, fields
 from math import inf
@@ -16,22 +16,22 @@ from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placed_points import PlacedPoints
 
-_LEAST, _MOST = 1e-30, 1e30  # of a limit: its float32 and those of the errors are neither 0 nor infinite
+_LEAST, _MOST = 1e-30, 1e30  # of a limit, so that float32 limits and errors are neither 0 nor infinite
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MeanDistance(Estimate):
-    """An `Estimate` of the mean distance to the nearest hit.
+    """An `Estimate` of the mean distance to the first hit, in mesh units.
 
     Attributes:
-        max_distance: what a ray that meets nothing within it counts as; no value is above it.
+        max_distance: Distance that a ray without a hit counts as, in mesh units; no value exceeds this distance.
     """
 
     max_distance: float
 
     @property
     def possible(self) -> tuple[float, float]:  # type: ignore[override]
-        """The least and the greatest mean that there can be."""
+        """Least and greatest possible mean distance, 0 and `max_distance`."""
         return 0.0, self.max_distance
 
 

@@ -1,4 +1,4 @@
-"""Where points are, and which way they face, as quantities: maps of a surface itself."""
+"""Positions of the points as a quantity, for maps of positions."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from warpsample.mesh.surface import SurfacePoints
 
 
 def vectors_of(points: SurfacePoints, vectors: np.ndarray) -> ExactResult:
-    """Return known vectors (P, 3) of points as a result, 0 where the status is not 0."""
+    """Return vectors (P, 3) of points as an `ExactResult` in float32, 0 where the status is not 0."""
     status = status_of(points)
     value = np.where((status == int(PointStatus.OK))[:, None], vectors, 0.0).astype(np.float32)
     return ExactResult(value, np.zeros_like(value), np.zeros(len(value), np.int32), status)
@@ -18,7 +18,7 @@ def vectors_of(points: SurfacePoints, vectors: np.ndarray) -> ExactResult:
 def position(
     mesh: Mesh, points: SurfacePoints, *, seed: int = 0, first_point: int = 0, workers: int | None = None
 ) -> ExactResult:
-    """Where each point is, in the coordinates of the mesh, by float32."""
+    """Return the position of each point in mesh coordinates, float32."""
     del mesh, seed, first_point, workers  # nothing is computed
     return vectors_of(points, np.asarray(points.position))
 

@@ -1,4 +1,4 @@
-"""The record of a quantity: all that commands, files, stores, the accessor and the tables of READMEs know of it."""
+"""Record of a quantity: name, call, unit and options, for commands, files, stores, the accessor and README tables."""
 
 import inspect
 import re
@@ -12,46 +12,46 @@ from warpsample.estimate.result import Estimate
 from warpsample.mesh.surface import SurfacePoints
 
 ARGUMENTS = {"samples": "count", "environment": "radiance"}
-"""What options of the command line are called in calls, where the names differ."""
+"""Argument names of command-line options, where the two names differ."""
 
 OPTIONS = {argument: option for option, argument in ARGUMENTS.items()}
-"""The other way round."""
+"""Command-line options of argument names, the inverse of `ARGUMENTS`."""
 
-_LAST = ("rays", "status")  # of the columns
-_OF_INTERVALS = ("spread", "degrees_of_freedom")  # in no column: what `interval` is made of
+_LAST = ("rays", "status")  # last columns of a table
+_OF_INTERVALS = ("spread", "degrees_of_freedom")  # fields for `interval`, without a column
 
 _NO_UNITS = ("", "mesh units")
-"""Of shares, and of what the mesh knows."""
+"""Units that column names leave out: no unit, and the unit of the mesh."""
 
 _UNTOLD = ("active", "first_point", "progress", "workers")
-"""Arguments by which no bit changes, or that the command line has not."""
+"""Arguments that files do not record, because they change no value or are not options of the command line."""
 
 Numbers = Callable[[SurfacePoints, int], Any]
-"""(points, global id of the first of them) -> their numbers."""
+"""Function (points, global id of the first point) -> result of these points."""
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number, or several, at each point of a mesh.
+    """Quantity with one or several values at each point of a mesh.
 
     Attributes:
-        name: what the command line calls it.
-        call: (mesh, points, ...) -> a dataclass with arrays. The names of its other parameters are the options that apply,
-            and their defaults are those of the command line.
-        title: in words, as reports and progress bars name it.
-        value: what a value says, as the tables of READMEs have it.
-        result: the dataclass that the call returns.
-        shared: its fields that have no row for each point.
-        unit: of a value, if it is no share.
-        files: what the command line must be told by an option that names a file, by the name of the option.
-        prepare: (mesh, number of all points, **arguments of the call but points and first_point) -> Numbers, for what is
-            read or computed once for all parts of the points; by default nothing is.
-        in_stores: whether Dask and Zarr stores compute it in chunks, and the accessor on meshes.
-        is_matrix: whether the values of a point are too many for columns.
-        channels: a letter for each component of a value that has three.
-        black: the value that is black where a file has colours.
-        white: the value that is white there; the largest value, if that is larger.
-        example: further arguments that an example of the call takes, as Python writes them.
+        name: Name on the command line.
+        call: Function (mesh, points, ...) -> dataclass with arrays. The names of the further parameters are the options of
+            the quantity on the command line, with the same defaults.
+        title: Name in reports and progress bars.
+        value: Description of a value in the tables of READMEs.
+        result: Type that the call returns, a dataclass.
+        shared: Names of the result's fields without a row for each point.
+        unit: Unit of a value; empty for shares.
+        files: Descriptions of the files that the command line requires, keyed by the name of the option.
+        prepare: Function (mesh, number of all points, **arguments of the call except points and first_point) -> Numbers,
+            which reads or computes data once for all parts of the points. Default: None, the call is used directly.
+        in_stores: Whether Dask, Zarr stores and the accessor on meshes offer the quantity.
+        is_matrix: Whether a point has too many values for columns of a table.
+        channels: One letter per component of a value with three components.
+        black: Value shown as black in files with colours.
+        white: Value shown as white in files with colours; the largest value of the result, if that is larger.
+        example: Further arguments of an example call, as Python code.
     """
 
     name: str
@@ -72,49 +72,49 @@ class Quantity:
 
     @property
     def parameters(self) -> dict[str, Any]:
-        """The parameters of the call after the mesh and the points, and their defaults."""
+        """Defaults of the call's parameters after the mesh and the points, keyed by parameter name."""
         _mesh, _points, *others = inspect.signature(self.call).parameters.values()
         return {parameter.name: parameter.default for parameter in others}
 
     @property
     def arrays(self) -> list[str]:
-        """The fields of each result that have a row for each point."""
+        """Names of the fields with a row for each point that every result has."""
         return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is not None]
 
     @property
     def sometimes(self) -> list[str]:
-        """The other fields with a row for each point, which not each result has."""
+        """Names of the fields with a row for each point that may be None."""
         return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is None]
 
     def arrays_of(self, found: Any) -> dict[str, np.ndarray]:
-        """The arrays of a result that have a row for each point, also those that not every one has, by name."""
+        """Return all arrays of a result with a row for each point, keyed by field name."""
         return {name: array for name in (*self.arrays, *self.sometimes) if (array := getattr(found, name)) is not None}
 
     def takes(self, option: str) -> bool:
-        """Whether an option of the command line applies."""
+        """Return whether the quantity has a command-line option."""
         return ARGUMENTS.get(option, option) in self.parameters
 
     def default(self, option: str) -> Any:
-        """What an option of the command line is if it is not given; None if it must be, or if there is no such thing."""
+        """Return the default of a command-line option; None if the option is required or unknown."""
         default = self.parameters.get(ARGUMENTS.get(option, option))
         return None if default is inspect.Parameter.empty else default
 
     def arguments(self, options: Mapping[str, Any]) -> dict[str, Any]:
-        """The arguments of the call that options of the command line stand for."""
+        """Return the call's arguments for command-line options, keyed by argument name."""
         return {ARGUMENTS.get(name, name): value for name, value in options.items()}
 
     def told(self, options: Mapping[str, Any]) -> dict[str, Any]:
-        """All options that a file tells of its run, by their names on the command line: those given, and the defaults."""
+        """Return the options to record in an output file, given ones and defaults, keyed by command-line name."""
         names = [OPTIONS.get(name, name) for name in self.parameters if name not in _UNTOLD]
         return {name: options.get(name, self.default(name)) for name in names}
 
     def numbers(self, mesh: Any, total: int, options: Mapping[str, Any]) -> Numbers:
-        """How parts of the points get their numbers.
+        """Return the function that computes the quantity for a part of the points.
 
         Args:
-            mesh: what the points are on.
-            total: how many points all parts have.
-            options: of the command line, by their names.
+            mesh: Mesh of the points.
+            total: Number of points of all parts.
+            options: Options, keyed by command-line name.
         """
         given = self.arguments(options)
         if self.prepare is not None:
@@ -123,7 +123,10 @@ class Quantity:
         return lambda points, first: self.call(mesh, points, first_point=first, **given)
 
     def joined(self, parts: Sequence[Any]) -> Any:
-        """One result of several: the rows of the arrays, the sums of what was skipped; what is shared is the first's."""
+        """Concatenate the results of parts of the points into one result.
+
+        Statistics of skipped work are added. All further shared fields are those of the first part.
+        """
         first = parts[0]
         names = self.arrays_of(first)
         joined = {name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
@@ -134,7 +137,7 @@ class Quantity:
         return replace(first, **joined)
 
     def columns(self, found: Any) -> dict[str, np.ndarray]:
-        """The numbers of each point in columns, by name; those of three components in three."""
+        """Return the arrays of a result as (P,) columns, keyed by column name; an array (P, 3) becomes three columns."""
         columns, arrays = {}, self.arrays_of(found)
         for name in (*(name for name in arrays if name not in _OF_INTERVALS + _LAST), *_LAST):
             array = arrays[name]
@@ -143,7 +146,7 @@ class Quantity:
         return columns
 
     def header(self, column: str) -> str:
-        """What a column is called in a table: by the quantity and its unit, as "irradiation_kwh_m2" and its "_error"."""
+        """Return the header of a column with the quantity's unit, such as "irradiation_kwh_m2_error"."""
         unit = "" if self.unit in _NO_UNITS else f"_{self.unit.lower().replace('/', '_')}"
         known = re.fullmatch("(value|standard_error)(_[a-z])?", column)
         if known:
@@ -151,7 +154,7 @@ class Quantity:
         return column if column in _LAST else f"{column}{unit}"
 
     def colours(self, found: Any) -> np.ndarray:
-        """(P, 4) uint8, from black to white; three components are red, green and blue."""
+        """Return opaque RGBA colours (P, 4) uint8 of a result: grey levels, or red, green and blue for three components."""
         value = found.value if found.value.ndim == 2 else np.repeat(found.value[:, None], 3, axis=1)
         white = max(self.white, float(value.max(initial=self.black)))
         grey = np.clip((value - self.black) / ((white - self.black) or 1.0), 0.0, 1.0)

@@ -1,4 +1,4 @@
-"""The sky view factor as a quantity."""
+"""Record of the sky view factor, for the command line, files and stores."""
 
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.visibility import SkyView, sky_view_factor

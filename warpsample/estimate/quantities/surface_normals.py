@@ -1,4 +1,4 @@
-"""Which way points face, as a quantity: what maps of normals are made of."""
+"""Normals of the points as a quantity, for normal maps."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from warpsample.mesh.surface import SurfacePoints
 def surface_normals(
     mesh: Mesh, points: SurfacePoints, *, seed: int = 0, first_point: int = 0, workers: int | None = None
 ) -> ExactResult:
-    """The unit normal of each point, in the coordinates of the mesh."""
+    """Return the normal of each point as given, in mesh coordinates, float32."""
     del mesh, seed, first_point, workers  # nothing is computed
     return vectors_of(points, np.asarray(points.normal))
 

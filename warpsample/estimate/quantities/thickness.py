@@ -1,4 +1,4 @@
-"""The thickness of a body beneath its surface, which glTF's KHR_materials_volume takes."""
+"""Thickness of a body beneath the surface, as used by glTF's KHR_materials_volume."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -55,7 +55,9 @@ def thickness(
         [2. 2.]
     """
     mesh = as_mesh(mesh)
-    CallOptions.of(len(PlacedPoints.of(mesh, points)), seed=seed, first_point=first_point)  # checks them: nothing is random
+    CallOptions.of(
+        len(PlacedPoints.of(mesh, points)), seed=seed, first_point=first_point
+    )  # raises errors alone: nothing is random
     most, status = reach_of(max_distance), status_of(points)
     good = status == int(PointStatus.OK)
     inward = np.where(good[:, None], -as_directions(points.normal), (0.0, 0.0, 1.0)).astype(np.float32)

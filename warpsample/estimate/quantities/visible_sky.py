@@ -1,4 +1,4 @@
-"""The visible share of the sky's solid angle, which terrain and archaeology people call sky view factor as well."""
+"""Visible share of the sky's solid angle, which is also called sky view factor in terrain analysis and archaeology."""
 
 from typing import Any
 

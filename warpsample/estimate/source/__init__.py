@@ -1,1 +1,1 @@
-"""The user's functions and data as Python and Warp hold them: what they stand for now, and what tells two apart."""
+"""Inspection of users' Warp functions and data: current definitions, and digests that identify them."""

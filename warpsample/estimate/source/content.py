@@ -1,7 +1,7 @@
-"""What a function of the user's and its data hold, so that two runs can be told apart: numbers, and digests of the rest.
+"""Content of users' Warp functions and data, as numbers and digests, to detect changes between two runs.
 
-Warp's own hash of a kernel does not do: it sees no defaults of arguments, 32 bits of each number, and what a `wp.static` in
-a loop gives only where the kernel's own module has one.
+Warp's own hash of a kernel is not sufficient. It ignores defaults of arguments, uses only 32 bits of each number, and sees
+the value of a `wp.static` in a loop only if the kernel's own module contains one.
 """
 
 from collections.abc import Iterator
@@ -18,40 +18,44 @@ from warpsample.estimate.source.definitions import called, is_function, latest, 
 from warpsample.host.known import digest_of
 
 WHAT = "what"
-"""The entry of a content that is the name of a function, or of a struct."""
+"""Key of the name of the function or the struct in a content."""
 
 _OURS = "warpsample."
-_BEHIND = ("mesh_", "bvh_", "hash_grid_", "volume_", "texture_")  # built-ins that read what a number is the address of
+_BEHIND = ("mesh_", "bvh_", "hash_grid_", "volume_", "texture_")  # built-ins that read from an address
 _ADDRESS = "address"
 
 
 def is_data(value: Any) -> bool:
-    """Whether a value is an instance of a wp.struct."""
+    """Return whether a value is an instance of a wp.struct."""
     return hasattr(value, "_cls") and hasattr(value, "__ctype__")
 
 
 def function_content(function: wp.Function) -> dict[str, Any]:
-    """A digest of a function as it is now, and of each that it calls: their sources, and the numbers that these name."""
+    """Return digests of a function and of each function that it calls, keyed by function name.
+
+    A digest covers the current source, and the current values of the constants in the source.
+    """
     parts: dict[str, list[Any]] = {}
     users = called(latest(function))
     for one in reached(users):
-        parts.setdefault(_name(one.func), []).append(_told(one))  # two that a function has defined are of one name
+        parts.setdefault(_name(one.func), []).append(_told(one))  # two functions may have one name
     for one in users:
         parts[_name(one.func)].append([[code, _number(value)] for code, value in one.adj.deferred_static_expressions])
     return {WHAT: _name(function.func), **{name: sha256(repr(told).encode()).hexdigest() for name, told in parts.items()}}
 
 
 def data_content(data: Any, function: Any) -> dict[str, Any]:
-    """The numbers of a struct's fields, and digests of its arrays and vectors.
+    """Return the content of a struct, keyed by field name: numbers, and digests of arrays and vectors.
 
-    What stands behind an address, as the id of a wp.Mesh, cannot be told: where the function reads such, it equals no other.
+    The memory at an address, such as the id of a wp.Mesh, cannot be compared. Where `function` reads from addresses, the
+    content of an address field therefore differs from every other content.
     """
     behind = is_function(function) and any(name.startswith(_BEHIND) or name == "ptr" for name in names_in(latest(function)))
     return {WHAT: _name(data._cls.cls), **dict(_fields(data, "", behind))}
 
 
 def difference(name: str, old: dict[str, Any], new: dict[str, Any]) -> str:
-    """What differs between two contents of an argument, as a sentence says it."""
+    """Return a text for error messages that describes the first difference between two contents of the argument `name`."""
     if old.get(WHAT) != new.get(WHAT):
         return f"{name}: it was {old.get(WHAT)}, and is {new.get(WHAT)}"
     part = next(part for part in (*new, *old) if old.get(part) != new.get(part))
@@ -63,8 +67,11 @@ def difference(name: str, old: dict[str, Any], new: dict[str, Any]) -> str:
 
 
 def _fields(data: Any, within: str, behind: bool) -> Iterator[tuple[str, Any]]:
-    """(name, content) of all fields of a struct, and of the structs in it."""
-    behind = behind or data._cls.cls.__module__.startswith(_OURS)  # as a Tree's mesh
+    """Yield the (name, content) pairs of the fields of a struct and its nested structs.
+
+    `behind` states whether the function reads from addresses.
+    """
+    behind = behind or data._cls.cls.__module__.startswith(_OURS)  # such as the mesh of a Tree
     for name, variable in data._cls.vars.items():
         value, raw = getattr(data, name), getattr(data._ctype, name)
         if hasattr(value, "_cls"):
@@ -79,19 +86,19 @@ def _fields(data: Any, within: str, behind: bool) -> Iterator[tuple[str, Any]]:
             yield within + name, raw
         elif isinstance(raw, Array | float):
             yield within + name, bytes(np.asarray(raw)).hex()
-        else:  # a texture, or whatever else holds an address
+        else:  # a texture, or another type that holds an address
             yield within + name, f"{_ADDRESS} {uuid4().hex}"
 
 
 def _is_address(value: Any, raw: Any, kind: Any) -> bool:
-    """Whether a field may hold addresses: a number of 64 bits, or an array of such, or of structs, that is not empty."""
+    """Return whether a field may hold addresses: a nonzero uint64, or a nonempty array of uint64 or of structs."""
     if isinstance(value, wp.array | wp.indexedarray):
         return bool(value.size) and (value.dtype is wp.uint64 or hasattr(value.dtype, "vars"))
     return kind is wp.uint64 and raw != 0
 
 
 def _told(function: wp.Function) -> list[Any]:
-    """One definition by its source and what that names."""
+    """Return the parts of a function that determine its results: source, types, constants and defaults."""
     constants, types, _ = function.adj.get_references()
     static = function.adj.resolved_static_expressions
     told = [function.adj.source, function.native_snippet]
@@ -100,14 +107,14 @@ def _told(function: wp.Function) -> list[Any]:
 
 
 def _number(value: Any) -> str:
-    """A number that a source names, the same in each process."""
+    """Return a text that identifies a constant and is the same in each process."""
     return f"{type(value).__name__} {data_content(value, None) if is_data(value) else getattr(value, 'key', value)}"
 
 
 def _kind(kind: Any) -> str:
-    """A type that a source names; a struct by its fields, too."""
-    of = getattr(kind, "dtype", kind)  # of an array
-    fields = of.hash.hex() if hasattr(of, "native_name") else ""  # as structs have
+    """Return a text that identifies a type, for a struct including the fields."""
+    of = getattr(kind, "dtype", kind)  # the element type of an array type
+    fields = of.hash.hex() if hasattr(of, "native_name") else ""  # a struct
     return f"{getattr(kind, 'key', kind)} {fields}"
 
 
