@@ -82,7 +82,7 @@ def test_what_stands_around_takes_the_view_and_gets_no_numbers(path):
     for name, context in (
         ("none", None),
         ("plane", "ground"),
-        ("box", ([[0, 0, 9e3], [1, 0, 9e3], [0, 1, 9e3]], [[0, 1, 2]])),
+        ("far", ([[8e4, 4.4e5, 9e3], [8.1e4, 4.4e5, 9e3], [8e4, 4.41e5, 9e3]], [[0, 1, 2]])),  # 8 km away
     ):
         city = ws.load_city(path, context=context, split=True)
         points = city.points(300, seed=1)
@@ -92,10 +92,10 @@ def test_what_stands_around_takes_the_view_and_gets_no_numbers(path):
             values, _, _ = city.surface_means(seen.value, seen.standard_error, points=points)
             assert len(values) == len(city.surfaces) == 10
             found[name, quantity.__name__] = values[outer]
-    assert found["none", "ambient_occlusion"] == found["box", "ambient_occlusion"] == 1.0
+    assert found["none", "ambient_occlusion"] == found["far", "ambient_occlusion"] == 1.0
     # The plane ends 300 m away, 1 degree below the horizon: of the lobe sin(1 degree) / 2 at most; and some rays' noise.
     assert found["plane", "ambient_occlusion"] == pytest.approx(0.505, abs=0.02)
-    for name in ("none", "plane", "box"):
+    for name in ("none", "plane", "far"):
         assert found[name, "sky_view_factor"] == pytest.approx(0.5, abs=0.01)
 
 

@@ -191,7 +191,7 @@ def test_normals_of_any_length_are_normals(length):
 
 def test_a_light_too_bright_to_be_summed_is_refused():
     mesh = ws.as_mesh(creation.box())
-    with pytest.raises(ValueError, match=r"radiance: got numbers that are .* above 1e\+37"):
+    with pytest.raises(ValueError, match=r"radiance: got numbers below 0, above 1e\+37"):
         ws.irradiance(mesh, ws.face_centers(mesh), np.full((2, 4), 3e38))
 
 

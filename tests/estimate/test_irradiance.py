@@ -101,10 +101,10 @@ def _not_annotated(d: wp.vec3):
     ("radiance", "message"),
     [
         (np.zeros((4, 4, 2)), r"radiance: got shape \(4, 4, 2\)"),
-        (np.full((4, 4), -1.0), "radiance: got numbers that are below 0"),
-        (np.full((4, 4), np.nan), "radiance: got numbers that are below 0, above"),
+        (np.full((4, 4), -1.0), "radiance: got numbers below 0"),
+        (np.full((4, 4), np.nan), "radiance: got numbers below 0, above"),
         ("sky.png", "radiance: got 'sky.png', which is missing, want an .hdr or .npy file"),
-        (np.full((4, 4), 1e300), "radiance: got numbers that are below 0, above"),
+        (np.full((4, 4), 1e300), "radiance: got numbers below 0, above"),
         (np.ma.masked_less(np.ones((4, 4)), 2.0), "radiance: got a masked array, want an array of numbers"),
         ([[1.0, 2.0], [3.0]], "radiance: got .* which NumPy makes no array of"),
         (_yes, "radiance: got a function that gives bool"),

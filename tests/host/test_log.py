@@ -62,4 +62,4 @@ def test_compiled_kernels_are_logged_and_nothing_is_heard_by_default(tmp_path, c
 def test_help_says_what_the_package_is_for(call):
     status, out, _ = call("--help")
     assert status == 0
-    assert "sky, sun and light" in " ".join(out.split())
+    assert "Sample directions at points of 3D models" in " ".join(out.split())

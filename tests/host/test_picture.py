@@ -175,5 +175,5 @@ def test_a_picture_that_gives_no_light_is_named(tmp_path):
     path = tmp_path / "sky.npy"
     np.save(path, np.full((2, 4), -1.0))
     point = ws.SurfacePoints(np.zeros((1, 3)), np.float32([[0.0, 0.0, 1.0]]))
-    with pytest.raises(ValueError, match=f"^radiance: got '{path}' with numbers that are below 0"):
+    with pytest.raises(ValueError, match=f"^radiance: got '{path}' with numbers below 0"):
         ws.irradiance(ws.load_mesh("courtyard"), point, path, 32)

@@ -61,7 +61,7 @@ def test_gltf_nodes_strips_sets_and_short_numbers(tmp_path):
     second = ws.load_uv(path, set=1)
     assert np.isnan(second[4:]).all()
     assert np.array_equal(second[:4], 3.0 * uv[:4])
-    with pytest.raises(ValueError, match="none of its faces has the set 2"):
+    with pytest.raises(ValueError, match="none of its faces has set 2 of texture coordinates"):
         ws.load_uv(path, set=2)
 
 

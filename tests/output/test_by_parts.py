@@ -116,7 +116,8 @@ def test_terrain_around_a_city_may_be_a_raster(call, tmp_path):
     where = {"transform": rasterio.Affine(50, 0, 83000, 0, -50, 448000), "crs": "EPSG:28992"}
     with rasterio.open(tmp_path / "dtm.tif", "w", width=80, height=80, count=1, dtype="float32", **where) as file:
         file.write(np.full((1, 80, 80), -3.5, np.float32))
-    path = cases.written(tmp_path / "a.json", cases.house(cases.surfaces(boundaries=cases.FACES[:6])))
+    system = {"metadata": {"referenceSystem": "EPSG:28992"}}
+    path = cases.written(tmp_path / "a.json", cases.house(cases.surfaces(boundaries=cases.FACES[:6]), **system))
     given = ["--samples", 32, "--points", 300, "--split", "--context", tmp_path / "dtm.tif"]
     status, _, err = call("bake", path, "-o", tmp_path / "b.csv", *given)
     assert (status, err) == (0, "")

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample.distributions.own import OwnDistribution, registered
+from warpsample.distributions.own import UserDistribution, user_distributions
 from warpsample.proof import twins
 from warpsample.proof.advice import advise
 from warpsample.proof.defects import Wrong
@@ -116,11 +116,11 @@ def subject_of():
             else:
                 own[where] = function
         twin = tuple(lambda _, x, f=f: f(right, x) for f in twin)
-        registered["on_trial"] = OwnDistribution(type(right), twin)
+        user_distributions["on_trial"] = UserDistribution(type(right), twin)
         return Subject("OnTrial()", Wrong(right, **own), Wrong(right, name="on_trial"))
 
     yield build
-    registered.clear()
+    user_distributions.clear()
 
 
 def named(subject):

@@ -110,7 +110,7 @@ def test_only_takes_what_there_is(call, tmp_path):
     status, out, err = call("verify", "--only", "gxx")
     assert (status, out) == (2, "")
     assert err.startswith("error: --only: got 'gxx', want one of beckmann, cosine_hemisphere, ")
-    assert "; --module brings one of your own" in err.replace("\n", " ")
+    assert "; --module adds user-defined distributions" in err.replace("\n", " ")
     for name, said in (("none.py", "which is missing, want a Python file"), ("lobe.txt", "want a Python file such as")):
         (tmp_path / "lobe.txt").write_text("")
         status, out, err = call("verify", "--module", tmp_path / name)

@@ -267,7 +267,8 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
     tree, data, _ = opened(output)
     assert (status, picture(tree, data, occlusion(tree, 0)["index"]).min(), "closed bodies" in kept) == (0, 0.0, False)
     status, _, err = call("bake", path, "-o", tmp_path / "small.glb", "--texture", 8)
-    assert (status, err[:70]) == (2, "error: --texture: got 8, want a larger image: 6 charts, 4 texels apart,")
+    said = "error: --texture: got 8, want a larger image: 6 charts, 4 texels apart, "
+    assert (status, " ".join(err.split())[: len(said)]) == (2, said)
 
 
 @pytest.mark.filterwarnings("ignore:mesh. got faces of size")  # it is of most faces; this is of the texels
@@ -305,9 +306,12 @@ def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
 @pytest.mark.parametrize(
     ("options", "why"),
     [
-        (["--texture", "big"], "--texture: got 'big', want texels as 1024 or 1024x512"),
+        (["--texture", "big"], "--texture: got 'big', want a size in texels, such as 1024 or 1024x512"),
         (["--texture", 0], "--texture: got 0, want a whole number from 1"),
-        (["--texture", 64, "--points", 5], "--points: got 5 for --texture, want none: its points are texels"),
+        (
+            ["--texture", 64, "--points", 5],
+            "--points: got 5 for --texture, want none: a texture has its points at the texels",
+        ),
         (["--texture", 64, "--supersample", 0], "--supersample: got 0, want"),
         (["--texture", 64, "--gutter", "some"], "--gutter: got 'some', want 'all' or a whole number"),
         (["--texture", 64, "--strength", 2], "--strength: got 2.0, want a number from 0 to 1"),
@@ -315,7 +319,10 @@ def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
         (["--texture", "64x32", "--uv", "new"], "--texture: got 64x32 for new texture coordinates, want a square"),
         (["--texture", 64, "--quantity", "mean-distance"], "--quantity: got mean-distance for 'out.glb', want .exr or .npz"),
         (["--texture", 64, "--processes", 2], "--processes: got 2 for"),
-        (["--texture", 64, "--report", "r.html"], "--report: got r.html for --texture, want none: it is about points"),
+        (
+            ["--texture", 64, "--report", "r.html"],
+            "--report: got r.html for --texture, want none: a report describes",
+        ),
         (["--uv", "new"], "--uv: got new without --texture; it applies only to textures"),
         (["--strict"], "--strict: got True without --texture; it applies only to textures"),
     ],
