@@ -105,7 +105,7 @@ def is_same(result, right):
 
 
 def count_threads():
-    """Return the number of threads of the process, without those of Zarr's pools, which grow up to a fixed size when used."""
+    """Return the number of threads without those of Zarr's pools, which grow up to a fixed size when they are used."""
     return psutil.Process().num_threads() - sum(thread.name.startswith(POOLS) for thread in threading.enumerate())
 
 
