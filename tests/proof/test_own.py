@@ -4,12 +4,15 @@ import re
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 import warpsample as ws
 from warpsample.distributions.own import user_distributions
 from warpsample.proof import run
 from warpsample.proof.advice import advise
+from warpsample.proof.defects import Wrong
+from warpsample.proof.evidence import Subject
 from warpsample.proof.verify import Verdict, cases
 
 NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e-\d\d)?")
@@ -144,3 +147,25 @@ def test_what_is_imprecise_is_told_apart_from_what_is_wrong():
     assert told(finite=3.0).startswith("Mine gives NaN, an infinity or density 0 at 3 values of u")
     assert told(outside=3.0).startswith("Mine has a density beyond its support, or at NaN: return 0 there")
     assert advise([Verdict.from_error("mass", "Right()", 0.0)]) == []
+
+
+@pytest.mark.parametrize(
+    ("lobe", "changed", "advice"),
+    [
+        (ws.CosineHemisphere(), {}, "beyond its support, or at NaN: return 0 there, as wp.where(w[2] > 0.0, density, 0.0)"),
+        (ws.UniformSphere(), {}, "above 0 at NaN: return 0 there, as wp.where(wp.dot(w, w) > 0.0, density, 0.0)"),
+        (
+            ws.UniformSphere(),
+            {"largest_angle": np.arccos(-0.5)},
+            "beyond its support, or at NaN: return 0 there, as wp.where(w[2] >= -0.5, ",
+        ),
+        (ws.UniformCone(0.5), {}, "beyond its support, or at NaN: return 0 there, as wp.where(w[2] >= 0.5, density"),
+        (ws.UniformDisk(), {}, "beyond its support, or at NaN: return 0 there, as wp.where(wp.length(w) <= 1, density"),
+        (ws.OffsetCircle(), {}, "beyond its support, or at NaN: return 0 there, as wp.where(w[1] > 0.0, density"),
+    ],
+)
+def test_the_condition_outside_of_the_support_is_that_of_the_lobe(monkeypatch, lobe, changed, advice):
+    """Of a sphere, too: w[2] > 0 would cut off its lower half."""
+    monkeypatch.setattr("warpsample.proof.advice.find_conflicts", lambda _: [])
+    said = advise([Verdict.from_error("outside", "Mine()", 0.1)], [Subject("Mine()", Wrong(lobe, **changed), lobe)])
+    assert said[0].startswith(f"Mine has a density {advice}"), said

@@ -2,11 +2,14 @@
 
 from collections.abc import Iterable, Iterator
 
+import numpy as np
+
 from warpsample.proof.diagnosis import WRONG, Conflict, find_conflicts, find_smallest_sets
 from warpsample.proof.evidence import Subject
 from warpsample.proof.opinions import DENSITIES, MAPS
 from warpsample.proof.report import format_figure, name_of
 from warpsample.proof.verify import LAWS, Verdict
+from warpsample.statistics.charts import DISK, SPHERE, chart_of, support_of
 
 _ERRORS = {
     "unit length": "worst_unit_length",
@@ -61,7 +64,7 @@ def _advise_one(verdicts: list[Verdict], known: dict[str, Subject]) -> Iterator[
         count = f"{worst['finite'].measured:,.0f}"
         yield f"gives NaN, an infinity or density 0 at {count} values of u: try u[0] = 0 and u[0] = 1 - 2^-24 first."
     if "outside" in worst and "support" not in suspects:
-        yield "has a density beyond its support, or at NaN: return 0 there, as wp.where(w[2] > 0.0, density, 0.0) does."
+        yield _describe_outside(known.get(worst["outside"].subject))
     if sets:
         yield _name_parts(sets, conflicts) if len(sets) == 1 else _list_choices(sets, conflicts, known[names[0]])
     elif not worst.keys() & {"finite", "outside"} and not only_digits:
@@ -69,6 +72,19 @@ def _advise_one(verdicts: list[Verdict], known: dict[str, Subject]) -> Iterator[
     imprecise = [law for law in imprecise if not suspects & _JUDGED.get(law, set())]
     if imprecise and "direction" not in _large_errors(worst) and "support" not in suspects:
         yield _describe_digits(worst, imprecise, alone=only_digits)
+
+
+def _describe_outside(subject: Subject | None) -> str:
+    """Return a sentence on a density that is not 0 outside the support, with a condition for this support."""
+    if subject is None:
+        return "has a density beyond its support, or at NaN: return 0 there."
+    chart, (_, end) = chart_of(subject.sampler), support_of(subject.sampler)
+    if chart is not DISK and end >= chart.high:
+        return "has a density above 0 at NaN: return 0 there, as wp.where(wp.dot(w, w) > 0.0, density, 0.0) does."
+    up, least = "w[2]" if chart is SPHERE else "w[1]", float(np.cos(end))
+    inside = f"{up} > 0.0" if abs(least) < 1e-9 else f"{up} >= {least:.6g}"
+    inside = f"wp.length(w) <= {end:.6g}" if chart is DISK else inside
+    return f"has a density beyond its support, or at NaN: return 0 there, as wp.where({inside}, density, 0.0) does."
 
 
 def _large_errors(worst: dict[str, Verdict]) -> set[str]:
