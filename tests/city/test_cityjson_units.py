@@ -121,6 +121,64 @@ def test_degrees_without_a_system_are_refused_and_small_models_are_not(tmp_path)
         assert load(tmp_path, small).surfaces.area.sum() > 0.0
 
 
+def placed(offsets, scale):
+    """Houses of `city_files` at offsets in units of the file."""
+    document = cases.house(transform={"scale": scale, "translate": [8.5, 47.4, 400.0]})
+    corners, (name, thing) = np.array(document["vertices"]), next(iter(document["CityObjects"].items()))
+    shifts = [np.rint(np.array([*offset, 0.0]) / scale).astype(int) for offset in offsets]
+    document["vertices"] = np.concatenate([corners + shift for shift in shifts]).tolist()
+    solids = [moved(thing["geometry"][0], number * len(corners)) for number in range(len(offsets))]
+    document["CityObjects"] = {f"{name}{n}": thing | {"geometry": [solid]} for n, solid in enumerate(solids)}
+    return document
+
+
+def moved(geometry, first):
+    """A geometry whose corners are vertices further on."""
+
+    def deeper(item):
+        return [deeper(part) for part in item] if isinstance(item, list) else item + first
+
+    return geometry | {"boundaries": deeper(geometry["boundaries"])}
+
+
+def test_a_wide_city_in_degrees_is_refused(tmp_path):
+    """Two houses 4 km apart, and a hundred over the whole Earth: no width hides what single houses are."""
+    rng = np.random.default_rng(0)
+    for offsets in ([(0.0, 0.0), (0.05, 0.0)], rng.uniform((-170.0, -89.0), (160.0, 40.0), (100, 2))):
+        with pytest.raises(ValueError, match=r"and coordinates between .*, as in degrees; want lengths"):
+            load(tmp_path, placed(offsets, [1e-8, 1e-8, 0.001]))
+
+
+def test_terrain_in_degrees_is_refused_and_in_metres_is_not(tmp_path):
+    """Triangles of 10 m with steps of decimetres, on 2 km: lower than 500 times its width in degrees."""
+    rows, columns = np.divmod(np.arange(201 * 201), 201)
+    heights = np.random.default_rng(0).integers(0, 1000, len(rows))  # mm
+    first = (np.arange(200)[:, None] * 201 + np.arange(200)).ravel()
+    faces = [[[int(a), int(a) + 1, int(a) + 202]] for a in first]
+    vertices = np.column_stack([columns, rows, heights]).tolist()
+    land = {"type": "TINRelief", "geometry": [{"type": "CompositeSurface", "lod": "1", "boundaries": faces}]}
+    document = cases.house() | {"CityObjects": {"land": land}, "vertices": vertices}
+    document["transform"] = {"scale": [1e-4, 1e-4, 0.001], "translate": [8.5, 47.4, 400.0]}
+    with pytest.raises(ValueError, match="as in degrees"):
+        load(tmp_path, document)
+    document["transform"]["scale"] = [0.5, 0.5, 0.001]
+    document["transform"]["translate"] = [-50.0, -50.0, 0.0]
+    assert len(load(tmp_path, document).mesh.faces) == 40000
+
+
+def test_no_town_in_metres_is_taken_for_degrees(tmp_path):
+    """Houses on a map of its own about (8, 47); a silo of 20,000 flat facets; a spire beside a house."""
+    assert load(tmp_path, placed([(0.0, 0.0), (40.0, 10.0)], [0.001] * 3)).surfaces.area.sum() > 0.0
+    around = 2.0 * np.pi * np.arange(20000) / 20000
+    ring = np.column_stack([np.cos(around), np.sin(around), 0.0 * around])
+    vertices = np.rint(1e6 * np.concatenate([ring, ring + np.array([0.0, 0.0, 30.0])])).astype(int).tolist()
+    walls = [[[a, (a + 1) % 20000, 20000 + (a + 1) % 20000, 20000 + a]] for a in range(20000)]
+    silo = {"type": "Building", "geometry": [{"type": "MultiSurface", "lod": "2", "boundaries": walls}]}
+    document = cases.house() | {"CityObjects": {"silo": silo}, "vertices": vertices}
+    document["transform"] = {"scale": [1e-6] * 3, "translate": [8.0, 47.0, 0.0]}
+    assert load(tmp_path, document).surfaces.area.sum() == pytest.approx(60.0 * np.pi, rel=1e-3)
+
+
 def test_results_are_those_in_metres_and_the_geometry_stays(tmp_path):
     """Means, sums and areas of a city in feet are those of its twin in metres, in a file whose geometry is untouched."""
     made = {}

@@ -216,14 +216,14 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
         found = gather(content, lod)
         if not found.lods:
             raise ValueError("it has no surfaces")
-        points = np.concatenate(found.vertices)
-        found.units.check_lengths(points)
+        points, outlines = np.concatenate(found.vertices), found.all_outlines
+        found.units.check_lengths(points, outlines)
     if not found.geometries:
         there = ", ".join(f"{level:g}" for level in sorted(found.lods))
         got = "none" if lod is None else f"{lod:g}"
         raise ValueError(f"lod: got {got}, want a level of detail that {str(path)!r} has surfaces of: {there}")
     found.units.warn(path, points)
-    return _build_city(found, points * found.units.metres, path, content, split=split, context=context)
+    return _build_city(found, points * found.units.metres, outlines, path, content, split=split, context=context)
 
 
 def _check_target(path: Any, source: Path) -> Path:
@@ -248,9 +248,9 @@ def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
     return columns
 
 
-def _build_city(found: Gathered, points: np.ndarray, path: Path, content: bytes, *, split: bool, context: Any) -> City:
-    parts = ([getattr(each, name) for each in found.outlines] for name in ("corners", "sizes", "rings"))
-    outlines = Outlines(*map(np.concatenate, parts))
+def _build_city(
+    found: Gathered, points: np.ndarray, outlines: Outlines, path: Path, content: bytes, *, split: bool, context: Any
+) -> City:
     surfaces, rows = tabulate_surfaces(found, points, outlines, split)
     triangles, owner = outlines.triangles(points)
     vertices, faces = append_context(points, triangles, context, found.units)

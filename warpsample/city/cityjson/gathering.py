@@ -75,6 +75,13 @@ class Gathered:
     _corners: int = 0
     _checked: int = 0
 
+    @property
+    def all_outlines(self) -> Outlines:
+        """Outlines of all geometries in one object."""
+        nothing = [Outlines(*[np.empty(0, np.int64)] * 3)]
+        parts = ([getattr(each, name) for each in nothing + self.outlines] for name in ("corners", "sizes", "rings"))
+        return Outlines(*map(np.concatenate, parts))
+
     def place(self, points: np.ndarray) -> int:
         """Append vertices and return the number of the first one.
 

@@ -7,14 +7,14 @@ from warnings import warn
 
 import numpy as np
 
+from warpsample.city.cityjson.steepness import looks_like_degrees
 from warpsample.host.arguments import told
 from warpsample.host.extras import missing
 from warpsample.host.json_tree import Part
 from warpsample.host.locks import imported
+from warpsample.mesh.holes import Outlines
 
 _KEY = "referenceSystem"
-_STEEP = 500.0  # height over the diagonal of the plan: 300 for a single guyed mast, 50,000 for a house in degrees
-_LEAST = 1.0  # least range of heights for the check; houses have more
 
 
 @dataclass(frozen=True)
@@ -57,14 +57,15 @@ class Units:
         doubt = "without a unit of heights; they are taken to be in that of the map" if up is None and flat != 1.0 else ""
         return cls(name, crs, np.array([flat, flat, up or flat], np.float64), doubt)
 
-    def check_lengths(self, points: np.ndarray) -> None:
-        """Raise a ValueError for points (V, 3) of an unknown reference system that look like degrees.
+    def check_lengths(self, points: np.ndarray, outlines: Outlines) -> None:
+        """Raise a ValueError for faces of an unknown reference system that look like degrees.
 
-        Such points are in the range of longitudes and latitudes, and much steeper than a city.
+        Args:
+            points: (V, 3) vertices in the file's units.
+            outlines: outlines of the faces.
         """
-        ends = np.stack([points.min(axis=0), points.max(axis=0)])
-        on_earth, extent = np.abs(ends[:, :2]).max(axis=0) <= (180.0, 90.0), ends[1] - ends[0]
-        if self.crs is None and on_earth.all() and extent[2] > max(_LEAST, _STEEP * np.hypot(*extent[:2])):
+        if self.crs is None and looks_like_degrees(points, outlines):
+            ends = np.stack([end(points[outlines.corners], axis=0) for end in (np.min, np.max)])
             raise ValueError(
                 f"it has no metadata.{_KEY} that is known, and coordinates between {ends.tolist()}, as in degrees; want "
                 "lengths, such as metres on a map"
