@@ -405,7 +405,10 @@ def test_a_new_file_is_not_read_with_the_masks_of_an_older_one(dsm, child_enviro
     for path in (*older, own):
         path.write_text("old")
     command = [sys.executable, "-m", "warpsample", "bake", "dsm.tif", "-o", "sky.tif", "--quantity", "sky", "--samples", "4"]
-    subprocess.run(command, check=True, env=child_environment, cwd=folder, capture_output=True)
+    done = subprocess.run(command, check=True, env=child_environment, cwd=folder, capture_output=True, text=True)
+    assert "removed sky.tif.msk, sky.tif.ovr, sky.tif.aux.xml: overviews, masks or statistics of the file" in " ".join(
+        done.stdout.split()
+    )
     assert sorted(path.name for path in folder.iterdir()) == [".sky.tif.making", "dsm.tif", "sky.tif"]
     assert own.read_text() == "old"
     stray = folder / "new.tif.ovr"

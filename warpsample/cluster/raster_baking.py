@@ -126,8 +126,9 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
             with computing(None, processes, None) if processes else nullcontext():
                 _compute(job, store, np.flatnonzero(~whole).tolist(), digests, heard)
             _check_unchanged(store, job)
+            removed: list[Path] = []
             if not is_store:
-                write_cog(output, run, about, partial(tiles_in, store, run), store / _COG)
+                removed = write_cog(output, run, about, partial(tiles_in, store, run), store / _COG)
                 uninterrupted(partial(shutil.rmtree, store))
     rows, columns = run.reader.shape
     total, there = len(whole), int(whole.sum())
@@ -135,6 +136,8 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
         f"{output}: {run.quantity.title} of {rows:,} x {columns:,} cells in {total:,} {'tile' if total == 1 else 'tiles'}"
     ]
     lines += [f"{there:,} of them were there already"] if there else []
+    names = ", ".join(file.name for file in removed)
+    lines += [f"removed {names}: overviews, masks or statistics of the file that was replaced"] if removed else []
     return "\n  ".join([*lines, f"took {perf_counter() - start:.2f} s"])
 
 

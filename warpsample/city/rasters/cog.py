@@ -34,18 +34,22 @@ def write_cog(
     about: Mapping[str, Any],
     tiles: Callable[[], Iterable[tuple[Span, Mapping[str, np.ndarray]]]],
     folder: Path,
-) -> None:
+) -> list[Path]:
     """Write the results of all tiles to a COG with one band per name.
 
     The results are first written to a plain file, because a COG cannot be filled in parts. The COG is read back and compared
     before it appears, because GDAL reports no error if it fails while it closes a file, for example on a full disk.
 
     Args:
-        path: Path of the file, which appears when it is complete. Sidecar files of an older file with this name are removed.
+        path: Path of the file, which appears when it is complete. Sidecar files of an older file with this name are removed,
+            because GDAL would read them as those of the new file.
         run: Run that computed the results.
         about: Attributes to store in the file.
         tiles: Function that returns the spans and arrays of all tiles; it is called twice.
         folder: Folder for temporary files. It may exist already; the caller removes it.
+
+    Returns:
+        paths of the removed sidecar files.
 
     Raises:
         WriteError: The file cannot be written.
@@ -56,10 +60,12 @@ def write_cog(
         rasterio.shutil.copy(folder / "plain.tif", folder / "cog.tif", driver="COG", predictor="FLOATING_POINT", **_HOW)
         _check_written(folder / "cog.tif", run, tiles())
         older = [Path(f"{path}{suffix}") for suffix in _SIDECARS] if path.exists() else []
+        removed = [sidecar for sidecar in older if sidecar.exists()]
         with complete_or_absent(path) as stream, (folder / "cog.tif").open("rb") as made:
             shutil.copyfileobj(made, stream, 1 << 24)
-        for sidecar in older:
+        for sidecar in removed:
             sidecar.unlink(missing_ok=True)
+    return removed
 
 
 def _write_plain(
