@@ -201,10 +201,42 @@ def test_a_unit_that_is_not_known_is_told():
         same(heights_of(array.rio.write_transform(UTM)), gone=np.zeros(HEIGHTS.shape, bool))
 
 
-def test_heights_without_a_map_keep_their_unit():
+def test_heights_without_a_map_are_converted_to_metres(tmp_path):
+    """Coordinates are metres there; heights in feet beside them made shadows 3.3 times too long."""
     array = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": "ft"}).rio.write_transform(UTM)
-    with pytest.warns(UserWarning, match="got an xarray.DataArray without a CRS; its coordinates are taken as metres"):
+    path = write_tif(tmp_path / "dsm.tif", HEIGHTS, crs=None, units="ft")
+    for source in (array, path):
+        with pytest.warns(UserWarning, match="without a CRS; its coordinates are taken as metres"):
+            assert np.allclose(heights_of(source), 0.3048 * HEIGHTS, rtol=1e-6)
+
+
+def test_a_unit_that_is_not_known_is_told_without_a_map():
+    array = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": "furlong"}).rio.write_transform(UTM)
+    with (
+        pytest.warns(UserWarning, match="without a CRS"),
+        pytest.warns(UserWarning, match="got heights in 'furlong', a unit that is not known here, and coordinates in units"),
+    ):
         same(heights_of(array), gone=np.zeros(HEIGHTS.shape, bool))
+
+
+@pytest.mark.parametrize(
+    "attributes",
+    [
+        ({"units": "degrees_north"}, {"units": "degrees_east"}),
+        ({"units": "Degrees"}, {}),
+        ({"standard_name": "latitude"}, {"standard_name": "longitude"}),
+        ({"units": "radian"}, {"units": "radian"}),
+        ({"units": "degree_N"}, {"units": "degree_E"}),
+    ],
+)
+def test_coordinates_whose_attributes_state_degrees_are_refused(attributes):
+    """Also of level land, which no relief betrays."""
+    centres = {"y": 47.4 - 0.025 * np.arange(4), "x": 8.5 + 0.025 * np.arange(5)}
+    array = xr.DataArray(np.zeros((4, 5)), centres, ("y", "x"))
+    for name, attribute in zip("yx", attributes, strict=True):
+        array[name].attrs.update(attribute)
+    with pytest.raises(ValueError, match="^source: got coordinates 'y' in '.*', want lengths, as heights are; reproject it"):
+        rasters.surface(array)
 
 
 def test_coordinates_of_float32_are_evenly_spaced_but_for_their_rounding():

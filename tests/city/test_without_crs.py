@@ -15,6 +15,7 @@ pytest.importorskip("rioxarray")
 import xarray as xr
 
 import warpsample as ws
+from warpsample.city.rasters import arc_grid
 from warpsample.city.rasters.transforms import check_lengths
 
 HEIGHTS = np.arange(120.0).reshape(10, 12) % 7.0
@@ -104,7 +105,7 @@ def test_models_in_metres_are_not_refused(cells, side, relief):
         assert len(made.mesh.faces) == 2 * (cells - 1) ** 2
 
 
-def test_only_the_middle_of_a_raster_is_read_for_it():
+def test_only_some_windows_of_a_raster_are_read_for_it():
     """And nothing of one whose cells cannot be in degrees."""
     shapes, level = [], np.zeros((3000, 200))
 
@@ -114,7 +115,93 @@ def test_only_the_middle_of_a_raster_is_read_for_it():
 
     for side, x, y in ((1e-4, 8.0, 47.0), (1.0, 8.0, 47.0), (1e-4, 5e5, 5e6)):
         check_lengths(Affine(side, 0.0, x, 0.0, -side, y), level.shape, heights)
-    assert shapes == [(512, 200)]
+    assert shapes == [(512, 200)] * 3
+
+
+def lake():
+    """Level in its middle, and mountains around it, by seconds of arc."""
+    away = np.hypot(*(np.mgrid[:1200, :1200] - 600.0))
+    return np.maximum(away - 500.0, 0.0) * 1.2
+
+
+def peaks(cells, seed=0):
+    """Mountains that differ from cell to cell, as by cells of kilometres."""
+    return np.random.default_rng(seed).uniform(0.0, 3000.0, (cells, cells))
+
+
+def highland(cells):
+    """A plateau of 4,000 m in a corner, and the sea."""
+    heights = np.zeros((cells, cells))
+    heights[-cells // 4 :, -cells // 4 :] = peaks(cells // 4) + 2500.0
+    return heights
+
+
+@pytest.mark.parametrize(
+    ("heights", "side"),
+    [
+        (lake(), 1.0 / 3600.0),
+        (peaks(40), 0.025),
+        (peaks(40), 0.1),
+        (highland(320), 0.25),
+        (np.random.default_rng(0).uniform(0.0, 1.0, (40, 40)), 1.0 / 3600.0),  # a plain
+    ],
+)
+def test_degrees_are_found_in_any_part_and_by_any_cells(heights, side):
+    with pytest.raises(ValueError, match="^source: got no CRS, heights that differ by .*, as in degrees; want lengths: "):
+        check_lengths(Affine(side, 0.0, 8.5, 0.0, -side, 47.4), heights.shape, lambda *part: heights[part])
+
+
+def tower(cells, share, height):
+    """A tower on a fraction of a square."""
+    heights = np.zeros((cells, cells))
+    heights[: round(cells * share), : round(cells * share)] = height
+    return heights
+
+
+@pytest.mark.parametrize(
+    ("heights", "side"),
+    [
+        (tower(24, 0.2, 600.0), 0.25),  # a guyed mast on 6 m x 6 m
+        (tower(300, 0.5, 828.0), 0.25),  # the highest building, on 75 m x 75 m
+        (tower(64, 0.5, 60.0), 0.02),  # the edge of a facade, by a scanner
+        (np.repeat(tower(100, 0.5, 1300.0)[:, :1], 100, axis=1), 1.0),  # the highest cliff of the Earth
+        (tower(60, 0.1, -32000.0), 1.0),  # a few damaged cells
+        (np.full((40, 40), np.nan), 0.5),
+    ],
+)
+def test_no_lengths_are_taken_for_degrees(heights, side):
+    check_lengths(Affine(side, 0.0, 8.5, 0.0, -side, 47.4), heights.shape, lambda *part: heights[part])
+
+
+@pytest.mark.parametrize(
+    ("text", "got"),
+    [
+        ("1 2 3\n4 5\n", "with 5 heights, want 6, 2 rows of 3"),
+        ("1 2 3\n4 5 6 7\n", "with 7 heights, want 6"),
+        ("1 2 3\n4 x 6\n", "with 'x' among its heights, want numbers"),
+        ("1 2 3\n4 5 6-7\n", "with '6-7' among"),
+        ("1 2 3\n4 5 6e\n", "with '6e' among"),
+        ("1 2 3\n4 <NA> 6\n", "with '<NA>' among"),
+    ],
+)
+def test_a_damaged_arc_grid_is_refused(tmp_path, text, got):
+    """GDAL reads 0 in place of what is missing or no number."""
+    path = tmp_path / "dsm.asc"
+    path.write_text("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n" + text)
+    with pytest.raises(ValueError, match=f"^source: got '.*dsm.asc' {got}.*the file is damaged$"):
+        ws.rasters.surface(path)
+
+
+@pytest.mark.parametrize("chunk", [7, 1 << 24])
+def test_every_spelling_of_a_number_in_an_arc_grid_is_one(tmp_path, monkeypatch, chunk):
+    """Without a value for no data, with all sorts of spaces, and in chunks that end within numbers."""
+    monkeypatch.setattr(arc_grid, "_CHUNK", chunk)
+    path = tmp_path / "dsm.asc"
+    header = b"NCOLS 4\r\nnrows 2\r\nXLLCENTER 0\r\nyllcenter 0\r\ncellsize 1\r\n"
+    path.write_bytes(header + b" 1.5\t-2 +3e0 .5\n\n5E-1 6. nan\n-7.0e+01")
+    with pytest.warns(UserWarning, match=WARNED):
+        heights = ws.rasters.surface(path, model="block").grid.height
+    assert np.allclose(heights, [[1.5, -2.0, 3.0, 0.5], [0.5, 6.0, np.nan, -70.0]], equal_nan=True)
 
 
 def test_units_of_heights_and_coordinates_that_an_array_states_are_used():

@@ -18,6 +18,7 @@ from rasterio.errors import NotGeoreferencedWarning, RasterioError, RasterioIOEr
 from rasterio.windows import Window
 from rioxarray.exceptions import MissingSpatialDimensionError
 
+from warpsample.city.rasters.arc_grid import check_arc_grid
 from warpsample.city.rasters.coding import Coding
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
@@ -105,6 +106,8 @@ def _of_file(path: str) -> RasterReader:
         if len(bands) != 1:
             raise ValueError(f"source: got {path!r} with {len(bands)} bands, want one band of heights")
         check_place(file.transform, file.crs, repr(path))
+        if file.driver == "AAIGrid" and Path(path).is_file():
+            check_arc_grid(path, file.shape)
         band = bands[0]
         read = partial(_band, path, band, Coding.of_file(path, file, band))
         return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or _height_unit_beside(path), read)
@@ -147,7 +150,8 @@ def _of_data_array(array: xr.DataArray) -> RasterReader:
         return coding.heights(array.isel(dict(zip(dims, (rows, columns), strict=True))).to_numpy())
 
     for name, coordinate in coordinates.items():
-        check_unit(str(coordinate.attrs.get("units", "")), crs_of(array.rio.crs), f"coordinates {name!r}")
+        stated = coordinate.attrs.get("units") or coordinate.attrs.get("standard_name", "")
+        check_unit(str(stated), crs_of(array.rio.crs), f"coordinates {name!r}")
     where = transform_of(array, dims), array.rio.crs, unit
     return _reader(array.shape, *where, heights, dims=dims, coordinates=coordinates)
 
@@ -184,8 +188,7 @@ def _reader(
     """Return a checked reader that converts heights to the unit of the coordinates."""
     check_cells(transform, shape)
     found = crs_of(crs)
-    metres, height_metres = metres_of(found), height_metres_of(found, unit) if found else None
-    unknown = found is not None and unit.strip()
+    metres, height_metres, unknown = metres_of(found), height_metres_of(found, unit), unit.strip()
     if height_metres is None and (unknown or abs(metres - 1.0) > 1e-5):
         said = f"heights in {unit!r}, a unit that is not known here" if unknown else "no unit of its heights"
         warnings.warn(

@@ -23,6 +23,7 @@ _METRES |= {
     "fathom": 1.8288,
     "sft": _SURVEY_FOOT,
 }
+_ANGLE = re.compile(r"(arc|deg|grad|rad)[a-z_ -]*|°|(grid_)?(latitude|longitude)")  # units and standard names of netCDF
 _PART = re.compile(r"[?&]\d+=([^?&]+)")  # of an address of several systems: crs-compound?1=...&2=...
 _EPSG = re.compile(r"EPSG(?:/|::|:)(?:[^/:]*[/:])?(\d+)/?$", re.IGNORECASE)
 _SAME = 1.0  # m: versions of a datum differ by less, other maps by more
@@ -100,8 +101,17 @@ def metres_of(crs: pyproj.CRS | None) -> float:
 
 
 def check_unit(unit: str, crs: pyproj.CRS | None, what: str) -> None:
-    """Raise a ValueError if the named unit of coordinates differs from that of their CRS; without a CRS it is the metre."""
-    length, metres = _METRES.get(unit.strip().lower()), metres_of(crs)
+    """Raise a ValueError if the named unit of coordinates differs from that of their CRS; without a CRS it is the metre.
+
+    Args:
+        unit: Name of a unit of lengths or angles, or a standard name of netCDF such as "longitude". Others are ignored.
+        crs: CRS in lengths, or None.
+        what: Name of the coordinates for the message.
+    """
+    name, metres = unit.strip().lower(), metres_of(crs)
+    if _ANGLE.fullmatch(name):
+        raise ValueError(f"source: got {what} in {unit!r}, want lengths, as heights are; {REPROJECT} or gdalwarp")
+    length = _METRES.get(name)
     if length is not None and abs(length - metres) > 1e-5 * metres:
         raise ValueError(f"source: got {what} in {unit!r}, want the unit of the CRS, {metres:g} m")
 

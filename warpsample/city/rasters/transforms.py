@@ -1,6 +1,7 @@
 """Checks of raster transforms, and conversion between transforms and coordinates of cell centres."""
 
 from collections.abc import Callable
+from itertools import product
 
 import numpy as np
 import xarray as xr
@@ -9,14 +10,19 @@ from affine import Affine
 from warpsample.host.arguments import told
 
 _DEGREES = 360.0, 90.0  # largest longitude and latitude
-_ARC_MINUTE = 0.02  # degrees, slightly more than an arc minute: rasters with larger cells resolve no shading terrain
 _STEEP = 50.0
-"""Least relief over the diagonal of a raster in degrees: a second of arc is 31 m, so 1 m over 10 cells is a ratio of 250.
+"""Ratio of relief to the diagonal of a window above which coordinates cannot be lengths.
 
-In metres, with cells of at most 2 cm, it would be 7 m of relief in 5 x 5 cells; a model 1 m wide and 0.3 m high has 0.2.
+In degrees, a second of arc is 31 m, so 1 m over 10 cells is a ratio of 250. In metres, 5 x 5 cells of 2 cm would have 7 m of
+relief; a model 1 m wide and 0.3 m high has 0.2.
 """
-_RELIEF = 1.0
-_LOOKED_AT = 512  # rows and columns in the middle whose relief is checked
+_STEEP_TERRAIN, _PEAKS = 5.0, 2000.0
+"""The same ratio for more than 2,000 m of relief in a block. The highest cliffs of the Earth have 1,300 m.
+
+This ratio finds rasters whose cells are arc minutes or more, and windows therefore wide.
+"""
+_KEPT = (5.0, 95.0)  # percentiles of heights that bound the relief: a mast, or a few damaged cells, must not decide
+_WINDOW, _BLOCK = 512, 32  # rows and columns of a window, and of its blocks that are checked by themselves
 _APART = 1e-3  # largest rounding of coordinates, in cells
 
 
@@ -54,22 +60,45 @@ def check_cells(transform: Affine, shape: tuple[int, int]) -> None:
 
 
 def check_lengths(transform: Affine, shape: tuple[int, int], heights: Callable[[slice, slice], np.ndarray]) -> None:
-    """Raise a ValueError for a raster without a CRS whose coordinates must be degrees, judged by the relief in its middle.
+    """Raise a ValueError for a raster without a CRS whose coordinates must be degrees, judged by its relief.
 
-    The message names `source`.
+    Up to nine windows are read: in the corners, at the edges and in the middle. The message names `source`.
     """
     corners = np.array([transform @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), shape[::-1])])
     sides = np.hypot(np.array(transform[:2]), np.array(transform[3:5]))
-    if sides.max() > _ARC_MINUTE or (np.abs(corners) > np.array(_DEGREES) + sides.max()).any():
+    if (np.abs(corners) > np.array(_DEGREES) + sides.max()).any():
         return
-    found = heights(*(slice(max(0, (size - _LOOKED_AT) // 2), (size + _LOOKED_AT) // 2) for size in shape))
-    known = found[~np.isnan(found)]
-    relief = float(np.ptp(known)) if known.size else 0.0
-    if relief > max(_RELIEF, _STEEP * np.hypot(*(sides * found.shape[::-1]))):
-        raise ValueError(
-            "source: got no CRS, heights that differ by {:g}, and cells of {:g} about {:g}, {:g}, as in degrees; want "
-            "lengths: give it its CRS, and reproject it".format(relief, sides.max(), *corners.mean(axis=0))
-        )
+    for rows, columns in product(*map(_windows, shape)):
+        relief = _impossible_relief(heights(rows, columns), sides)
+        if relief:
+            raise ValueError(
+                "source: got no CRS, heights that differ by {:g}, and cells of {:g} about {:g}, {:g}, as in degrees; want "
+                "lengths: give it its CRS, and reproject it".format(relief, sides.max(), *corners.mean(axis=0))
+            )
+
+
+def _windows(size: int) -> list[slice]:
+    """Return the rows or columns to check: the first, middle and last `_WINDOW` of them, or all."""
+    last = max(0, size - _WINDOW)
+    return [slice(start, start + min(size, _WINDOW)) for start in sorted({0, last // 2, last})]
+
+
+def _impossible_relief(heights: np.ndarray, sides: np.ndarray) -> float:
+    """Return the relief of a window, or of one of its blocks, which is too much for cells with such sides; 0 if none is."""
+    relief, least = _relief(heights), max(_PEAKS, _STEEP_TERRAIN * np.hypot(*(sides * _BLOCK)))
+    if relief > _STEEP * np.hypot(*(sides * heights.shape[::-1])):
+        return relief
+    if not np.fmax.reduce(heights, axis=None) - np.fmin.reduce(heights, axis=None) > least:
+        return 0.0
+    blocks = product(*(range(0, size, _BLOCK) for size in heights.shape))
+    reliefs = (_relief(heights[row : row + _BLOCK, column : column + _BLOCK]) for row, column in blocks)
+    return next((found for found in reliefs if found > least), 0.0)
+
+
+def _relief(heights: np.ndarray) -> float:
+    """Return the difference of high and low heights, apart from the highest and lowest 5 %; 0 without heights."""
+    known = heights[~np.isnan(heights)]
+    return float(np.subtract(*np.percentile(known, _KEPT[::-1]))) if known.size else 0.0
 
 
 def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:

@@ -1,0 +1,73 @@
+"""Check of Arc ASCII grids (.asc): GDAL reads a missing or damaged number as 0, without an error."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+_CHUNK = 1 << 24  # bytes read at a time
+_HEADER = re.compile(rb"(?:\s*(?:ncols|nrows|[xy]ll(?:corner|center)|cellsize|d[xy]|nodata_value)\s+\S+)+", re.IGNORECASE)
+_LONGEST_HEADER = 4096
+
+_SPACE, _DIGIT, _SIGN, _POINT, _EXPONENT, _LETTER, _OTHER = range(7)
+_CLASSES = np.full(256, _OTHER, np.uint8)
+_CLASSES[:33] = _SPACE
+for _class, _bytes in ((_DIGIT, b"0123456789"), (_SIGN, b"+-"), (_POINT, b".,"), (_EXPONENT, b"eE")):
+    _CLASSES[[*_bytes]] = _class
+_CLASSES[[*b"nNaAiIfFqQdD#"]] = _LETTER  # of nan, inf, 1.#QNAN and 1.#IND
+_FOLLOWS = np.zeros((7, 7), bool)
+"""Whether a byte of the second class may follow one of the first in a text of numbers."""
+for _first, _seconds in (
+    (_SPACE, (_SPACE, _DIGIT, _SIGN, _POINT, _LETTER)),
+    (_DIGIT, (_SPACE, _DIGIT, _POINT, _EXPONENT)),
+    (_SIGN, (_DIGIT, _POINT, _LETTER)),
+    (_POINT, (_SPACE, _DIGIT, _EXPONENT, _LETTER)),
+    (_EXPONENT, (_DIGIT, _SIGN)),
+    (_LETTER, (_SPACE, _DIGIT, _LETTER)),
+):
+    _FOLLOWS[_first, _seconds] = True
+
+
+def check_arc_grid(path: str, shape: tuple[int, int]) -> None:
+    """Raise a ValueError for an Arc ASCII grid with a wrong count of heights, or with a text that is not a number.
+
+    The bytes are compared with those that may follow each other in numbers, without converting the numbers.
+
+    Args:
+        path: Path of the file.
+        shape: Numbers of rows and columns from its header.
+    """
+    count = 0
+    for chunk in _chunks(path):
+        classes = _CLASSES[np.frombuffer(chunk, np.uint8)]
+        wrong = ~_FOLLOWS.ravel()[7 * classes[:-1] + classes[1:]]
+        if wrong.any():
+            text = _token_at(chunk, int(wrong.argmax()) + 1)
+            raise ValueError(f"source: got {path!r} with {text!r} among its heights, want numbers: the file is damaged")
+        count += np.count_nonzero((classes[:-1] == _SPACE) & (classes[1:] != _SPACE))
+    rows, columns = shape
+    if count != rows * columns:
+        raise ValueError(
+            f"source: got {path!r} with {count:,} heights, want {rows * columns:,}, {rows:,} rows of {columns:,}: the file "
+            "is damaged"
+        )
+
+
+def _chunks(path: str) -> Iterator[bytes]:
+    """Yield the heights in chunks that begin with the last byte of the preceding chunk; the last chunk ends in a space."""
+    with Path(path).open("rb") as file:
+        header = _HEADER.match(file.read(_LONGEST_HEADER))
+        file.seek(header.end() if header else 0)
+        last = b"\n"
+        while chunk := file.read(_CHUNK):
+            yield last + chunk
+            last = chunk[-1:]
+        yield last + b"\n"
+
+
+def _token_at(chunk: bytes, index: int) -> str:
+    """Return the text without spaces around a byte, or the byte before if that byte is a space."""
+    before = re.search(rb"[^\x00-\x20]{0,20}$", chunk[:index])
+    after = re.match(rb"[^\x00-\x20]{0,20}", chunk[index:])
+    return ((before[0] if before else b"") + (after[0] if after else b"")).decode("ascii", "replace")
