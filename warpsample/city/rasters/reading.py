@@ -92,7 +92,7 @@ def ground_of(source: Any) -> RasterReader:
             got = repr(fspath(source)) if isinstance(source, str | PathLike) else "an xarray.DataArray"
             warnings.warn(
                 f"source: got {got} without a CRS; its coordinates are taken as metres, and the map's y axis as true north; "
-                "(array, affine, None) says so",
+                "pass (array, affine, None) to state that there is none",
                 stacklevel=4,
             )
     return reader
@@ -187,9 +187,9 @@ def _reader(
     metres, height_metres = metres_of(found), height_metres_of(found, unit) if found else None
     unknown = found is not None and unit.strip()
     if height_metres is None and (unknown or abs(metres - 1.0) > 1e-5):
-        said = f"heights in {unit!r}, a unit that is not known here" if unknown else "no unit of its heights"
+        message = f"heights in {unit!r}, a unit that is not known here" if unknown else "no unit of its heights"
         warnings.warn(
-            f"source: got {said}, and coordinates in units of {metres:g} m; they are taken to be the same", stacklevel=2
+            f"source: got {message}, and coordinates in units of {metres:g} m; they are taken to be the same", stacklevel=2
         )
     stretched = describe_stretch(found, *(transform @ (shape[1] / 2.0, shape[0] / 2.0)))
     if stretched:
@@ -206,7 +206,7 @@ def files_read(path: str) -> list[Path]:
     try:
         with _opened(path) as file:
             return [Path(path), *map(Path, file.files)]
-    except (FileNotFoundError, ValueError):  # which is told where it is read
+    except (FileNotFoundError, ValueError):  # reported when the file is read
         return [Path(path)]
 
 

@@ -15,7 +15,7 @@ from warpsample.city.rasters.canopy import Canopy, calling, check_for_crowns, ch
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
-from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, seen_of
+from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, compute_through_crowns
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, surface_of
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import ground_of, reader_of, with_heights
@@ -90,7 +90,7 @@ class RasterRun:
         shares = check_transmittance(transmittance)
         check_dates(quantity, shares)
         if margin is not None and tile is None:
-            raise ValueError(f"margin: got {told(margin)} without tile, want tile, around which it is")
+            raise ValueError(f"margin: got {told(margin)} without tile, want tile, too")
         tile = None if tile is None else check_integer(tile, "tile", 1, 2**31 - 1)
         margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
         reader, other = ground_of(source), None
@@ -123,7 +123,7 @@ class RasterRun:
         return {name: raster for name, raster in given.items() if isinstance(raster, RasterReader)}
 
     def reading(self, rasters: Mapping[str, RasterReader]) -> "RasterRun":
-        """Return a copy of the run that reads `rasters` in place of its own."""
+        """Return a copy of the run with other input rasters."""
         canopy = self.canopy
         if canopy is not None:
             canopy = replace(canopy, top=rasters["canopy"], trunk=rasters.get("trunk", canopy.trunk))
@@ -140,7 +140,7 @@ class RasterRun:
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model) if self.far else None
 
     @cached_property
-    def wooded(self) -> FarField | None:
+    def field_with_crowns(self) -> FarField | None:
         """Far field with tree crowns included; `field` if there are none."""
         if not self.far or self.canopy is None:
             return self.field
@@ -194,27 +194,27 @@ class RasterRun:
         points = replace(points.take(chosen), id=id)
         mesh = surface.mesh
         del surface
-        foreground = self._foreground(mesh, grid, window)
+        foreground = self._build_foreground(mesh, grid, window)
         del mesh  # whose arrays are in it
-        scenes = self._between(foreground, span, near)
-        found = [self._seen(points, grid.whole, scenery) for scenery in scenes]
-        for name, values in _bounded(found).items():
+        scenes = self._build_scenes(foreground, span, near)
+        found = [self._compute_values(points, grid.whole, scenery) for scenery in scenes]
+        for name, values in _average_bounds(found).items():
             if name in laid:
                 laid[name][i - row, j - column] = values
         return laid
 
-    def _foreground(self, mesh: Mesh, grid: Grid, window: Span) -> Foreground:
+    def _build_foreground(self, mesh: Mesh, grid: Grid, window: Span) -> Foreground:
         """Build the surface of a tile with its margin, and the crowns over it."""
         ground = mesh.vertices, mesh.faces
         crowns = self.canopy and self.canopy.crowns(grid, *window)
         triangles = joined([ground, prisms(grid, crowns)]) if crowns and crowns.any else ground
         return Foreground(triangles, tuple(map(len, ground)))
 
-    def _between(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
+    def _build_scenes(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
         """Return the scenes with upper and with lower columns, or the only scene without columns."""
         if self.field is None:
             return [foreground.before()]
-        fields = [self.field] if self.wooded is self.field else [self.field, self.wooded]
+        fields = [self.field] if self.field_with_crowns is self.field else [self.field, self.field_with_crowns]
         lowest = float(foreground.triangles[0][:, 2].min())
         columns = zip(*(field.columns(span, near, lowest) for field in fields), strict=True)
         return [foreground.before(*each) for each in columns] or [foreground.before()]
@@ -227,14 +227,14 @@ class RasterRun:
         """
         return self.canopy is None and finds_horizons(self.quantity, self.options)
 
-    def _seen(self, points: SurfacePoints, whole: bool, scene: Scenery) -> Seen:
+    def _compute_values(self, points: SurfacePoints, whole: bool, scene: Scenery) -> Seen:
         """Compute the results at points of a tile, by horizons where possible."""
         if whole and self.by_horizons:
-            return sky_by_horizons(self.quantity, scene.bare(), points, self.options)
-        return seen_of(self.quantity, scene, points, self.options, self.transmittance)
+            return sky_by_horizons(self.quantity, scene.without_crowns(), points, self.options)
+        return compute_through_crowns(self.quantity, scene, points, self.options, self.transmittance)
 
 
-def _bounded(found: list[Seen]) -> dict[str, np.ndarray]:
+def _average_bounds(found: list[Seen]) -> dict[str, np.ndarray]:
     """Return the mean of the results with upper and lower columns, and half of the difference as `far_error`."""
     upper, lower = (vars(seen) for seen in (found[0], found[-1]))
     names = ("value", "standard_error", "half_width")
