@@ -60,10 +60,10 @@ def test_a_street_by_quadrature(count):
     width, height, x = 1.0, 1.7, 0.3
     found = ws.sky_matrix(street(width, height), at((x, 0.4, 0.0), (0, 0, 1), 64), count)
 
-    def seen(w):
+    def is_sky(w):
         return w[:, 2] * np.where(w[:, 0] > 0.0, width - x, x) > height * np.abs(w[:, 0])
 
-    exact = form_factors([0, 0, 1], seen, cells=200)[0]
+    exact = form_factors([0, 0, 1], is_sky, cells=200)[0]
     error = found.value - exact
     bars = np.sqrt(np.mean(np.square(found.standard_error.astype(np.float64)), axis=0) / 64)
     assert (np.abs(error.mean(axis=0)) <= 5.0 * bars + 1e-5).all()

@@ -8,7 +8,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.patches import patches_of
 from warpsample.radiation.reflection.reflections import reflections_of
-from warpsample.radiation.weather.afar import WeatherAfar
+from warpsample.radiation.weather.distant import WeatherLight
 from warpsample.radiation.weather.irradiation import Irradiation, irradiation, received
 from warpsample.radiation.weather.light import light_of
 from warpsample.tracing.options import RayOptions
@@ -24,9 +24,9 @@ def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | N
     """Compute the light and its reflections once; return a function that computes the irradiation of points."""
     parts = patches_of(mesh, refine)
     light = light_of(**{name: given[name] for name in _OF_THE_LIGHT})
-    afar = WeatherAfar(light, series=False)
+    distant = WeatherLight(light, series=False)
     how = RayOptions.of(0, seed=seed, workers=workers)
-    reflections = None if parts is None else reflections_of(parts, afar, count, how)
+    reflections = None if parts is None else reflections_of(parts, distant, count, how)
 
     def numbers(points: SurfacePoints, first: int) -> Irradiation:
         at = PlacedPoints.of(mesh, points)

@@ -38,7 +38,7 @@ def sun_hours(
     first_point: int = 0,
     workers: int | None = None,
 ) -> SunHours:
-    """Count the hours of a period in which each point sees the sun; the sun is placed at mid-hour.
+    """Count the hours of a period during which each point sees the sun; the sun is placed at mid-hour.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.

@@ -26,7 +26,7 @@ from warpsample.host.picture import read_picture
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.lobes_seen import Targets
 from warpsample.radiation.reflection.patches import Patches, patches_of
-from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, kept_on, reflections_of
+from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, cached_reflections, reflections_of
 from warpsample.tracing.placed_points import PlacedPoints
 
 if TYPE_CHECKING:
@@ -172,7 +172,7 @@ def _reflected(patches: Patches, light: _Shining, plan: Plan) -> Reflected:
         return Reflected(*np.zeros((2, 0, light.size)), 0)
     light_of = light.known_by or light.summed.integrand.function
     key = light_of, light.size, patches.cuts.tobytes(), plan.count, plan.options.seed
-    found = kept_on(patches.mesh, key, lambda: reflections_of(patches, light, plan.count, plan.options))
+    found = cached_reflections(patches.mesh, key, lambda: reflections_of(patches, light, plan.count, plan.options))
     return found.at(plan.at.points, plan.count, plan.options)
 
 

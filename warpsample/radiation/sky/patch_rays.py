@@ -61,7 +61,7 @@ SkyRowsArgs = type(SkyRows().__ctype__())
 
 
 @wp.func
-def _spread(
+def _write_directions(
     sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, per_replicate: wp.int32, at: wp.int32, length: wp.int32
 ):
     """Write directions and weights of `length` rays of a patch, from the at-th ray on.
@@ -160,7 +160,7 @@ def patch_sum(glass: bool) -> wp.Function:
         slope = slope_of(n, patch)
         for at in range(0, 2 * per_replicate, CHUNK):
             length = wp.min(CHUNK, 2 * per_replicate - at)
-            _spread(sky, point, slope, k, per_replicate, at, whole_vectors(length))
+            _write_directions(sky, point, slope, k, per_replicate, at, whole_vectors(length))
             move_rays_near(point, length)
             _prepare(tree, point, local, length)
             rays = _weighing_anything(point, length)

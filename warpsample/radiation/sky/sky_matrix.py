@@ -158,7 +158,7 @@ class _Rows:
         )
 
     def _order(self) -> np.ndarray | None:
-        """Return the order in which points are processed, (P,) int64; None for the order of the rows."""
+        """Return the order of processing, (P,) int64 numbers of points; None for the order of the rows."""
         if not len(self.status):
             return None
         return self.plan.at.order(self.placement, self.plan.count, self.plan.options.workers)

@@ -22,7 +22,7 @@ _UPRIGHT = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def _azimuths(n: wp.vec3d, patch: Patch):
-    """Return (first, width), in turns, of the azimuths at which part of a patch is above the horizon.
+    """Return (first, width), as fractions of 2 pi, of the azimuths at which part of a patch is above the horizon.
 
     If these azimuths form two intervals, return the whole width of the patch.
     """
@@ -46,7 +46,7 @@ class Slope:
     """Parameters for sampling a patch: the normal in the patches' frame, the edges, and the columns' weights.
 
     top, bottom: drops of the upper and lower edge; near the zenith a drop keeps digits that the height loses. first, width:
-    azimuths, in turns. start, end: square roots of the weights of the first and last column, relative to the greater.
+    azimuths over 2 pi. start, end: square roots of the weights of the first and last column, relative to the greater.
     """
 
     nx: wp.float32

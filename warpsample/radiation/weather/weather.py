@@ -141,7 +141,7 @@ def hours_of(period: Any) -> np.ndarray:
 
 
 def _hour(match: re.Match[str], default: int) -> int:
-    """Return the number of hours of the year before a matched time; raise a ValueError if there is no such day or hour."""
+    """Return the number of hours of the year before a matched time; raise a ValueError for an invalid day or hour."""
     month, day = int(match[1]), int(match[2])
     hour = default if match[3] is None else int(match[3])
     if hour > 24:

@@ -22,7 +22,7 @@ _SUNS = 512  # from twice this number on, the sample positions of a replicate te
 
 
 @dataclass(frozen=True, eq=False)
-class WeatherAfar:
+class WeatherLight:
     """Distant light of a period: one column with the sum in kWh/m², or a column in W/m² for each hour with light.
 
     Attributes:
