@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of, untracked
+from bench_output import draw_pictures, lines_of, untracked
 
 pytest.importorskip("rasterio")
 pytest.importorskip("rioxarray")
@@ -54,4 +54,4 @@ def test_tools_take_turns_at_each_raster(monkeypatch, capsys, tmp_path, reposito
     assert [row.scene for row in found["rows"]] == ["yard"] * 2 + ["slope"] * 2 + ["tm1_564_146.tif"] * 2
     assert all(row.rmse < 0.05 and abs(row.bias) < 0.01 for row in found["rows"])
     assert [line for line in lines_of("city", settings, found, capsys) if line.startswith(" warpsample, 64 rays ")]
-    assert drawn("city", found, tmp_path) == ["city.png"]
+    assert draw_pictures("city", found, tmp_path) == ["city.png"]

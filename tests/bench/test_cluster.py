@@ -1,7 +1,7 @@
 """The benchmark of the room `cluster`: what it counts, and that its plan follows from what it measured."""
 
 import pytest
-from bench_output import drawn, lines_of, untracked
+from bench_output import draw_pictures, lines_of, untracked
 
 from warpsample.bench import cluster
 from warpsample.bench.rows import Spread
@@ -41,4 +41,4 @@ def test_all_is_measured_and_shown(capsys, tmp_path):
     assert [
         line for line in lines_of("cluster", settings, found, capsys) if line.startswith(" two processes of one thread ")
     ]
-    assert drawn("cluster", found, tmp_path) == ["cluster.png"]
+    assert draw_pictures("cluster", found, tmp_path) == ["cluster.png"]

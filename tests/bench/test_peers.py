@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of
+from bench_output import draw_pictures, lines_of
 
 from warpsample.bench import peers
 from warpsample.bench.tools.directions import DIRECTIONS
@@ -49,7 +49,7 @@ def test_peer_tables_and_pictures(rows, capsys, tmp_path):
     found = {"rows": rows}
     lines = lines_of("peers", {}, found, capsys)
     assert [line for line in lines if line.startswith(" NumPy")]
-    assert drawn("peers", found, tmp_path) == ["peers.png"]
+    assert draw_pictures("peers", found, tmp_path) == ["peers.png"]
 
 
 def test_every_peer_names_the_package_to_install():

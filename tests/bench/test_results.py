@@ -151,10 +151,10 @@ def test_the_first_page_says_what_was_measured(repository):
 
 def test_pictures_are_of_the_results(repository):
     shown = readme.find_pictures(readme.README.read_text(encoding="utf-8"))
-    drawn = {picture.name: name for name, benchmark in benchmarks().items() for picture in benchmark.pictures}
+    draw_pictures = {picture.name: name for name, benchmark in benchmarks().items() for picture in benchmark.pictures}
     assert sorted(shown) == ["error", "rays", "visibility"]
     for picture in shown:
-        path = RESULTS / f"{drawn[picture]}-{readme.list_processors(RESULTS)[0]}.json"
+        path = RESULTS / f"{draw_pictures[picture]}-{readme.list_processors(RESULTS)[0]}.json"
         with Image.open(repository / "viz" / f"bench_{picture}.png") as image:
             assert image.text["Description"] == readme.describe_source(path)
 

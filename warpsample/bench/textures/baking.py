@@ -128,7 +128,7 @@ def compute_known(scene: Textured, size: int, rays: int = _RAYS, most: int = _MO
 
 
 def build_texture(tool: str, scene: Textured, known: Known, *, size: int, workers: int) -> ChildJob:
-    """Build one image by a tool, is_in_part as in "Blender, 16 rays"; the report needs two runs."""
+    """Build one image by a tool and a number of rays, such as "Blender, 16 rays"; the report needs two runs."""
     name, rays = tool.removesuffix(" rays").split(", ")
     (library, make, _), _ = TEXTURE_TOOLS[name]
     paint, images = make(scene, size, workers), deque[np.ndarray](maxlen=2)
