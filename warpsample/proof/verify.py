@@ -53,7 +53,7 @@ class Verdict:
 
     @property
     def passed(self) -> bool:
-        """Whether the law holds."""
+        """True if the law holds."""
         return self.measured >= self.limit if self.statistical else self.measured <= self.limit
 
 
