@@ -75,8 +75,8 @@ class Canopy:
             check_for_crowns("trunk", trunk, TRUNK)
             check_for_crowns("relative", relative, True)
             return None
-        share = check_number(trunk, "trunk", 0.0, 1.0) if isinstance(trunk, Real) else _on(ground, trunk, "trunk")
-        return cls(_on(ground, canopy, "canopy"), share, relative)
+        share = check_number(trunk, "trunk", 0.0, 1.0) if isinstance(trunk, Real) else _reader_on(ground, trunk, "trunk")
+        return cls(_reader_on(ground, canopy, "canopy"), share, relative)
 
     def crowns(self, grid: Grid, rows: slice = _ALL, columns: slice = _ALL) -> Crowns:
         """Read the crowns over the ground in the given rows and columns.
@@ -141,13 +141,13 @@ def _quads(grid: Grid, corners: list[tuple[np.ndarray, np.ndarray]], heights: li
     return np.stack([grid.places(*at, height) for at, height in zip(corners, heights, strict=True)], axis=1)
 
 
-def _on(ground: RasterReader, source: Any, argument: str) -> RasterReader:
+def _reader_on(ground: RasterReader, source: Any, argument: str) -> RasterReader:
     """Return the reader of a raster that must have the cells of the ground.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: An invalid raster, or other cells; the message names the argument.
     """
-    with calling(argument):
+    with rename_argument(argument):
         found = reader_of(source)
     shape, wanted = found.shape, ground.shape
     if shape != wanted:
@@ -177,7 +177,7 @@ def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> 
 
 
 @contextmanager
-def calling(argument: str) -> Iterator[None]:
+def rename_argument(argument: str) -> Iterator[None]:
     """Replace the argument name `source` in error messages by another name."""
     try:
         yield

@@ -16,7 +16,7 @@ from affine import Affine
 from warpsample.city.rasters.canopy import Canopy, Crowns, prisms
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.scenery import Columns, Part, joined
+from warpsample.city.rasters.scenery import Columns, Part, join_triangles
 
 _FINENESS = 50  # smallest distance of a ring in cells of the ring
 _EARTH, _REFRACTION = 6_371_000.0, 0.13  # radius in m; curvature of light rays as a fraction of the Earth's curvature
@@ -89,7 +89,7 @@ class FarField:
 
     def _build_columns(self, levels: list[tuple[np.ndarray, np.ndarray, Affine]], which: int, floor: float) -> Part:
         """Build the columns with the upper (0) or lower (1) heights of all rings."""
-        return joined([self._build_prisms(level[which], level[2], floor) for level in levels])
+        return join_triangles([self._build_prisms(level[which], level[2], floor) for level in levels])
 
     def window_of(self, tile: tuple[slice, slice], margin: int) -> tuple[slice, slice]:
         """Return the rows and columns of a tile with its margin, extended to whole cells of the nearest ring."""

@@ -44,7 +44,7 @@ _HEIGHT_UNIT = re.compile(rb"^Zunits\s+(\w+)", re.IGNORECASE | re.MULTILINE)
 _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
 
 
-def with_heights(grid: Grid) -> Grid:
+def check_heights(grid: Grid) -> Grid:
     """Return the grid unchanged; raise a ValueError if no cell has a height."""
     if not grid.valid.any():
         rows, columns = grid.height.shape
@@ -68,11 +68,11 @@ def reader_of(source: Any) -> RasterReader:
             which distances differ from the ground by 5 % or more, such as Web Mercator.
     """
     if isinstance(source, str | PathLike):
-        return _of_file(fspath(source))
+        return _file_reader(fspath(source))
     if isinstance(source, xr.DataArray):
-        return _of_data_array(source)
+        return _data_array_reader(source)
     if isinstance(source, tuple) and len(source) == 3:
-        return _of_array(*source)
+        return _array_reader(*source)
     raise TypeError(f"source: got {kind_told(source)}, want {_WANTS}")
 
 
@@ -98,9 +98,9 @@ def ground_of(source: Any) -> RasterReader:
     return reader
 
 
-def _of_file(path: str) -> RasterReader:
+def _file_reader(path: str) -> RasterReader:
     """Return the reader of a raster file."""
-    with _opened(path) as file:
+    with _open_raster(path) as file:
         bands = [n for n, colour in enumerate(file.colorinterp, 1) if colour != ColorInterp.alpha]
         if len(bands) != 1:
             raise ValueError(f"source: got {path!r} with {len(bands)} bands, want one band of heights")
@@ -119,14 +119,14 @@ def _height_unit_beside(path: str) -> str:
 
 def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> np.ndarray:
     """Read a part of a file's heights; the file is opened each time, because GDAL's files are not shared between threads."""
-    with _opened(path) as file:
+    with _open_raster(path) as file:
         window = Window.from_slices(rows, columns)
         heights = coding.heights(file.read(band, window=window))
         heights[file.read_masks(band, window=window) == 0] = np.nan
         return heights
 
 
-def _of_data_array(array: xr.DataArray) -> RasterReader:
+def _data_array_reader(array: xr.DataArray) -> RasterReader:
     """Return the reader of an xarray.DataArray."""
     try:
         dims = array.rio.y_dim, array.rio.x_dim
@@ -152,7 +152,7 @@ def _of_data_array(array: xr.DataArray) -> RasterReader:
     return _reader(array.shape, *where, heights, dims=dims, coordinates=coordinates)
 
 
-def _of_array(array: Any, transform: Any, crs: Any) -> RasterReader:
+def _array_reader(array: Any, transform: Any, crs: Any) -> RasterReader:
     """Return the reader of an array with a transform and a CRS."""
     masked = np.ma.getmask(array)
     values = as_real(np.ma.getdata(array) if masked is not np.ma.nomask else array, "source", "an array of real numbers")
@@ -204,14 +204,14 @@ def _reader(
 def files_read(path: str) -> list[Path]:
     """Return the files of a raster: the file itself, and files that a .vrt or an address within an archive refers to."""
     try:
-        with _opened(path) as file:
+        with _open_raster(path) as file:
             return [Path(path), *map(Path, file.files)]
     except (FileNotFoundError, ValueError):  # reported when the file is read
         return [Path(path)]
 
 
 @contextmanager
-def _opened(path: str) -> Iterator[Any]:
+def _open_raster(path: str) -> Iterator[Any]:
     """Open a file with rasterio.
 
     Raises:

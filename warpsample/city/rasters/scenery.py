@@ -53,7 +53,7 @@ class Foreground:
     def _append_columns(self, sizes: tuple[int, int], *columns: Columns) -> Mesh:
         """Build the mesh of the first `sizes` vertices and faces together with columns."""
         own = tuple(array[:size] for array, size in zip(self.triangles, sizes, strict=True))
-        mesh = Mesh(*joined([own, *(made() for made in columns)]))
+        mesh = Mesh(*join_triangles([own, *(made() for made in columns)]))
         if len(own[1]) == len(self.triangles[1]):
             self.triangles = mesh.vertices[: sizes[0]], mesh.faces[: sizes[1]]
         return mesh
@@ -78,7 +78,7 @@ class Seen:
     status: np.ndarray
 
 
-def joined(parts: Sequence[Part]) -> Part:
+def join_triangles(parts: Sequence[Part]) -> Part:
     """Join the triangles of all parts, in order."""
     vertices, faces = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
     first, start = 0, 0

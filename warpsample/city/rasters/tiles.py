@@ -11,15 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.canopy import Canopy, calling, check_for_crowns, check_same_map, prisms
+from warpsample.city.rasters.canopy import Canopy, check_for_crowns, check_same_map, prisms, rename_argument
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
 from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, compute_through_crowns
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, surface_of
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reading import ground_of, reader_of, with_heights
-from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, joined
+from warpsample.city.rasters.reading import check_heights, ground_of, reader_of
+from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, join_triangles
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.host.arguments import check_choice, check_integer, told
@@ -95,7 +95,7 @@ class RasterRun:
         margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
         reader, other = ground_of(source), None
         if far is not None:
-            with calling("far"):
+            with rename_argument("far"):
                 other = reader_of(far)
             check_same_map(reader, other, "far")
         trees = Canopy.of(reader, canopy, trunk, relative)
@@ -183,7 +183,7 @@ class RasterRun:
         inside = np.zeros(grid.height.shape, bool)
         inside[row : row + shape[0], column : column + shape[1]] = True
         if self.tile is None:
-            with_heights(grid)
+            check_heights(grid)
         if not (inside & grid.valid).any():
             return laid
         surface = surface_of(grid, self.model)
@@ -207,7 +207,7 @@ class RasterRun:
         """Build the surface of a tile with its margin, and the crowns over it."""
         ground = mesh.vertices, mesh.faces
         crowns = self.canopy and self.canopy.crowns(grid, *window)
-        triangles = joined([ground, prisms(grid, crowns)]) if crowns and crowns.any else ground
+        triangles = join_triangles([ground, prisms(grid, crowns)]) if crowns and crowns.any else ground
         return Foreground(triangles, tuple(map(len, ground)))
 
     def _build_scenes(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
