@@ -11,7 +11,7 @@ from sky_cases import form_factors
 
 import warpsample as ws
 from warpsample.bench import scenes
-from warpsample.radiation.sky.prepared import prepared
+from warpsample.radiation.sky.prepared import prepare_sky
 
 TILTS = np.array(
     [[0, 0, 1], [0, 1, 0], [1, 0, 0], [-0.3, 0.5, 0.6], [0.2, -0.9, -0.3], [0.7, 0.1, -0.7], [1, 0.3, 1e-7], [1e-4, 0, 1]]
@@ -134,13 +134,13 @@ def test_skipping_threads_parts_and_masks_change_no_bit(bunny, monkeypatch):
 
 def test_wrong_shafts_would_be_seen(bunny, monkeypatch):
     def shifted(sky):
-        own = prepared(sky)
+        own = prepare_sky(sky)
         return replace(own, shafts=np.roll(own.shafts, 7, axis=0), group_shafts=np.roll(own.group_shafts, 7, axis=0))
 
     points = ws.sample_surface(bunny, 100, seed=3)
     right = ws.sky_matrix(bunny, points, 300)
     assert same(ws.sky_matrix(bunny, points, 300), right)
-    monkeypatch.setattr("warpsample.radiation.sky.sky_matrix.prepared", shifted)
+    monkeypatch.setattr("warpsample.radiation.sky.sky_matrix.prepare_sky", shifted)
     assert not same(ws.sky_matrix(bunny, points, 300), right)
 
 

@@ -73,7 +73,7 @@ class DistantLight(Protocol):
     def targets(self, patches: Patches, workers: int) -> Targets:
         """Return the targets for rays of the patches; `workers` is the number of threads."""
 
-    def falling(self, probes: Probes, columns: slice) -> np.ndarray:
+    def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
         """Return the float64 irradiance of N patches by some columns of the light, one row per patch."""
 
 
@@ -146,7 +146,7 @@ def reflections_of(patches: Patches, distant: DistantLight, count: int, options:
     runs = []
     for number in range(REPLICATES):
         own = RayOptions.of(0, seed=_seed("reflections", number, options.seed), workers=options.workers)
-        runs.append(_leaving(patches, distant, count, own))
+        runs.append(_compute_radiosity(patches, distant, count, own))
     return Reflections(patches, tuple(runs))
 
 
@@ -162,7 +162,7 @@ def _merge_entries(seen: "csr_array", columns: int) -> "csr_array":
     return seen
 
 
-def _leaving(patches: Patches, distant: DistantLight, count: int, options: RayOptions) -> np.ndarray:
+def _compute_radiosity(patches: Patches, distant: DistantLight, count: int, options: RayOptions) -> np.ndarray:
     """Compute the radiosity of each patch, (N, T) float32, in one run."""
     number = len(patches)
     if number == 0:
@@ -179,5 +179,5 @@ def _leaving(patches: Patches, distant: DistantLight, count: int, options: RayOp
     leaving = np.empty((number, distant.size), np.float32)
     for first in range(0, distant.size, _TOGETHER):
         columns = slice(first, min(first + _TOGETHER, distant.size))
-        leaving[:, columns] = followed(between, share[:, None] * distant.falling(probes, columns), share)
+        leaving[:, columns] = followed(between, share[:, None] * distant.irradiance_of(probes, columns), share)
     return leaving

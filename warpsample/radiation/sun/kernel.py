@@ -15,7 +15,7 @@ from warpsample.radiation.sun.rays import (
     LEAST_COSINE,
     aim_at_disc,
     aim_at_group,
-    blocked,
+    is_blocked,
     sun_number,
     sun_of,
 )
@@ -100,7 +100,7 @@ def _points_looker(glass: bool) -> wp.Function:
                         aim_at_group(suns, seen, view, group)
                         aimed = 1
                     cast = word(view, CAST)
-                    if not blocked(suns, whole, seen, view, k, cosine):
+                    if not is_blocked(suns, whole, seen, view, k, cosine):
                         keep(suns, view, column, transmitted(suns, view, k), cosine)
                     elif shaft != wp.uint64(0) and cast != word(view, CAST):  # blocked by a new triangle
                         state = wp.where(is_darkened(view, shaft), DARK, state)
@@ -131,7 +131,7 @@ def _disc_share(glass: bool) -> wp.Function:
             if cosine <= ZERO:
                 dark += 1
             elif state != LIT or cosine < LEAST_COSINE:
-                if blocked(suns, whole, seen, view, k, cosine):
+                if is_blocked(suns, whole, seen, view, k, cosine):
                     dark += 1
                 elif wp.static(glass):
                     lost += 1.0 - transmitted(suns, view, k)

@@ -74,7 +74,7 @@ def prover(glass: bool) -> wp.Function:
     """Build the Warp function that classifies a shaft as UNKNOWN, LIT or DARK; `glass` is for translucent faces."""
 
     @wp.func
-    def proven(suns: Suns, seen: Accelerator, view: View, vectors: wp.uint64) -> wp.int32:
+    def classify_shaft(suns: Suns, seen: Accelerator, view: View, vectors: wp.uint64) -> wp.int32:
         """Return the state of a shaft: UNKNOWN, LIT or DARK.
 
         Rays of a LIT shaft with a cosine below `LEAST_COSINE` must be traced all the same.
@@ -89,4 +89,4 @@ def prover(glass: bool) -> wp.Function:
             state = wp.where(search_shaft(suns.glass.tree, view.point, 0).state == EMPTY, LIT, UNKNOWN)
         return state
 
-    return proven
+    return classify_shaft

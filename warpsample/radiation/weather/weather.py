@@ -17,7 +17,7 @@ from warpsample.host.extras import missing
 from warpsample.host.known import digest_of
 from warpsample.host.locks import imported
 from warpsample.host.summary import Summary
-from warpsample.radiation.weather.epw import YEAR, checked_text, radiation
+from warpsample.radiation.weather.epw import YEAR, check_text, radiation
 
 _NIGHT = -10.0  # degrees: if the sun is lower at mid-hour, it is below the horizon for the whole hour
 _PERIOD = re.compile(r"(\d\d)-(\d\d)(?:T(\d\d))?")
@@ -78,7 +78,7 @@ def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
     path = check_file(weather, "weather", "an EPW weather file")
     pvlib = _pvlib()
     with naming_file("weather", path, "an EPW weather file"):
-        return _year(pvlib, checked_text(path)).chosen(chosen)
+        return _year(pvlib, check_text(path)).chosen(chosen)
 
 
 @lru_cache(maxsize=2)
