@@ -22,9 +22,9 @@ def test_the_plan_follows_from_what_was_measured():
 
 
 def test_the_bottleneck_is_named():
-    told = {row.threads: row.bottleneck for row in cluster.plan_hours(CASE)}
-    assert told[1] == told[256] == "the work, up to 500 threads"
-    assert told[1024] == "the scheduler: take chunks of 3 times as many points"
+    bottlenecks = {row.threads: row.bottleneck for row in cluster.plan_hours(CASE)}
+    assert bottlenecks[1] == bottlenecks[256] == "the work, up to 500 threads"
+    assert bottlenecks[1024] == "the scheduler: take chunks of 3 times as many points"
     less = CASE | {"overheads": CASE["overheads"][:1]}
     assert cluster.plan_hours(less)[10].bottleneck == "the work, up to 2,000 threads"
 

@@ -1,4 +1,4 @@
-"""What lookups in a texture are wrong by: noise, overlap and resolution, against closed forms and told errors."""
+"""Errors of lookups in a texture: noise, overlap and resolution, against closed forms and estimated errors."""
 
 import numpy as np
 import pytest

@@ -39,9 +39,9 @@ def test_a_peer_with_another_mean_is_called_wrong():
     assert worst(0.0) < 0.1
     assert worst(5e-3) == pytest.approx(5.0, rel=0.01)
     assert np.isnan(worst(np.nan))
-    told = [peers.judge(DIRECTIONS["NumPy"], 2, worst(off)) for off in (0.0, 5e-3, np.nan)]
-    assert [row["agrees"] for row in told] == [True, False, False]
-    assert told[0]["threads"] == 1
+    judged = [peers.judge(DIRECTIONS["NumPy"], 2, worst(off)) for off in (0.0, 5e-3, np.nan)]
+    assert [row["agrees"] for row in judged] == [True, False, False]
+    assert judged[0]["threads"] == 1
 
 
 @pytest.mark.thorough

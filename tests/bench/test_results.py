@@ -169,10 +169,10 @@ def test_each_processor_has_its_tables_the_first_before_the_others(results, tmp_
         benchmarks()["peers"], replace(result, machine=replace(result.machine, cpu="Two", instructions="avx512")), tmp_path
     )
     text = fill("\n".join(map(block, NAMES)), tmp_path)
-    told = re.findall("`warpsample bench ([a-z-]+)`:[^;]*;\\s(One|Two),\\s(AVX2|AVX-512)", text)
+    listed = re.findall("`warpsample bench ([a-z-]+)`:[^;]*;\\s(One|Two),\\s(AVX2|AVX-512)", text)
     others = [(name, "One", "AVX2") for name in NAMES]
     others.insert(NAMES.index("peers"), ("peers", "Two", "AVX-512"))
-    assert told == others
+    assert listed == others
     assert fill(text, tmp_path) == text
 
 

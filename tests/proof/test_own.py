@@ -1,4 +1,4 @@
-"""Distributions of one's own: registered from outside, tried by name, and what is told of those that are wrong."""
+"""User-defined distributions: registration, tests by name, and advice on wrong ones."""
 
 import re
 import subprocess

@@ -173,8 +173,8 @@ def test_error_bars_are_honest(bunny):
         for count, patches in ((128, "tregenza"), (1024, "tregenza")):
             runs = [ws.sky_matrix(mesh, points, count, patches=patches, seed=s) for s in range(24)]
             between = np.var([run.value.astype(np.float64) for run in runs], axis=0, ddof=1).mean()
-            told = np.mean([np.square(run.standard_error.astype(np.float64)).mean() for run in runs])
-            assert 0.9 * between <= told <= 1.1 * between
+            estimated = np.mean([np.square(run.standard_error.astype(np.float64)).mean() for run in runs])
+            assert 0.9 * between <= estimated <= 1.1 * between
 
 
 def test_a_fold_is_the_matrix_times_skies(bunny, monkeypatch):
