@@ -302,7 +302,7 @@ def test_a_tile_takes_200_bytes_a_triangle(looked_at):
     heights = np.random.default_rng(11).uniform(0.0, 3.0, (400, 400))
     looks, quantity = looked_at
     made = run(heights, quantity, count=2, tile=200, margin=60)
-    assert made.field is not None  # which is read before
+    assert made.far_field is not None  # which is read before
     tracemalloc.start()
     try:
         made.numbers((slice(100, 300), slice(100, 300)))

@@ -25,7 +25,7 @@ from warpsample.radiation.quantities.sun_hours import RECORD as SUN_HOURS
 _SET_HERE = ("up", "north", "first_point", "active", "series")
 """Options of the underlying calls that the raster determines, or whose results are not rasters."""
 
-_UNTOLD = ("first_point", "active", "series", "workers", "progress")
+_NOT_ATTRIBUTES = ("first_point", "active", "series", "workers", "progress")
 """Options that are not stored as attributes, because they change no number or do not apply to rasters."""
 
 TREES_AND_TILES: dict[str, Any] = {
@@ -300,7 +300,9 @@ def run_of(
     own = {name: value for name, value in options.items() if name not in how}
     _check(quantity, own)
     run = RasterRun.of(source, quantity, own, model=model, receiver=receiver, **how)
-    own = {name: run.options.get(name, default) for name, default in quantity.parameters.items() if name not in _UNTOLD}
+    own = {
+        name: run.options.get(name, default) for name, default in quantity.parameters.items() if name not in _NOT_ATTRIBUTES
+    }
     rasters = {name: _name_of(how[name]) for name in ("canopy", "trunk", "far")}
     told = {"model": model, "receiver": receiver, **how, **rasters, "margin": run.margin if run.tile else None}
     told["method"] = "horizons" if run.by_horizons else "rays"
