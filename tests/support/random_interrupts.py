@@ -31,8 +31,8 @@ except ModuleNotFoundError:  # Zarr needs Python 3.11
 STOPS = 10.0
 """Seconds for threads to stop after their call: a thread that a call has left at work runs on."""
 
-POOL = ("asyncio_", "zarr_pool_")
-"""Beginnings of the names of Zarr's threads. Its pool adds a thread when a file comes while all others are busy."""
+POOLS = "asyncio_", "zarr_pool_", "ThreadPoolExecutor-"
+"""Beginnings of the names of threads in the pools of Zarr and Dask."""
 
 _state = {"armed": False}
 
@@ -105,8 +105,8 @@ def is_same(result, right):
 
 
 def count_threads():
-    """Return the number of threads of the process, also of those that Python does not know, without Zarr's pool."""
-    return psutil.Process().num_threads() - sum(thread.name.startswith(POOL) for thread in threading.enumerate())
+    """Return the number of threads without those of Zarr's pools, which grow up to a fixed size when they are used."""
+    return psutil.Process().num_threads() - sum(thread.name.startswith(POOLS) for thread in threading.enumerate())
 
 
 def has_threads_of(before):
@@ -143,7 +143,7 @@ def run(count, seed):
             call()
             seconds[key] = time.perf_counter() - start
         threads = count_threads()
-        while heard < count:
+        while heard < count and not flaws:
             key = rng.choice(list(calls))
             clear(folder)
             result = interrupt(calls[key], rng.uniform(0.0, seconds[key]))
