@@ -33,7 +33,7 @@ _HOMES = {
     "radiation.exchange.view_factors": ("view_factors",),
     "texture.report": ("TextureReport",),
     "texture.texture_points": ("TexturePoints", "texture_points"),
-    "texture.unwrapping": ("unwrap",),
+    "texture.uv.unwrapping": ("unwrap",),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.trace_all": ("AllHits", "trace_all"),

@@ -109,7 +109,7 @@ def test_without_the_far_field_the_bound_would_not_hold():
     heights = town()
     right = whole(run(heights, model="block"))["value"]
     found = run(heights, model="block", tile=16, margin=3)
-    vars(found)["field"] = None
+    found.far_field = None
     without_crowns = whole(found)["value"]
     assert (np.abs(without_crowns.astype(np.float64) - right) > 1e-3).mean() > 0.1
 
@@ -302,7 +302,7 @@ def test_a_tile_takes_200_bytes_a_triangle(looked_at):
     heights = np.random.default_rng(11).uniform(0.0, 3.0, (400, 400))
     looks, quantity = looked_at
     made = run(heights, quantity, count=2, tile=200, margin=60)
-    assert made.field is not None  # which is read before
+    assert made.far_field is not None  # which is read before
     tracemalloc.start()
     try:
         made.numbers((slice(100, 300), slice(100, 300)))

@@ -158,7 +158,8 @@ def bake_chunk(
         found = numbers(call, span.start, points, shared, rows)
         arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
         where = {name: array for name in GIVEN_ARRAYS if (array := getattr(points, name, None)) is not None}
-        put(folder, span.start, chunk, where | arrays)
+        index = span.start // chunk
+        put(folder, index, (index,), (chunk,), where | arrays)
     rays = int(found["rays"].sum(dtype=np.int64)) if "rays" in found else 0
     error = np.square(found["standard_error"], dtype=np.float64) if "standard_error" in found else np.zeros(1)
     return np.array([(len(span), rays, error.reshape(len(error), -1).mean(axis=1).sum())], DONE)

@@ -30,7 +30,7 @@ from warpsample.texture.jobs import SCENES
 from warpsample.texture.report import find_face_flaws
 from warpsample.texture.shading import compute_corner_normals
 from warpsample.texture.texture_points import texture_points
-from warpsample.texture.unwrapping import unwrap
+from warpsample.texture.uv.unwrapping import unwrap
 
 OURS = "warpsample"
 _RAYS, _SEED = 4096, 1 << 40  # rays per texel and seed of the reference

@@ -34,9 +34,9 @@ Span = tuple[slice, slice]
 """Rows and columns."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class RasterRun:
-    """Checked arguments of a call on a raster.
+    """Checked arguments of a call on a raster, and the pooled terrain, which the first tile reads.
 
     Attributes:
         reader: Reader of the heights.
@@ -135,15 +135,15 @@ class RasterRun:
         return self.tile is not None or self.other is not None
 
     @cached_property
-    def field(self) -> FarField | None:
+    def far_field(self) -> FarField | None:
         """Far field of ground and buildings, read once; None without terrain outside the margins."""
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model) if self.far else None
 
     @cached_property
-    def field_with_crowns(self) -> FarField | None:
-        """Far field with tree crowns included; `field` if there are none."""
+    def far_field_with_trees(self) -> FarField | None:
+        """Far field with tree crowns included; `far_field` if there are none."""
         if not self.far or self.canopy is None:
-            return self.field
+            return self.far_field
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model, canopy=self.canopy)
 
     @property
@@ -176,7 +176,7 @@ class RasterRun:
         shape = tuple(part.stop - part.start for part in span)
         log.info("tile of rows %d to %d, columns %d to %d", *(edge for part in span for edge in (part.start, part.stop - 1)))
         laid = {name: np.full(shape, np.nan, np.float32) for name in self.names}
-        near = span if self.field is None else self.field.window_of(span, self.margin)
+        near = span if self.far_field is None else self.far_field.window_of(span, self.margin)
         window = tuple(slice(max(0, n.start), min(n.stop, size)) for n, size in zip(near, self.reader.shape, strict=True))
         grid = self.reader.grid(*window)
         row, column = (first.start - part.start for first, part in zip(span, window, strict=True))
@@ -212,9 +212,9 @@ class RasterRun:
 
     def _build_scenes(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
         """Return the scenes with upper and with lower columns, or the only scene without columns."""
-        if self.field is None:
+        if self.far_field is None:
             return [foreground.before()]
-        fields = [self.field] if self.field_with_crowns is self.field else [self.field, self.field_with_crowns]
+        fields = [self.far_field, *([] if self.far_field_with_trees is self.far_field else [self.far_field_with_trees])]
         lowest = float(foreground.triangles[0][:, 2].min())
         columns = zip(*(field.columns(span, near, lowest) for field in fields), strict=True)
         return [foreground.before(*each) for each in columns] or [foreground.before()]
