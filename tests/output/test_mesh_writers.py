@@ -118,7 +118,7 @@ def test_a_glb_that_would_lose_faces_is_refused_before_the_work(call, placed, tm
     near = ground(1e-3)
     vertices = np.concatenate([near.vertices, near.vertices + np.array([1e4, 0.0, 0.0])])
     path = placed(ws.Mesh(vertices, np.concatenate([near.faces, near.faces + len(near.vertices)])))
-    monkeypatch.setattr(bake, "points_on", None)
+    monkeypatch.setattr(bake, "place_points", None)
     status, _, err = call("bake", path, "-o", tmp_path / "out.glb")
     said = (
         r"error: --output: got 'out.glb', whose float32 would change the area of ([\d,]+) of 8,192 faces by more than 1%, "

@@ -22,7 +22,7 @@ from warpsample.mesh.files.beside import files_beside
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.output.places import check_places, points_on
-from warpsample.output.terminal_bar import terminal_bar
+from warpsample.output.run_record import RunRecord
 from warpsample.sequences import get as get_sequence
 from warpsample.sequences.record import STREAMS
 
@@ -131,14 +131,13 @@ def _check(run: DirectionsRun) -> None:
 
 
 def _parts(points: SurfacePoints, run: DirectionsRun, workers: int | None) -> Iterator[tuple[int, Directions]]:
-    """(first row, directions) of parts that fit into memory, with a progress bar if stderr is a terminal."""
-    step = max(1, DIRECTIONS_PER_PART // run.samples)
-    with terminal_bar() as progress:
-        task = progress.add_task("sampling", total=len(points), told="")
+    """Yield (first row, directions) of parts that fit into memory, with a progress bar if stderr is a terminal."""
+    step, record = max(1, DIRECTIONS_PER_PART // run.samples), RunRecord("directions")
+    with record.show("sampling"), record.count(len(points), f"{run.output} is as it was before"):
         for start in range(0, len(points), step):
             normals = points.normal[start : start + step]
             yield start, _sampled(normals, run, workers, start)
-            progress.advance(task, len(normals))
+            record.advance(len(normals))
 
 
 def _sampled(points: Any, run: DirectionsRun, workers: int | None, first_point: int = 0) -> Directions:

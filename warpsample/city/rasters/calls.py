@@ -39,36 +39,7 @@ TREES_AND_TILES: dict[str, Any] = {
 }
 """Options common to all calls, with defaults; each call also has the options of its quantity."""
 
-QUANTITIES = ("ao", "sky", "visible-sky", "irradiation", "sun-hours")
-"""Names of the quantities that can be computed for rasters."""
-
 _NORMAL = {"horizontal": "upwards", "surface": "the normal of the cell's surface"}
-_COSINE = (
-    "cosine-weighted share of the sky that is seen from the middle of each cell: 1/pi times the integral of max(n.w, 0) "
-    "over the directions w above the horizon along which nothing is met, n {normal}"
-)
-_DEFINITIONS = {
-    ("sky", "horizontal"): _COSINE + "; with a horizon h to each azimuth the mean of cos(h)^2",
-    ("sky", "surface"): _COSINE,
-    ("visible-sky", "horizontal"): (
-        "share of the sky's solid angle that is seen from the middle of each cell: 1/(2 pi) times the integral of 1 over "
-        "the directions above the horizon along which nothing is met; with a horizon h to each azimuth 1 - mean of sin(h)"
-    ),
-}
-_OF_THE_REST = {
-    "ao": (
-        "cosine-weighted share of the directions about the middle of each cell along which nothing is met: 1/pi times the "
-        "integral of max(n.w, 0) over them, n {normal}"
-    ),
-    "irradiation": (
-        "sum over the hours of the period of what sun, sky and the ground beyond the raster bring to the middle of each "
-        "cell, for each m2 of a receiver whose normal is {normal}; neighbours reflect nothing"
-    ),
-    "sun-hours": (
-        "hours of the period in whose middle the sun's centre is above the horizon, in front of a receiver whose normal is "
-        "{normal}, and not hidden from the middle of the cell"
-    ),
-}
 
 
 @with_options(SkyKeywords, SKY.parameters | TREES_AND_TILES)
@@ -328,10 +299,9 @@ def _check(quantity: Quantity, options: Mapping[str, Any]) -> None:
 
 def _attributes(quantity: Quantity, source: Any, told: Mapping[str, Any]) -> dict[str, Any]:
     """Return the attributes of a Dataset: definition, unit, source, version and options, as numbers and strings."""
-    definition = _DEFINITIONS.get((quantity.name, told["receiver"])) or _OF_THE_REST[quantity.name]
     return {
         "quantity": quantity.name,
-        "definition": definition.format(normal=_NORMAL[told["receiver"]]),
+        "definition": quantity.on_rasters[told["receiver"]].format(normal=_NORMAL[told["receiver"]]),
         "unit": quantity.unit or "1",
         "source": _name_of(source),
         "warpsample": version("warpsample"),

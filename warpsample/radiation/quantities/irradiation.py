@@ -36,6 +36,11 @@ def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | N
     return numbers
 
 
+_ON_RASTERS = (
+    "sum over the hours of the period of what sun, sky and the ground beyond the raster bring to the middle of each "
+    "cell, for each m2 of a receiver whose normal is {normal}; neighbours reflect nothing"
+)
+
 RECORD = Quantity(
     name="irradiation",
     call=irradiation,
@@ -47,4 +52,5 @@ RECORD = Quantity(
     files=WEATHER,
     prepare=_prepare,
     in_stores=False,
+    on_rasters={"surface": _ON_RASTERS, "horizontal": _ON_RASTERS},
 )

@@ -87,6 +87,11 @@ def _prepare(
     return numbers
 
 
+_ON_RASTERS = (
+    "hours of the period in whose middle the sun's centre is above the horizon, in front of a receiver whose normal is "
+    "{normal}, and not hidden from the middle of the cell"
+)
+
 RECORD = Quantity(
     name="sun-hours",
     call=sun_hours,
@@ -98,4 +103,5 @@ RECORD = Quantity(
     files=WEATHER,
     prepare=_prepare,
     in_stores=False,
+    on_rasters={"surface": _ON_RASTERS, "horizontal": _ON_RASTERS},
 )

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.output.texture_images import Filled
+from warpsample.output.textures.images import Filled
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.jobs import TextureJob
 from warpsample.texture.notes import join_names
