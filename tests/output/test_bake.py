@@ -10,10 +10,12 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.output import bake
+from warpsample.output import bake, source
 from warpsample.output.baked import BakeRun
 from warpsample.output.places import PLACES
 from warpsample.output.quantities import quantity_of
+from warpsample.output.run_record import RunRecord
+from warpsample.output.source import read_source
 
 TORUS = trimesh.creation.torus(2.0, 0.6, 24, 12)
 
@@ -136,7 +138,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
         return ws.ambient_occlusion(*arguments, first_point=first_point, **rest)
 
     changed = replace(quantity_of("ao"), call=wraps(ws.ambient_occlusion)(interrupted))
-    monkeypatch.setattr(bake, "quantity_of", lambda _: changed)
+    monkeypatch.setattr(source, "quantity_of", lambda _: changed)
     monkeypatch.setattr(bake, "RAYS_PER_PART", 64 * 100)
     status, out, err = call("bake", torus, "-o", output, "--samples", 64)
     assert (status, out) == (130, "")
@@ -145,7 +147,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
     assert set(tmp_path.iterdir()) == {torus, output}
     run = BakeRun(torus, output, "ao", "vertices", None, {"samples": 64, "seed": 0})
     with pytest.raises(Terminated, match="^interrupted after 100 of 288 points"):
-        bake.bake(run)
+        bake.bake(read_source(run), RunRecord("ambient occlusion"))
 
 
 @pytest.mark.parametrize(

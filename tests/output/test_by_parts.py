@@ -136,7 +136,7 @@ def test_terrain_around_a_city_may_be_a_raster(call, tmp_path):
         ),
         (["cube.ply", "-o", "x.csv", "--split"], "--split: got True for cube.ply; it applies only to CityJSON"),
         (["cube.ply", "-o", "x.csv", "--lod", "2"], "--lod: got 2 for cube.ply; it applies only to CityJSON"),
-        (["cube.ply", "-o", "x.json"], "path: got 'cube.ply', which cannot be read as a CityJSON file"),
+        (["cube.ply", "-o", "x.json"], "--output: got 'x.json', want a file that ends in one of .ply"),
         (["a.json", "-o", "x.csv", "--lod", "high"], "--lod: got 'high', want a level of detail, such as 2.2"),
         (
             ["a.json", "-o", "x.csv", "--lod", "3"],

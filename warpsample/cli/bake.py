@@ -27,7 +27,8 @@ from warpsample.output.bake_table import (
     describe_scope,
 )
 from warpsample.output.baked import BakeRun
-from warpsample.output.quantities import quantities, quantity_of, taking
+from warpsample.output.quantities import quantities, quantities_with, quantity_of
+from warpsample.output.run_record import RunRecord
 from warpsample.output.upward import with_up
 
 _KINDS = {MESH: "a mesh", CITY: "CityJSON", RASTER: "a raster", TEXTURE: "a texture (--texture)"}
@@ -48,19 +49,25 @@ def bake_command(mesh: BakedFile, output: Annotated[Path, output_file(_FILES_HEL
 
 def _bake_mesh(run: BakeRun) -> str:
     """Compute a quantity on a mesh or CityJSON, write the texture, store or file, and return the report as text."""
-    from warpsample.output.bake import bake
-    from warpsample.output.textures.bake import bake_texture
-
     options, note = with_up(run.mesh, quantity_of(run.quantity), run.options)
     run = replace(run, options=options)
-    if run.kind == TEXTURE:
-        report = bake_texture(run)
-    else:
-        if run.points is None and run.at is None and not is_by_parts(run):
-            # Vertices blend values that differ at edges, such as those of a roof and of the wall below the roof.
-            run = replace(run, at="faces" if run.output.suffix == ".png" or run.kind == CITY else "vertices")
-        report = _bake_store(run) if run.output.suffix == STORE else bake(run)
+    if run.kind != TEXTURE and run.points is None and run.at is None and not is_by_parts(run):
+        # Vertices blend values that differ at edges, such as those of a roof and of the wall below the roof.
+        run = replace(run, at="faces" if run.output.suffix == ".png" or run.kind == CITY else "vertices")
+    report = _bake_store(run) if run.output.suffix == STORE else _bake_file(run)
     return "\n  ".join(filter(None, (report, note)))
+
+
+def _bake_file(run: BakeRun) -> str:
+    """Compute a quantity on a mesh or CityJSON into a file, and return the report as text."""
+    from warpsample.output.bake import bake
+    from warpsample.output.source import read_source
+    from warpsample.output.textures.bake import bake_texture
+    from warpsample.output.textures.source import read_texture_source
+
+    record = RunRecord.of(quantity_of(run.quantity))
+    with record.show(f"reading {run.mesh.name}"):
+        return bake_texture(read_texture_source(run), record) if run.kind == TEXTURE else bake(read_source(run), record)
 
 
 def _bake_store(run: BakeRun) -> str:
@@ -119,7 +126,7 @@ def _describe(name: str, row: Option) -> tuple[Any, str]:
         return Literal[tuple(titles)], f"Quantity to compute; {text}. Default: ao."
     if row.by_quantity:
         return row.kind, ". ".join([row.words, *_describe_defaults(name), _list_quantities(name)]) + "."
-    only = [f"Only for {' and '.join(taking(row.needs))}."] if row.needs else []
+    only = [f"Only for {' and '.join(quantities_with(row.needs))}."] if row.needs else []
     scope = describe_scope(name)
     is_clear = len(row.where) == 1 and row.panel != "Zarr stores" and all(row.where[s] == FILES[s] for s in row.where)
     return row.kind, " ".join([row.words, *only, *([f"Only for {_with_files(row)}."] if scope and not is_clear else [])])
@@ -138,7 +145,7 @@ def _with_files(row: Option) -> str:
 def _describe_defaults(name: str) -> Iterator[str]:
     """Yield a sentence on the defaults of an option, if there are any."""
     defaults: dict[str, list[str]] = {}
-    for quantity in taking(name):
+    for quantity in quantities_with(name):
         value = quantity_of(quantity).default(name)
         if value is not None:
             text = " ".join(f"{part:g}" for part in value) if isinstance(value, tuple) else str(value)
@@ -149,8 +156,8 @@ def _describe_defaults(name: str) -> Iterator[str]:
 
 
 def _list_quantities(name: str) -> str:
-    """Return the quantities to which an option applies, or does not apply if they are fewer."""
-    applicable = taking(name)
+    """Return a sentence on the quantities to which an option applies or, if fewer, does not apply."""
+    applicable = quantities_with(name)
     rest = [quantity for quantity in quantities() if quantity not in applicable]
     return f"Only for {', '.join(applicable)}" if len(applicable) <= len(rest) else f"Not for {', '.join(rest)}"
 

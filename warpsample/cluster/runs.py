@@ -32,7 +32,7 @@ def bake_run(run: BakeRun) -> str:
         run.options.get("workers"),
     )
     options = quantity.arguments({name: value for name, value in run.options.items() if name != "workers"})
-    record = RunRecord(quantity.title, quantity.unit)
+    record = RunRecord.of(quantity)
     with record.show(f"reading {run.mesh.name}"):
         mesh = with_optics(load_mesh(run.mesh), **run.optics)
         job = job_of(quantity.call.__name__, (mesh, points), options, run.more.get("chunk", CHUNK))

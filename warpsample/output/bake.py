@@ -1,27 +1,22 @@
-"""`warpsample bake` of a mesh or CityJSON into a file: check, read, compute part by part, write, and report."""
+"""`warpsample bake` of a mesh or CityJSON into a file: compute part by part, write, and report."""
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
 
+from warpsample.city.cityjson.city import City
 from warpsample.estimate.quantities.record import Numbers, Quantity
 from warpsample.estimate.result import PointStatus, Skipped
 from warpsample.host.device_memory import Memory
-from warpsample.host.files import check_output, complete_or_absent
-from warpsample.mesh.files.beside import files_beside
+from warpsample.host.files import complete_or_absent
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.output.bake_rules import check_table, is_by_parts
-from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb, writers_of
+from warpsample.output.bake_rules import is_by_parts
+from warpsample.output.baked import WRITERS, Baked, writers_of
 from warpsample.output.by_parts import write_parts
-from warpsample.output.kept_glb import describe_kept, keeps
-from warpsample.output.places import check_places
-from warpsample.output.quantities import quantity_of
-from warpsample.output.report import check_report, write_report
+from warpsample.output.report import write_report
 from warpsample.output.run_record import RunRecord, summarize_result
-from warpsample.output.source import Source, place_points, read_source
-from warpsample.plotting.rendering import check_rendering
+from warpsample.output.source import Source
 from warpsample.radiation.sky.sky_matrix import SkySkipped
 
 SUFFIXES = tuple(WRITERS)
@@ -34,64 +29,35 @@ _RAYS = 256  # rays per point, for quantities without a number of rays
 _FULL = 1 << 20  # points of a part on a CUDA device, which is idle most of the time with fewer points
 
 
-def bake(run: BakeRun) -> str:
-    """Compute a run and write `run.output`, which appears when it is complete; an interrupt leaves the old file.
+def bake(source: Source, record: RunRecord) -> str:
+    """Compute a checked run and write its output, which appears when it is complete; an interrupt leaves the old file.
+
+    Args:
+        source: Source of the run, as `read_source` returns it.
+        record: Record of the run.
 
     Returns:
         a report for the terminal, in lines.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used, before anything is computed.
+        TypeError, ValueError: an option of the quantity that cannot be used.
         KeyboardInterrupt: the run is interrupted; the message states how many points are done.
         WriteError: the file cannot be written.
     """
-    quantity = quantity_of(run.quantity)
-    _check(run, quantity)
-    record = RunRecord(quantity.title, quantity.unit)
-    with record.show(f"reading {run.mesh.name}"):
-        source = read_source(run)
-        notes = _check_glb(run, source)
-        points = place_points(run, source)
-        found = _compute(run, quantity, source, points, record)
-        baked = Baked(run, source.mesh, points, found)
-        notes += _write(baked, source)
-    first = f"{run.output}: {quantity.title} of {len(points):,} {run.at or 'points'}"
-    return "\n  ".join([first, *record.describe(), *_describe_skips(found), *notes])
+    run, points = source.run, source.points
+    found = _compute(source, record)
+    notes = _write(Baked(run, source.mesh, points, found), source.city)
+    first = f"{run.output}: {record.title} of {len(points):,} {run.at or 'points'}"
+    return "\n  ".join([first, *record.describe(), *_describe_skips(found), *source.notes, *notes])
 
 
-def _check(run: BakeRun, quantity: Quantity) -> None:
-    """Check all arguments of a run before any file is read."""
-    check_table(run)
-    check_places(run.points, run.at)
-    if run.output.suffix == ".png":
-        check_rendering()
-    check_report(run.report, run.mesh, run.output)
-    Memory.of(run.options.get("device"))
-    check_output(run.output, "--output", *input_files(run, quantity))
-
-
-def input_files(run: BakeRun, quantity: Quantity) -> list[Path]:
-    """Return the files that a run reads."""
-    files = [run.options.get(option) for option in quantity.files]
-    files += [Path(run.context)] if run.context else []
-    return [Path(file) for file in (run.mesh, *files_beside(run.mesh), *files) if file is not None]
-
-
-def _check_glb(run: BakeRun, source: Source) -> list[str]:
-    """Check that a .glb can hold the values, and return sentences on what it replaces."""
-    if source.city is None and keeps(run.mesh, run.output, run.at):
-        return describe_kept(run.mesh)
-    if run.output.suffix == ".glb":
-        check_glb(run, source.mesh)
-    return []
-
-
-def _compute(run: BakeRun, quantity: Quantity, source: Source, points: SurfacePoints, record: RunRecord) -> Any:
+def _compute(source: Source, record: RunRecord) -> Any:
     """Compute the quantity at all points, and return the result."""
-    numbers = quantity.numbers(source.mesh, len(points), run.options)
+    quantity, points, options = source.quantity, source.points, source.run.options
+    numbers = quantity.numbers(source.mesh, len(points), options)
     numbers(points.take(slice(0, 1)), 0)  # builds the tree and the kernel
-    with record.count(len(points), f"{run.output} is as it was before"):
-        return quantity.joined(list(compute_parts(points, numbers, part_size(quantity, run.options), record)))
+    with record.count(len(points), f"{source.run.output} is as it was before"):
+        return quantity.joined(list(compute_parts(points, numbers, part_size(quantity, options), record)))
 
 
 def part_size(quantity: Quantity, options: dict[str, Any]) -> int:
@@ -119,17 +85,17 @@ def compute_parts(points: Takeable, numbers: Numbers, size: int, record: RunReco
         yield part
 
 
-def _write(baked: Baked, source: Source) -> list[str]:
+def _write(baked: Baked, city: City | None) -> list[str]:
     """Write the output and the report, and return a sentence on the report."""
     run = baked.run
     if is_by_parts(run):
-        write_parts(baked, source.city)
+        write_parts(baked, city)
     else:
         with complete_or_absent(run.output) as file:
             writers_of(baked.quantity)[run.output.suffix](file, baked)
     if run.report is None:
         return []
-    write_report(run.report, baked, source.city)
+    write_report(run.report, baked, city)
     return [f"{run.report}: a report with histogram and arguments, and a picture if this machine can draw one"]
 
 

@@ -33,7 +33,7 @@ def check_table(run: BakeRun) -> None:
     """
     quantity = quantity_of(run.quantity)
     _check_output(run, quantity)
-    for name, value in run.given.items():
+    for name, value in run.arguments.items():
         _check_option(run, quantity, name, value)
     check_options(quantity, run.options)
     for flaw in _flaws(run, quantity):
@@ -104,7 +104,7 @@ def is_by_parts(run: BakeRun) -> bool:
 
 def _places(run: BakeRun) -> list[str]:
     """Return the given options of a store that each choose where it is computed."""
-    given = {name: run.given.get(name) for name in ("cluster", "processes", "workers")}
+    given = {name: run.arguments.get(name) for name in ("cluster", "processes", "workers")}
     return [f"--{name} {value}" for name, value in given.items() if value is not None]
 
 
@@ -134,7 +134,7 @@ _PAIRS: tuple[tuple[Callable[[BakeRun, Quantity], bool], Callable[[BakeRun, Quan
         lambda run, _: f"{_places(run)[0]}: got it together with {_places(run)[1]}, want one of the two",
     ),
     (
-        lambda run, _: ("high" in run.given) != ("cage" in run.given),
+        lambda run, _: ("high" in run.arguments) != ("cage" in run.arguments),
         lambda *_: (
             "--high: got one of --high and --cage, want both: the finer mesh, and its largest distance from the first mesh"
         ),
@@ -151,18 +151,18 @@ _PAIRS: tuple[tuple[Callable[[BakeRun, Quantity], bool], Callable[[BakeRun, Quan
         ),
     ),
     (
-        lambda run, quantity: run.given.get("normals") == "lifted" and slot_for_quantity(quantity.name) is THICKNESS,
+        lambda run, quantity: run.arguments.get("normals") == "lifted" and slot_for_quantity(quantity.name) is THICKNESS,
         lambda *_: "--normals: got lifted for thickness, want face or smooth: its rays start beneath the face",
     ),
     (
-        lambda run, quantity: "strength" in run.given and slot_for_quantity(quantity.name) is not OCCLUSION,
+        lambda run, quantity: "strength" in run.arguments and slot_for_quantity(quantity.name) is not OCCLUSION,
         lambda run, quantity: (
-            f"--strength: got {run.given['strength']} for {quantity.name}; it applies only to occlusion in a .glb or .gltf"
+            f"--strength: got {run.arguments['strength']} for {quantity.name}; it applies only to occlusion in a .glb"
         ),
     ),
     (
-        lambda run, quantity: run.given.get("depth", "8") != "8" and slot_for_quantity(quantity.name).directed,
-        lambda run, quantity: f"--depth: got {run.given['depth']} for {quantity.name}, want 8, or an .exr",
+        lambda run, quantity: run.arguments.get("depth", "8") != "8" and slot_for_quantity(quantity.name).directed,
+        lambda run, quantity: f"--depth: got {run.arguments['depth']} for {quantity.name}, want 8, or an .exr",
     ),
 )
 """Pairs that do not go together: (test of a run and its quantity, function that returns the message)."""

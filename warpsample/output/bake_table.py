@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from warpsample import sequences
+from warpsample.mesh.files import SUFFIXES
 
 MESH, CITY, RASTER, TEXTURE = SOURCES = ("meshes", "CityJSON", "rasters", "textures (--texture)")
 """Kinds of sources; `TEXTURE` is a mesh with the option `--texture`."""
@@ -62,7 +63,7 @@ class Option:
 
 
 def _on(*sources: str, only: tuple[str, ...] = (), but: tuple[str, ...] = ()) -> dict[str, tuple[str, ...]]:
-    """Return the outputs of some kinds of sources, keyed by kind: those in `only`, if given, and without those in `but`."""
+    """Return the suffixes in `only`, or all, without the suffixes in `but`, for some kinds of sources."""
     return {
         source: tuple(suffix for suffix in FILES[source] if suffix not in but and (not only or suffix in only))
         for source in sources
@@ -263,11 +264,19 @@ OPTIONS: dict[str, Option] = {
 
 
 def kind_of(source: Path, output: Path, texture: Any) -> str:
-    """Return the kind of a run's source, from the suffixes of both files and the value of `--texture`."""
-    suffixes = {source.suffix.lower(), output.suffix.lower()}
-    if source.suffix.lower() in RASTER_SUFFIXES or output.suffix.lower() in _TIFF:
+    """Return the kind of a run's source, from its suffix; the output's suffix decides for a source of unknown suffix.
+
+    Args:
+        source: Path of the source.
+        output: Path of the output.
+        texture: Value of `--texture`, or None.
+    """
+    given, written = source.suffix.lower(), output.suffix.lower()
+    known = (*RASTER_SUFFIXES, *_CITY_FILES, *SUFFIXES)
+    suffix = written if given not in known else given
+    if suffix in RASTER_SUFFIXES:
         return RASTER
-    if suffixes & set(_CITY_FILES):
+    if suffix in _CITY_FILES:
         return CITY
     return MESH if texture is None else TEXTURE
 

@@ -78,8 +78,8 @@ class BakeRun:
         return kind_of(self.mesh, self.output, self.more.get("texture"))
 
     @property
-    def given(self) -> dict[str, Any]:
-        """All given options, keyed by option name."""
+    def arguments(self) -> dict[str, Any]:
+        """Options of the command line, without defaults, keyed by option name."""
         own = {name: getattr(self, name) for name in _OWN}
         given = {**own, **self.options, **self.more}
         return {name: value for name, value in given.items() if value is not None and value is not False}
@@ -91,7 +91,7 @@ class BakeRun:
 
     @property
     def recorded(self) -> dict[str, str]:
-        """Arguments to record in an output file, without `options` and without those at their defaults."""
+        """Arguments to record in an output file, without `options` and without default values."""
         names = (item.name for item in fields(self) if getattr(self, item.name) != item.default)
         return {name: str(getattr(self, name)) for name in names if name not in ("options", "report", "more")}
 
@@ -204,7 +204,7 @@ def _write_glb(file: BinaryIO, baked: Baked) -> None:
 
 
 def _repeated(array: np.ndarray, times: int, dtype: type) -> Lazy:
-    """Return the rows of an array, each repeated, as rows that are computed when they are written."""
+    """Return the rows of an array, each repeated, as `Lazy` rows."""
     return Lazy((times * len(array), *array.shape[1:]), np.dtype(dtype), lambda i: array[i // times])
 
 

@@ -30,12 +30,12 @@ def write_parts(baked: Baked, city: City | None) -> None:
 
 def part_table(baked: Baked, city: City | None) -> dict[str, np.ndarray]:
     """Return the columns of a table of parts: name, area, means, errors, and sums for units per area."""
-    rows = _list_parts(baked.mesh) if city is None else city.surfaces.columns
+    rows = list_parts(baked.mesh) if city is None else city.surfaces.columns
     area = rows.pop("area")
     return rows | {"area_m2": area} | dict(add_totals(dict(_means(baked)), area))
 
 
-def _list_parts(mesh: Mesh) -> dict[str, np.ndarray]:
+def list_parts(mesh: Mesh) -> dict[str, np.ndarray]:
     """Return the name, the number of faces and the area of each part of a mesh."""
     assert mesh.part is not None
     inside, count = mesh.part >= 0, len(mesh.parts)

@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.estimate.quantities.record import Quantity
+
 SUMMARY = np.dtype(
     [(name, np.int64) for name in ("points", "rays", "known")]
     + [(name, np.float64) for name in ("squared_error", "sum", "low", "high")]
@@ -68,6 +70,11 @@ class RunRecord:
     _computing: float = 0.0
     _bar: Any = None
 
+    @classmethod
+    def of(cls, quantity: Quantity, things: str = "points") -> "RunRecord":
+        """Return the empty record of a run of a quantity."""
+        return cls(quantity.title, quantity.unit, things=things)
+
     @contextmanager
     def show(self, step: str) -> Iterator["RunRecord"]:
         """Show a bar on stderr within a `with` statement, if stderr is a terminal; `step` names the first step."""
@@ -111,7 +118,7 @@ class RunRecord:
         self._update()
 
     def add(self, part: np.void, count: int | None = None) -> None:
-        """Add the SUMMARY of a part of `count` things, by default its points, and move the bar."""
+        """Move the bar by `count` things, by default the points of a part, and include the part's SUMMARY in the sums."""
         for name in SUMMARY.names or ():
             join = {"low": min, "high": max}.get(name, lambda old, new: old + new)
             self.sums[name] = join(self.sums[name], part[name])

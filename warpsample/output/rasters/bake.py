@@ -144,7 +144,7 @@ def bake_raster(run: BakeRun, store: TileStore) -> str:
     job = RasterJob.of(run)
     check_raster_files(run, job)
     quantity = quantity_of(run.quantity)
-    record = RunRecord(quantity.title, quantity.unit, things="tiles")
+    record = RunRecord.of(quantity, "tiles")
     with record.show(f"reading {run.mesh.name}"), store.locked():
         notes, shape = _bake(run, job, store, record)
     tiles = f"{record.total:,} {'tile' if record.total == 1 else 'tiles'}"
@@ -153,7 +153,7 @@ def bake_raster(run: BakeRun, store: TileStore) -> str:
 
 
 def check_raster_files(run: BakeRun, job: RasterJob) -> None:
-    """Check that the output and the report of a run can be written, and that they are no input."""
+    """Check that the output and the report of a run can be written, and that neither is an input."""
     if run.output.suffix == ".png":
         check_rendering()
     if run.output.suffix != STORE:
@@ -196,7 +196,7 @@ def _finish(run: BakeRun, raster: RasterRun, about: Mapping[str, Any], store: Ti
 
 @contextmanager
 def _resumable(store: Path) -> Iterator[None]:
-    """Add to the error of a file that cannot be written that the store can be resumed, within a `with` statement."""
+    """Convert a WriteError within a `with` statement to one that states that the store can be resumed."""
     try:
         yield
     except WriteError as error:

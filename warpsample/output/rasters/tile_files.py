@@ -68,7 +68,7 @@ class TileFiles:
             )
 
     def begin(self, run: RasterRun, about: dict[str, Any]) -> np.ndarray:
-        """Write the attributes of a run, or check those of an existing folder; return the mask of the complete tiles.
+        """Write the attributes of a run, or check the attributes in the folder; return the mask of complete tiles.
 
         Raises:
             ValueError: the folder is of another run; the message names the difference.

@@ -10,7 +10,7 @@ from warpsample.texture.texture_points import check_samples, check_size
 
 
 def texture_options(run: BakeRun) -> TextureOptions:
-    """Check the options for textures of a run, and return them.
+    """Check and return the options for textures of a run.
 
     Raises:
         ValueError: an option that cannot be used; the message names the option.

@@ -102,7 +102,7 @@ def _images(job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.n
 def _converter(
     job: TextureJob, run: BakeRun, quantity: Quantity
 ) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
-    """Return the function (values, faces, weights of corners) -> values as the picture stores them."""
+    """Return the function that converts (values, faces, weights of corners) to the values of the picture."""
     if slot_for_quantity(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
         return Frames.of(run.mesh, job.points.mesh, job.points.corners, job.rows).to_components
     if quantity.result is Thickness and job.group:
