@@ -1,4 +1,4 @@
-"""A new quantity is one record: `bake` of all sources, stores, Dask and the accessor offer the quantity without more code."""
+"""A new quantity is one record: `bake` of all sources, stores, Dask and the accessor offer it without more code."""
 
 import shutil
 import subprocess

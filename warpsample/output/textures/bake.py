@@ -16,7 +16,7 @@ from warpsample.output.quantities import quantity_of
 from warpsample.output.run_record import RunRecord
 from warpsample.output.textures.images import Filled, fill_texture
 from warpsample.output.textures.instances import Picture, describe_places, pictures_of, place_pictures
-from warpsample.output.textures.source import DATA, TextureSource, texture_inputs
+from warpsample.output.textures.source import DATA, TextureSource
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import describe_flaws
@@ -64,26 +64,26 @@ def _compute(source: TextureSource, record: RunRecord) -> list[list[Picture]]:
 def _write(source: TextureSource, found: list[list[Picture]]) -> list[str]:
     """Write the pictures into a glTF file or an image, and return sentences on replaced textures."""
     if source.file is not None:
-        return _write_scene(source.file, source.run, source.how, found)
+        return _write_scene(source.file, source, found)
     with complete_or_absent(source.run.output) as stream:
         _write_image(stream, source.run, source.how, found[0][0].filled)
     return []
 
 
-def _write_scene(file: GlbFile, run: BakeRun, how: TextureOptions, found: list[list[Picture]]) -> list[str]:
-    """Write a .glb, or a .gltf and its data beside it, with all pictures; return sentences on what was replaced."""
-    notes: list[str] = []
+def _write_scene(file: GlbFile, source: TextureSource, found: list[list[Picture]]) -> list[str]:
+    """Write a .glb, or a .gltf and the data next to it, with all pictures; return sentences on replaced textures."""
+    run, notes = source.run, list[str]()
     slot = slot_for_quantity(run.quantity)
     for row, groups in zip(found, place_pictures(file, found), strict=True):
         for picture, group in reversed(list(zip(row, groups, strict=True))):  # copies are of unchanged materials
-            notes += _add_picture(file, picture.filled, group, slot, how)
+            notes += _add_picture(file, picture.filled, group, slot, source.how)
     notes = list(dict.fromkeys(notes))
     if run.output.suffix == ".glb":
         with complete_or_absent(run.output) as stream:
             file.write(stream)
         return notes
     ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": files_beside}
-    data = write_with_data(run.output, DATA, **ways, inputs=texture_inputs(run, how))
+    data = write_with_data(run.output, DATA, **ways, inputs=source.inputs)
     if data.stem != run.output.stem:
         notes.append(f"its data are in {data.name}: {run.output.with_suffix(DATA).name} belongs to another file")
     return notes

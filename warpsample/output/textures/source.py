@@ -48,6 +48,7 @@ class TextureSource:
         high: Finer mesh, or None.
         traced: Mesh that the rays are traced against.
         notes: Sentences on the file.
+        inputs: Files that the run reads.
         coarse: Sentences on texels that are too small for the rays.
     """
 
@@ -58,6 +59,7 @@ class TextureSource:
     high: HighMesh | None
     traced: Mesh
     notes: list[str]
+    inputs: list[Path]
     coarse: list[str]
 
 
@@ -75,7 +77,7 @@ def read_texture_source(run: BakeRun) -> TextureSource:
     high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
     notes = [] if file is None else _check_scene(file, run, how, jobs)
     traced = mesh if high is None else high.mesh
-    return TextureSource(run, how, jobs, file, high, traced, notes, _coarse(jobs, traced, how))
+    return TextureSource(run, how, jobs, file, high, traced, notes, _inputs(run, how), _coarse(jobs, traced, how))
 
 
 def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[str]:
@@ -107,7 +109,7 @@ def _check_scene(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[Te
     return [*notes, *describe_missing_files(run.mesh, file.tree, run.output)]
 
 
-def texture_inputs(run: BakeRun, how: TextureOptions) -> list[Path]:
+def _inputs(run: BakeRun, how: TextureOptions) -> list[Path]:
     """Return the files that a run reads."""
     high = [] if how.high is None else [how.high, *files_beside(how.high)]
     return [*input_files(run, quantity_of(run.quantity)), *high]
@@ -117,6 +119,6 @@ def _check(run: BakeRun, how: TextureOptions) -> None:
     """Check the library of the output's format, the device and the paths, before any file is read."""
     check_library(run.output.suffix)
     Memory.of(run.options.get("device"))
-    check_output(run.output, "--output", *texture_inputs(run, how))
+    check_output(run.output, "--output", *_inputs(run, how))
     if run.output.suffix == ".gltf":
         check_data_beside(run.output, DATA, "--output")
