@@ -20,6 +20,8 @@ import psutil
 import warpsample as ws
 from warpsample.output.bake import bake
 from warpsample.output.baked import BakeRun
+from warpsample.output.run_record import RunRecord
+from warpsample.output.source import read_source
 
 try:
     from warpsample import cluster
@@ -48,7 +50,8 @@ def build_calls(folder):
 
     def bake_file():
         options = {"samples": 64, "seed": 3}
-        bake(BakeRun(mesh=folder / "mesh.obj", output=file, quantity="ao", at=None, points=4000, options=options))
+        run = BakeRun(mesh=folder / "mesh.obj", output=file, quantity="ao", at=None, points=4000, options=options)
+        bake(read_source(run), RunRecord("ambient occlusion"))
         return read_file(file)
 
     def bake_store():

@@ -39,36 +39,7 @@ TREES_AND_TILES: dict[str, Any] = {
 }
 """Options common to all calls, with defaults; each call also has the options of its quantity."""
 
-QUANTITIES = ("ao", "sky", "visible-sky", "irradiation", "sun-hours")
-"""Names of the quantities that can be computed for rasters."""
-
 _NORMAL = {"horizontal": "up", "surface": "the normal of the cell's surface"}
-_COSINE = (
-    "cosine-weighted share of the sky that is visible from the centre of each cell: 1/pi times the integral of max(n.w, 0) "
-    "over the directions w above the horizon in which a ray hits nothing; the normal n is {normal}"
-)
-_DEFINITIONS = {
-    ("sky", "horizontal"): _COSINE + "; if each azimuth has one horizon h, the mean of cos(h)^2",
-    ("sky", "surface"): _COSINE,
-    ("visible-sky", "horizontal"): (
-        "share of the sky's solid angle that is visible from the centre of each cell: 1/(2 pi) times the solid angle of "
-        "the directions above the horizon in which a ray hits nothing; if each azimuth has one horizon h, 1 - mean of sin(h)"
-    ),
-}
-_OTHER_DEFINITIONS = {
-    "ao": (
-        "cosine-weighted share of the directions w from the centre of each cell in which a ray hits nothing: 1/pi times the "
-        "integral of max(n.w, 0) over these directions; the normal n is {normal}"
-    ),
-    "irradiation": (
-        "radiation from sun, sky and the ground outside the raster at the centre of each cell, summed over the hours of the "
-        "period, per m2 of a receiver; the normal of the receiver is {normal}; other cells reflect nothing"
-    ),
-    "sun-hours": (
-        "number of hours of the period at whose middle the sun is visible: its centre is above the horizon, in front of the "
-        "receiver, and not hidden from the centre of the cell; the normal of the receiver is {normal}"
-    ),
-}
 
 
 @with_options(SkyKeywords, SKY.parameters | TREES_AND_TILES)
@@ -328,10 +299,9 @@ def _check(quantity: Quantity, options: Mapping[str, Any]) -> None:
 
 def _attributes(quantity: Quantity, source: Any, attributes: Mapping[str, Any]) -> dict[str, Any]:
     """Return the attributes of a Dataset: definition, unit, source, version and options, as numbers and strings."""
-    definition = _DEFINITIONS.get((quantity.name, attributes["receiver"])) or _OTHER_DEFINITIONS[quantity.name]
     return {
         "quantity": quantity.name,
-        "definition": definition.format(normal=_NORMAL[attributes["receiver"]]),
+        "definition": quantity.on_rasters[attributes["receiver"]].format(normal=_NORMAL[attributes["receiver"]]),
         "unit": quantity.unit or "1",
         "source": _name_of(source),
         "warpsample": version("warpsample"),

@@ -21,7 +21,6 @@ from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import check_heights, ground_of, reader_of
 from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, join_triangles
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.host.arguments import check_choice, check_integer, told
 from warpsample.host.progress import log
 from warpsample.mesh.mesh import Mesh
@@ -85,8 +84,9 @@ class RasterRun:
         """
         check_choice(model, "model", MODELS)
         check_choice(receiver, "receiver", RECEIVERS)
-        if quantity.call is visible_sky and receiver != "horizontal":
-            raise ValueError(f"receiver: got {receiver!r} for the visible sky, want 'horizontal': it counts no cosines")
+        if receiver not in quantity.on_rasters:
+            wanted = " or ".join(map(repr, quantity.on_rasters))
+            raise ValueError(f"receiver: got {receiver!r} for the {quantity.title}, want {wanted}")
         shares = check_transmittance(transmittance)
         check_dates(quantity, shares)
         if margin is not None and tile is None:

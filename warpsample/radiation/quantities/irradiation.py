@@ -36,15 +36,21 @@ def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | N
     return numbers
 
 
+_ON_RASTERS = (
+    "radiation from sun, sky and the ground outside the raster at the centre of each cell, summed over the hours of the "
+    "period, per m2 of a receiver; the normal of the receiver is {normal}; other cells reflect nothing"
+)
+
 RECORD = Quantity(
     name="irradiation",
     call=irradiation,
     title="irradiation",
-    value="what sun, sky, the ground beyond the mesh and reflections bring by a year's weather, and each of them",
+    value="radiation of a period from sun, sky, ground outside the mesh and reflections; also each of these parts",
     result=Irradiation,
     shared=("hours", "skipped"),
     unit="kWh/m2",
     files=WEATHER,
     prepare=_prepare,
     in_stores=False,
+    on_rasters={"surface": _ON_RASTERS, "horizontal": _ON_RASTERS},
 )
