@@ -1,8 +1,8 @@
 """Test whether a city's coordinates are degrees: its buildings or its terrain are then much steeper than any in metres."""
 
 import numpy as np
-from scipy.sparse import coo_array, csgraph
 
+from warpsample.host.locks import imported
 from warpsample.mesh.holes import Outlines
 
 _LARGEST = (180.0, 90.0)  # longitude and latitude
@@ -49,8 +49,9 @@ def _bodies(corners: np.ndarray, outlines: Outlines) -> np.ndarray:
     face = np.repeat(np.repeat(np.arange(len(outlines.rings)), outlines.rings), outlines.sizes)
     place = np.unique(corners, axis=0, return_inverse=True)[1].ravel()
     count = len(outlines.rings) + place.max() + 1
-    links = coo_array((np.ones(len(face), bool), (face, len(outlines.rings) + place)), shape=(count, count))
-    return np.unique(csgraph.connected_components(links, directed=False)[1][face], return_inverse=True)[1].ravel()
+    sparse, graph = imported("scipy.sparse"), imported("scipy.sparse.csgraph")
+    links = sparse.coo_array((np.ones(len(face), bool), (face, len(outlines.rings) + place)), shape=(count, count))
+    return np.unique(graph.connected_components(links, directed=False)[1][face], return_inverse=True)[1].ravel()
 
 
 def _plan_areas(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
