@@ -15,7 +15,7 @@ pytest.importorskip("rioxarray")
 import xarray as xr
 
 import warpsample as ws
-from warpsample.city.rasters import arc_grid
+from warpsample.city import arc_grid
 from warpsample.city.rasters.transforms import check_lengths
 
 HEIGHTS = np.arange(120.0).reshape(10, 12) % 7.0

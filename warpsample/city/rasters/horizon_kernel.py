@@ -26,11 +26,12 @@ _LEAST = wp.constant(wp.float64(1e-30))
 _TURN = wp.constant(wp.float32(2.0 * np.pi))
 _prepare, _blocked = prepare_rays(), rays_blocked()
 
-_Sums = wp.types.vector(length=8, dtype=wp.float64)
+_Sums = wp.types.vector(length=9, dtype=wp.float64)
 """Sums over the azimuths of a point, and three values of the latest azimuth that are compared with the next azimuth."""
 _SEEN, _JUMPS, _SPIKES, _WIDTHS = (wp.constant(wp.int32(row)) for row in range(4))
 _MIDDLE, _JUMP, _RUN = (wp.constant(wp.int32(row)) for row in range(4, 7))  # sine, last jump, azimuths of equal intervals
 _RANGE = wp.constant(wp.int32(7))  # sum of the widths of the final intervals, for the term of few open azimuths
+_SQUARES = wp.constant(wp.int32(8))  # sum of the squares of the azimuths' values, for the same term
 
 # Factors of the terms of the variance, see README.md. Theory gives 1/12 for a jump at a random place in a stratum. The
 # others are fitted to towns, terrain and yards (`tests/city/test_horizon_errors.py` checks the fit on other scenes).
@@ -39,7 +40,7 @@ _OF_SPIKE = wp.constant(wp.float64(0.15))
 _OF_WIDTH = wp.constant(wp.float64(0.1))
 _OF_WIDTH_BY_FEW = wp.constant(wp.float64(0.5))
 _OF_UNSEEN = wp.constant(wp.float64(0.6))
-_OF_FEW = wp.constant(wp.float64(0.2))
+_OF_FEW = wp.constant(wp.float64(0.3))
 _OF_OWN_PLANE = wp.constant(wp.float64(0.95))
 _ROUNDING = wp.constant(wp.float64(2.0**-23))
 
@@ -202,7 +203,9 @@ def _add_azimuth(
     middle = HALF * (low + high)
     above_low = _seen_above(low, along, up, cosine)
     above_high = _seen_above(high, along, up, cosine)
-    sums[_SEEN] += wp.where(free, above_low, above_high)
+    seen = wp.where(free, above_low, above_high)
+    sums[_SEEN] += seen
+    sums[_SQUARES] += seen * seen
     run = sums[_RUN]
     jump = ZERO
     if run > ZERO and (sums[_MIDDLE] < low or sums[_MIDDLE] >= high):
@@ -266,8 +269,8 @@ def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64) -> wp.float6
     widths = (_OF_WIDTH + _OF_WIDTH_BY_FEW / azimuths) * sums[_WIDTHS]
     value = sums[_SEEN] / azimuths
     unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
-    few = _OF_FEW * (sums[_SEEN] + sums[_RANGE] / azimuths) * wp.max(ONE - sums[_SEEN], ZERO)
-    return (jumps + widths + unseen + few) / (azimuths * azimuths)
+    few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * wp.max(ONE - sums[_SEEN], ZERO)
+    return wp.max(jumps + widths + unseen, few) / (azimuths * azimuths)
 
 
 @wp.func

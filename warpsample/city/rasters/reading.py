@@ -18,7 +18,7 @@ from rasterio.errors import NotGeoreferencedWarning, RasterioError, RasterioIOEr
 from rasterio.windows import Window
 from rioxarray.exceptions import MissingSpatialDimensionError
 
-from warpsample.city.rasters.arc_grid import check_arc_grid
+from warpsample.city.arc_grid import check_arc_grid
 from warpsample.city.rasters.coding import Coding
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
