@@ -251,7 +251,7 @@ def test_a_closed_body_around_all_leaves_its_numbers(call, tmp_path, options, me
     tree, data, _ = opened(output)
     assert np.array_equal(np.unique(picture(tree, data, occlusion(tree, 0)["index"])), [mean])
     assert f"'floor', set 0: 1,024 texels, mean {mean:.4f}; " in out
-    assert "1,024 points inside closed bodies keep their numbers, as their whole charts are inside\n" in out
+    assert "1,024 points inside closed bodies keep their values, because their whole charts are inside\n" in out
 
 
 def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
