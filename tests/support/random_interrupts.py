@@ -33,8 +33,8 @@ except ModuleNotFoundError:  # Zarr needs Python 3.11
 STOPS = 10.0
 """Seconds for threads to stop after their call: a thread that a call has left at work runs on."""
 
-POOLS = "asyncio_", "ThreadPoolExecutor-"
-"""Beginnings of the names of threads in Zarr's pools."""
+POOLS = "asyncio_", "zarr_pool_", "ThreadPoolExecutor-"
+"""Beginnings of the names of threads in the pools of Zarr and Dask."""
 
 _state = {"armed": False}
 

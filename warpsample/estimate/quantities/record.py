@@ -23,7 +23,7 @@ _OF_INTERVALS = ("spread", "degrees_of_freedom")  # fields for `interval`, witho
 _NO_UNITS = ("", "mesh units")
 """Units that column names leave out: no unit, and the unit of the mesh."""
 
-_UNTOLD = ("active", "first_point", "progress", "workers")
+_NOT_RECORDED = ("active", "first_point", "progress", "workers")
 """Arguments that files do not record, because they change no value or are not options of the command line."""
 
 Numbers = Callable[[SurfacePoints, int], Any]
@@ -108,7 +108,7 @@ class Quantity:
 
     def told(self, options: Mapping[str, Any]) -> dict[str, Any]:
         """Return the options to record in an output file, given ones and defaults, keyed by command-line name."""
-        names = [OPTIONS.get(name, name) for name in self.parameters if name not in _UNTOLD]
+        names = [OPTIONS.get(name, name) for name in self.parameters if name not in _NOT_RECORDED]
         return {name: options.get(name, self.default(name)) for name in names}
 
     def numbers(self, mesh: Any, total: int, options: Mapping[str, Any]) -> Numbers:
