@@ -14,7 +14,7 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output, complete_or_absent, write_arrays
 from warpsample.mesh.files import load_mesh
-from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.files.beside import files_beside, pictures_beside
 from warpsample.mesh.mesh import Mesh
 from warpsample.output.baked import BakeRun
 from warpsample.output.data_beside import check_data_beside, write_with_data
@@ -25,7 +25,7 @@ from warpsample.output.texture_instances import Picture, describe_places, pictur
 from warpsample.texture.glb_file import GlbFile, convert_read_errors
 from warpsample.texture.high import HighMesh
 from warpsample.texture.inside import Closed
-from warpsample.texture.jobs import SCENES, TextureJob, describe_flaws, is_flat, plan_jobs
+from warpsample.texture.jobs import SCENES, TextureJob, describe_flaws, plan_jobs
 from warpsample.texture.materials import OCCLUSION, THICKNESS, Slot, add_texture, slot_for_quantity
 from warpsample.texture.notes import (
     describe_coarse_texels,
@@ -35,7 +35,7 @@ from warpsample.texture.notes import (
     join_names,
 )
 from warpsample.texture.pictures import DEPTHS, check_library, encode_exr, encode_png
-from warpsample.texture.primitives import Primitive, group_by_material, list_primitives
+from warpsample.texture.primitives import Primitive, group_by_material, is_flat, list_primitives, visible_primitives
 from warpsample.texture.sets import TextureOptions
 
 SUFFIXES = (*SCENES, ".png", ".exr", ".npz")
@@ -66,6 +66,7 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     fill = partial(filled, run=run, how=how, closed=closed, high=high)
     found = [pictures_of(job, fill, how) for job in jobs]
     seconds = perf_counter() - start
+    _refuse_mostly_inside(found, how)
     if file is None:
         with complete_or_absent(run.output) as stream:
             _write_image(stream, run, how, found[0][0].filled)
@@ -92,6 +93,20 @@ def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[s
     return found
 
 
+def _refuse_mostly_inside(found: list[list[Picture]], how: TextureOptions) -> None:
+    """With `--strict`, raise a ValueError for charts with more than half of their points filled for being inside."""
+    pictures = (picture.filled for row in found for picture in row)
+    doubtful = [f"{one.job.name!r}: {_describe_mostly_inside(one)}" for one in pictures if one.mostly_inside]
+    if how.strict and doubtful:
+        raise ValueError(f"--strict: got {'; '.join(doubtful)}")
+
+
+def _describe_mostly_inside(found: Filled) -> str:
+    """Return a sentence on charts with more than half of their points filled for being inside closed bodies."""
+    charts = "one chart is" if found.mostly_inside == 1 else f"{found.mostly_inside:,} charts are"
+    return f"{charts} more than half inside closed bodies and filled: if a body is a room, pass --inside keep"
+
+
 def _before(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[TextureJob]) -> list[str]:
     """Checks a .glb or .gltf before anything is computed; what is to be said of it."""
     with convert_read_errors(run.mesh):
@@ -100,12 +115,13 @@ def _before(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[Texture
         told = list(
             describe_materials(file.part, [one for job in jobs for one in job.group], slot_for_quantity(run.quantity).name)
         )
-        placed = list_primitives(file.part, file.data)
+        mesh = jobs[0].points.mesh
+        placed = visible_primitives(list_primitives(file.part, file.data), mesh)
         if how.high is None and run.quantity not in _WITHOUT_LIGHT:  # a finer mesh has none of these materials
-            told += describe_light(file.part, placed, jobs[0].points.mesh.transmittance)
+            told += describe_light(file.part, placed, mesh)
         groups = group_by_material(placed)
         several = join_names(one.name for job in jobs for one in job.group if one.others)
-        flat = join_names(one.name for group in groups if is_flat(jobs[0].points.mesh, group) for one in group)
+        flat = join_names(one.name for group in groups if is_flat(mesh, group) for one in group)
     if several and how.strict and how.instances == "mean":
         raise ValueError(f"--strict: got --instances mean for {several} in several places, want split")
     if flat:
@@ -125,7 +141,7 @@ def _write_scene(file: GlbFile, run: BakeRun, how: TextureOptions, found: list[l
             file.write(stream)
         return told
     ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": files_beside}
-    data = write_with_data(run.output, _DATA, **ways, inputs=_inputs(run, how))
+    data = write_with_data(run.output, _DATA, **ways, inputs=[*_inputs(run, how), *pictures_beside(run.output)])
     if data.stem != run.output.stem:
         told.append(f"its data are in {data.name}: {run.output.with_suffix(_DATA).name} belongs to another file")
     return told
@@ -141,7 +157,8 @@ def _inputs(run: BakeRun, how: TextureOptions) -> list[Path]:
 def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
     suffix, name = run.output.suffix, str(run.output)
     if suffix not in SUFFIXES:
-        raise ValueError(f"--output: got {name!r} for --texture, want a file that ends in one of {' '.join(SUFFIXES)}")
+        wants = f"want a file that ends in one of {' '.join(SUFFIXES)}, in lower case"
+        raise ValueError(f"--output: got {name!r} for --texture, {wants}")
     if suffix in SCENES and run.mesh.suffix.lower() not in SCENES:
         raise ValueError(
             f"--output: got {name!r} for {run.mesh.name!r}, want .png, .exr or .npz: only glTF becomes a {suffix}"
@@ -216,6 +233,8 @@ def _told(found: Filled) -> Iterator[str]:
     yield from describe_flaws(job)
     if found.inside:
         yield f"{found.inside:,} points inside closed bodies, filled from their charts"
+    if found.mostly_inside:
+        yield _describe_mostly_inside(found)
     if found.enclosed:
         yield f"{found.enclosed:,} points inside closed bodies keep their numbers, as their whole charts are inside"
     if found.missed:

@@ -34,6 +34,7 @@ class Filled:
         mean: of the numbers at the points.
         inside: number of points inside closed bodies that are filled.
         enclosed: number of points inside closed bodies that keep their numbers.
+        mostly_inside: number of charts with more than half of their points filled for being inside.
         missed: how many met nothing of a finer mesh.
         lost: how many had no number for another reason.
         rays: how many were cast for the numbers.
@@ -46,6 +47,7 @@ class Filled:
     mean: float
     inside: int
     enclosed: int
+    mostly_inside: int
     missed: int
     lost: int
     rays: int
@@ -81,7 +83,8 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
     within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, bodies.inside & ~buried & ~missed, missed))
     value[buried] = np.nan
     image, errors, mean = _images(job, how, value, error)
-    counts = {"inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
+    charts = bodies.count_mostly_buried(buried)
+    counts = {"mostly_inside": charts, "inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
     return Filled(job, image, errors, mean, **counts, rays=rays, inside_rays=bodies.rays)
 
 
