@@ -9,8 +9,7 @@ from warpsample.host.locks import once_property
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
-from warpsample.texture.charts import label_charts
-from warpsample.texture.closed_parts import label_closed
+from warpsample.texture.charts import label_charts, label_closed
 from warpsample.texture.texture_points import TexturePoints
 from warpsample.tracing.trace_all import trace_all
 
