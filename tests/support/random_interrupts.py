@@ -20,6 +20,8 @@ import psutil
 import warpsample as ws
 from warpsample.output.bake import bake
 from warpsample.output.baked import BakeRun
+from warpsample.output.run_record import RunRecord
+from warpsample.output.source import read_source
 
 try:
     from warpsample import cluster
@@ -31,8 +33,8 @@ except ModuleNotFoundError:  # Zarr needs Python 3.11
 STOPS = 10.0
 """Seconds for threads to stop after their call: a thread that a call has left at work runs on."""
 
-POOLS = "asyncio_", "ThreadPoolExecutor-"
-"""Beginnings of the names of threads in Zarr's pools."""
+POOLS = "asyncio_", "zarr_pool_", "ThreadPoolExecutor-"
+"""Beginnings of the names of threads in the pools of Zarr and Dask."""
 
 _state = {"armed": False}
 
@@ -48,7 +50,8 @@ def build_calls(folder):
 
     def bake_file():
         options = {"samples": 64, "seed": 3}
-        bake(BakeRun(mesh=folder / "mesh.obj", output=file, quantity="ao", at=None, points=4000, options=options))
+        run = BakeRun(mesh=folder / "mesh.obj", output=file, quantity="ao", at=None, points=4000, options=options)
+        bake(read_source(run), RunRecord("ambient occlusion"))
         return read_file(file)
 
     def bake_store():
