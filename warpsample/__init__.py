@@ -44,6 +44,7 @@ _LOBES = (
     "Beckmann",
     "CosineHemisphere",
     "GGX",
+    "HenyeyGreenstein",
     "OffsetBall",
     "OffsetCircle",
     "OffsetDisk",

@@ -37,6 +37,11 @@ from warpsample.distributions.offset_sphere import (
     square_to_offset_sphere_pdf,
 )
 from warpsample.distributions.power_cosine import power_cosine_to_square, square_to_power_cosine, square_to_power_cosine_pdf
+from warpsample.distributions.scattering.henyey_greenstein import (
+    henyey_greenstein_to_square,
+    square_to_henyey_greenstein,
+    square_to_henyey_greenstein_pdf,
+)
 from warpsample.distributions.uniform_cone import square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square
 from warpsample.distributions.uniform_disk import (
     square_to_uniform_disk,
@@ -86,6 +91,7 @@ __all__ = [
     "fibonacci",
     "frame_about",
     "ggx_to_square",
+    "henyey_greenstein_to_square",
     "independent",
     "nearest_hit",
     "offset_ball_to_square",
@@ -105,6 +111,8 @@ __all__ = [
     "square_to_cosine_hemisphere_pdf",
     "square_to_ggx",
     "square_to_ggx_pdf",
+    "square_to_henyey_greenstein",
+    "square_to_henyey_greenstein_pdf",
     "square_to_offset_ball",
     "square_to_offset_ball_pdf",
     "square_to_offset_circle",

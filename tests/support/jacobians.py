@@ -21,6 +21,7 @@ CASES = [
     *(kind(alpha) for kind in (ws.GGX, ws.Beckmann) for alpha in (1e-3, 0.05, 0.3, 1.0)),
     *map(ws.PowerCosine, (0.0, 1.0, 2.5, 100.0, 1e6)),
     *map(ws.VonMisesFisher, (1e-6, 0.5, 8.0, 20.0, 1000.0, 1e6)),
+    *map(ws.HenyeyGreenstein, (0.0, 1e-4, 0.7, -0.7, -0.99, 0.9999)),
     *map(ws.OffsetSphere, (1e-3, 0.5, 1.0, 1.5, 100.0)),
     *(ws.UniformCone(one_minus_cos=c) for c in (1.999, 1.0, 0.25, 1e-5)),
     *(kind(alpha, view) for kind in (ws.VisibleGGX, ws.VisibleBeckmann) for alpha in (1e-3, 0.3, 1.0) for view in VIEWS),

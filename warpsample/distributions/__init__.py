@@ -6,6 +6,7 @@ from dataclasses import fields
 from functools import cache
 from typing import Any
 
+from warpsample.distributions import scattering
 from warpsample.distributions.own import Twin, UserDistribution, check_kind, check_twin, is_same_class, user_distributions
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import told
@@ -17,7 +18,7 @@ __all__ = ["Distribution", "Maps", "as_distribution", "as_spatial", "classes", "
 @cache
 def _find_package_distributions() -> dict[str, type[Distribution]]:
     """Import and return the distributions of the package, name -> class; the import takes half as long as `import warp`."""
-    return records_of(sys.modules[__name__])
+    return records_of(sys.modules[__name__]) | records_of(scattering)
 
 
 def _find_distributions() -> dict[str, type[Distribution]]:
