@@ -7,15 +7,15 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
-from warpsample.distributions.parameters import bind_parameters, build_about, pack_parameters
-from warpsample.host.arguments import check_number
+from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise, elementwise_by_point
+from warpsample.distributions.parameterised import Parameterised, Range
+from warpsample.distributions.parameters import about_normal_of, bind_parameters, build_about, build_about_frame
 from warpsample.host.arrays import Array, Floats, as_real, as_square
+from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_workers, run
 from warpsample.host.neighbours import from_cuda
-from warpsample.host.vectors import as_vectors, new_vectors
+from warpsample.host.vectors import Vectors, as_vectors, new_vectors
 
-Range: TypeAlias = tuple[float, float] | None
 Cases: TypeAlias = tuple[tuple[Any, ...], ...]
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
@@ -45,8 +45,11 @@ class Maps:
 
 
 @dataclass(frozen=True)
-class Distribution:
+class Distribution(Parameterised):
     """Probability density of directions about a normal; subclasses are frozen dataclasses of the parameters.
+
+    A parameter is a constant, or an array with one row for each point: (P,) numbers, (P, 3) vectors. Arrays are copied as
+    float32. A row out of range becomes NaN, and gives zero vectors, density 0 and a status.
 
     Attributes:
         maps: `wp.func`s of the distribution, for use in kernels.
@@ -90,12 +93,6 @@ class Distribution:
     worst_pdf: ClassVar[float] = 2e-6
     worst_round_trip: ClassVar[float] = 2e-6
     limits: ClassVar[str] = ""
-
-    def __post_init__(self) -> None:
-        """Check that the scalar is within its bounds, and store it as a float."""
-        if self.bounds is not None:
-            name = self.parameters[0]
-            object.__setattr__(self, name, check_number(getattr(self, name), name, *self.bounds))
 
     @classmethod
     def cases(cls) -> tuple["Distribution", ...]:
@@ -222,20 +219,12 @@ class Distribution:
             )
         return self._apply(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 
-    def kernel_parameters(self) -> Any:
-        """Return the parameters as the struct that kernels take as an argument.
-
-        Returns:
-            a `Parameters` struct of float32; new values do not recompile a kernel.
-
-        Example:
-            >>> print(ws.GGX(alpha=0.5).kernel_parameters().scalar)
-            0.5
-        """
-        return pack_parameters(tuple(getattr(self, name) for name in self.parameters))
-
-    def about(self) -> wp.Function:
+    def about(self, tangents: bool = False) -> wp.Function:
         """Return the function that samples directions about any normal, for kernels; only for directions in space.
+
+        Args:
+            tangents: whether the first argument of the function is a frame, a mat33 with the normal as its last column, in
+                place of the unit normal. Default: False.
 
         Returns:
             a `wp.func` (unit normal, u, Parameters) -> (world direction, pdf).
@@ -246,18 +235,45 @@ class Distribution:
         """
         maps = self.maps
         if maps.about is not None:
-            return maps.about
+            return about_normal_of(maps.about) if tangents else maps.about
         count = len(self.parameters)
-        return build_about(bind_parameters(maps.sample, wp.vec2, count), bind_parameters(maps.pdf, wp.vec3, count))
+        build = build_about_frame if tangents else build_about
+        return build(bind_parameters(maps.sample, wp.vec2, count), bind_parameters(maps.pdf, wp.vec3, count))
+
+    def redraw(self, tangents: bool = False) -> wp.Function | None:
+        """Return `Maps.redraw`, with the first argument of `about`; None if `about` is precise everywhere."""
+        found = self.maps.redraw
+        return about_normal_of(found) if tangents and found is not None else found
 
     def _apply(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
         """Apply a wp.func of the distribution to each vector of `width` components; return an array like x."""
         source = as_vectors(x, width, argument)
+        if self.by_point:
+            self._check_rows_of(source, argument)
         target = new_vectors(source, source.shape, out_width)
         bound = bind_parameters(func, _VECTORS[width], len(self.parameters))
+        if source.count:
+            (self._apply_by_point if self.by_point else self._apply_constant)(bound, source, target, width, out_width)
+        return target.owner
+
+    def _check_rows_of(self, source: Vectors, argument: str) -> None:
+        """Raise ValueError unless vectors are (P, ...) or (P, n, ...), with one row for each row of the parameters."""
+        name, table = next(iter(self.by_point.items()))
+        if len(source.shape) not in (1, 2) or source.shape[0] != len(table):
+            wants = f"({len(table)}, {source.width}) or ({len(table)}, n, {source.width}), as {name} has {len(table):,} rows"
+            raise ValueError(f"{argument}: got shape {(*source.shape, source.width)}, want {wants}")
+
+    def _apply_constant(self, bound: wp.Function, source: Vectors, target: Vectors, width: int, out_width: int) -> None:
+        """Apply a function of (vector, Parameters) with constant parameters."""
         block = FLAT_BLOCK if source.device.is_cpu else 1
         inputs = [source.count, block, source.address, target.address, self.kernel_parameters()]
-        if source.count:
-            kernel = elementwise(bound, width, out_width)
+        kernel = elementwise(bound, width, out_width)
+        run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
+
+    def _apply_by_point(self, bound: wp.Function, source: Vectors, target: Vectors, width: int, out_width: int) -> None:
+        """Apply a function of (vector, Parameters) with parameters by point."""
+        block, count = FLAT_BLOCK if source.device.is_cpu else 1, source.count // source.shape[0]
+        kernel = elementwise_by_point(bound, width, out_width, self.layout, block)
+        with Memory.of(None, source.owner).loan() as loan:
+            inputs = [source.count, count, source.address, target.address, self.lend_tables(loan), self.kernel_parameters()]
             run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
-        return target.owner

@@ -3,10 +3,12 @@
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.host.arrays import as_view
+from warpsample.host.rows_by_point import copy_views
 from warpsample.maths.angles import turns_of
 from warpsample.maths.numerics import INV_PI, ZERO, clamp_uniform, fma, polish, root, sincos_turns
 
@@ -121,7 +123,12 @@ class VisibleNormals(Distribution):
     def __post_init__(self) -> None:
         """Check the roughness and the view, and normalise the view."""
         super().__post_init__()
-        object.__setattr__(self, "view", as_view(self.view, "view"))
+        if getattr(self.view, "ndim", 1) == 1:
+            object.__setattr__(self, "view", as_view(self.view, "view"))
+
+    def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:
+        """Normalise views by point; see `Distribution`."""
+        return copy_views(rows) if name == "view" else super()._copy_rows(name, rows)
 
 
 class VisibleGGX(VisibleNormals):

@@ -9,6 +9,7 @@ from warpsample.host.arguments import told
 from warpsample.host.arrays import Array, as_real
 from warpsample.host.neighbours import as_ndarray
 from warpsample.host.summary import Summary
+from warpsample.mesh.frames import as_tangents, turn_vectors
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.polydata import cloud
 
@@ -35,6 +36,9 @@ class SurfacePoints(Summary):
         raised: (P,) bool mask of points whose rays start vertically above the point (below for a normal that points down),
             however steep the adjacent faces are. Valid only at vertices of a mesh with one height at each (x, y), such as
             `rasters.surface` with model "tin". Default: None, no point.
+        tangent: (P, 4) float32: vectors whose part along the surface is the x axis of the frame of each point, and 1, or -1
+            for a left-handed frame (glTF's TANGENT). (P, 3) vectors get 1. Default: None, the frame depends on the normal
+            alone. `with_tangents` sets it.
 
     Raises:
         TypeError: Arrays that are not real numbers, faces or ids that are not integers, or `raised` that is not bool.
@@ -53,6 +57,7 @@ class SurfacePoints(Summary):
     barycentric: Array | None = None
     id: Array | None = None
     raised: Array | None = None
+    tangent: Array | None = None
 
     def __post_init__(self) -> None:
         """Check the types and shapes of the arrays, and set missing faces to -1."""
@@ -65,7 +70,8 @@ class SurfacePoints(Summary):
         id = None if self.id is None else _check_id(self.id)
         raised = None if self.raised is None else _check_raised(self.raised)
         arrays = {"position": position, "normal": normal, "face": face}
-        arrays |= {"barycentric": barycentric, "id": id, "raised": raised}
+        tangent = None if self.tangent is None else as_tangents(self.tangent, points)
+        arrays |= {"barycentric": barycentric, "id": id, "raised": raised, "tangent": tangent}
         shapes = {"normal": (points, 3), "barycentric": (points, 3)} | dict.fromkeys(("face", "id", "raised"), (points,))
         for name, array in arrays.items():
             if array is not None and array.shape != shapes.get(name, array.shape):
@@ -97,6 +103,75 @@ class SurfacePoints(Summary):
         rows = rows if isinstance(rows, slice) else _check_rows(rows, len(self))
         kept = {item.name: getattr(self, item.name) for item in fields(self)}
         return SurfacePoints(**{name: None if array is None else array[rows] for name, array in kept.items()})
+
+    def with_tangents(self, tangent: Any) -> "SurfacePoints":
+        """Return the points with tangents, which set the x axis of each point's frame.
+
+        x is the part of the tangent perpendicular to the normal n. y is n cross x, times the sign of the fourth number, as
+        in glTF. A tangent that is zero, NaN or parallel to the normal (a sine below 1e-3) gives the frame without tangents;
+        `sample_directions` counts such points with the status INVALID_TANGENT.
+
+        Args:
+            tangent: (P, 3) or (P, 4) real numbers of any length above 0, with the sign of the bitangent last; or (3,) for
+                all points.
+
+        Returns:
+            SurfacePoints with the same arrays and `tangent`.
+
+        Raises:
+            TypeError: The tangents are not real numbers.
+            ValueError: The shape is another one.
+
+        Example:
+            >>> points = ws.face_centers(ws.load_mesh("courtyard")).with_tangents([1.0, 0.0, 0.0])
+            >>> print(points.to_world([1.0, 0.0, 0.0])[:1])
+            [[1. 0. 0.]]
+        """
+        kept = {item.name: getattr(self, item.name) for item in fields(self)}
+        return SurfacePoints(**kept | {"tangent": as_tangents(tangent, len(self), "tangent", one_for_all=True)})
+
+    def to_local(self, vectors: Any) -> np.ndarray:
+        """Convert world vectors to the frames of the points, which `sample_directions` uses too; +z is the normal.
+
+        Args:
+            vectors: (3,), (P, 3) or (P, n, 3) real numbers, of any length. Differences of large coordinates keep their
+                digits if they are computed in float64 before this call.
+
+        Returns:
+            (P, 3) or (P, n, 3) float32; zero vectors at points without a normal.
+
+        Raises:
+            TypeError: The vectors are not real numbers.
+            ValueError: The shape is another one.
+
+        Example:
+            >>> points = ws.face_centers(ws.load_mesh("courtyard"))
+            >>> view = points.to_local([0.0, 0.0, 100.0] - points.position)
+            >>> print(view.shape, view.dtype)
+            (2080, 3) float32
+        """
+        return turn_vectors(self.normal, self.tangent, vectors, to_world=False)
+
+    def to_world(self, vectors: Any) -> np.ndarray:
+        """Convert vectors in the frames of the points to world coordinates, as `sample_directions` does.
+
+        Args:
+            vectors: (3,), (P, 3) or (P, n, 3) real numbers, of any length; +z is the normal.
+
+        Returns:
+            (P, 3) or (P, n, 3) float32; zero vectors at points without a normal.
+
+        Raises:
+            TypeError: The vectors are not real numbers.
+            ValueError: The shape is another one.
+
+        Example:
+            >>> points = ws.face_centers(ws.load_mesh("courtyard"))
+            >>> up = points.to_world([0.0, 0.0, 1.0])
+            >>> print(abs(up - points.normal).max() < 1e-6)
+            True
+        """
+        return turn_vectors(self.normal, self.tangent, vectors, to_world=True)
 
     def to_polydata(self) -> "PolyData":
         """Return the points as a PyVista PolyData, in the same order.
