@@ -45,6 +45,7 @@ _LOBES = (
     "CosineHemisphere",
     "GGX",
     "HenyeyGreenstein",
+    "LinearlyTransformedCosine",
     "OffsetBall",
     "OffsetCircle",
     "OffsetDisk",

@@ -42,6 +42,11 @@ from warpsample.distributions.scattering.henyey_greenstein import (
     square_to_henyey_greenstein,
     square_to_henyey_greenstein_pdf,
 )
+from warpsample.distributions.scattering.linearly_transformed_cosine import (
+    linearly_transformed_cosine_to_square,
+    square_to_linearly_transformed_cosine,
+    square_to_linearly_transformed_cosine_pdf,
+)
 from warpsample.distributions.uniform_cone import square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square
 from warpsample.distributions.uniform_disk import (
     square_to_uniform_disk,
@@ -93,6 +98,7 @@ __all__ = [
     "ggx_to_square",
     "henyey_greenstein_to_square",
     "independent",
+    "linearly_transformed_cosine_to_square",
     "nearest_hit",
     "offset_ball_to_square",
     "offset_circle_to_square",
@@ -113,6 +119,8 @@ __all__ = [
     "square_to_ggx_pdf",
     "square_to_henyey_greenstein",
     "square_to_henyey_greenstein_pdf",
+    "square_to_linearly_transformed_cosine",
+    "square_to_linearly_transformed_cosine_pdf",
     "square_to_offset_ball",
     "square_to_offset_ball_pdf",
     "square_to_offset_circle",

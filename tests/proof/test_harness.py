@@ -41,6 +41,11 @@ CAUGHT_BY = {
     "Henyey-Greenstein uniform for g < 0": {"direction", "density", "angle"},
     "Henyey-Greenstein by the usual quotient": {"direction", "sine", "cells"},
     "Henyey-Greenstein of the power 1": {"density", "cells", "mean stretch"},
+    "cosine transformed by the inverse": {"direction", "density", "cells", "mean stretch"},
+    "cosine transformed by the transpose": {"direction", "density", "cells", "mean stretch"},
+    "transformed cosine with a signed determinant": {"finite", "density", "mass"},
+    "transformed cosine of the power 2": {"density", "mass", "mean stretch"},
+    "transformed cosine not normalised": {"unit length"},
     "u on 16 bits": {"tails", "repeats"},
     "u on 12 bits": {"tails", "repeats"},
     "Warp's own generator": {"repeats"},
@@ -68,6 +73,7 @@ LONG += (
     "raw words as a key",
     "ids of 32 bits",
 )  # of many points, as one more
+LONG += ("cosine transformed by the transpose", "transformed cosine of the power 2")  # of masses in cells of two dimensions
 
 
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in CAUGHT_BY])

@@ -64,6 +64,8 @@ class Distribution(Parameterised):
         width: number of components of w: 3, or 2 in the plane.
         variates: number of coordinates of u that the map uses.
         symmetric: whether the density depends only on the angle to +z.
+        stretch: 3 x 3 matrix M, such that the lobe is round about +z in the coordinates o of directions M o / abs(M o); None
+            for the coordinates themselves. The laws count directions in cells of o.
         polar: whether u[0] is the cdf of the angle and u[1] the azimuth in turns.
         source: source of the formulas.
         worst_unit_length: bound of abs(abs(w) - 1) for `sample`, over all u.
@@ -86,6 +88,7 @@ class Distribution(Parameterised):
     width: ClassVar[int] = 3
     variates: ClassVar[int] = 2
     symmetric: ClassVar[bool] = True
+    stretch: ClassVar[tuple[tuple[float, ...], ...] | None] = None
     polar: ClassVar[bool] = True
     source: ClassVar[str]
     worst_unit_length: ClassVar[float] = 2e-7
@@ -109,7 +112,7 @@ class Distribution(Parameterised):
 
     @property
     def largest_angle(self) -> float:
-        """Largest angle to +z of the support in radians; for points of a disk, the radius."""
+        """Largest angle to +z of the support in radians, before the stretch; for points of a disk, the radius."""
         return pi if self.support == "sphere" else pi / 2.0
 
     @property

@@ -1,9 +1,15 @@
 """Angles of a direction: the azimuth, and functions of the angle to +z."""
 
+from math import factorial
+
 import warp as wp
 
-from warpsample.maths.numerics import INV_TWO_PI_DOUBLE, TWO, ZERO
+from warpsample.maths.numerics import HALF, INV_TWO_PI_DOUBLE, TWO, ZERO, fma_double
 
+_EIGHTH = wp.constant(wp.float64(0.125))
+_QUARTER = wp.constant(wp.float64(0.25))
+# Terms of cos 2 pi x and sin 2 pi x, by the power of x.
+_TAYLOR = tuple((-1.0) ** (n // 2) * 6.283185307179586**n / factorial(n) for n in range(16))
 _POLE = wp.constant(wp.float32(1e-30))  # closer to the pole the azimuth's gradient overflows float32
 _TINY = wp.constant(wp.float64(1e-90))
 _LARGEST_TAN_SQUARED = wp.constant(wp.float64(1e37))
@@ -39,6 +45,27 @@ def _adj_turns_of(x: wp.float32, y: wp.float32, adj_ret: wp.float32):
     if wp.max(wp.abs(x), wp.abs(y)) > _POLE:
         wp.adjoint[x] -= wp.float32(dy * turn)
         wp.adjoint[y] += wp.float32(dx * turn)
+
+
+@wp.func
+def sincos_turns_double(u: wp.float64) -> wp.vec2d:
+    """Return (cos 2 pi u, sin 2 pi u) for u in [0, 1] in float64; worst absolute error 1e-12, without libm calls.
+
+    u is reduced to an eighth of a turn as in `sincos_turns`, where both series of Taylor converge.
+    """
+    half = HALF - u
+    x = wp.abs(half) - _QUARTER
+    y = wp.abs(x)
+    nearer = y < _EIGHTH
+    turned = wp.where(nearer, y, _QUARTER - y)
+    t = turned * turned
+    c = ZERO
+    s = ZERO
+    for i in range(8):
+        c = fma_double(c, t, wp.float64(wp.static(_TAYLOR[14 - 2 * i])))
+        s = fma_double(s, t, wp.float64(wp.static(_TAYLOR[15 - 2 * i])))
+    s = s * turned
+    return wp.vec2d(wp.copysign(wp.where(nearer, s, c), x), wp.copysign(wp.where(nearer, c, s), half))
 
 
 @wp.func
