@@ -48,7 +48,8 @@ def sizes(case):
         found["g"] = 1.0 - abs(found["g"])
     if "view" in known:
         across = np.hypot(*case.view[:2])
-        found["view"] = min(across or 1.0, np.hypot(case.view[2], case.alpha * across))
+        alpha = min(case.alpha, case.alpha_y or case.alpha)
+        found["view"] = min(across or 1.0, np.hypot(case.view[2], alpha * across))
     if "matrix" in known:
         found["matrix"] = np.linalg.svd(known["matrix"], compute_uv=False).min()
     return found
@@ -98,7 +99,10 @@ def off_edges(case, w):
         return min(case.rho, 1.0) ** 2 - norm(w[:, :2]) ** 2 > 1e-2 * min(case.rho, 1.0) ** 2
     if case.stretch is not None and case not in WITH_VIEW:
         return np.cos(chart_of(case).polar(w)) > 1e-3
-    return w @ case.view > 1e-3 * case.alpha + 2e-6 if case in WITH_VIEW else np.ones(len(w), bool)
+    if case not in WITH_VIEW:
+        return np.ones(len(w), bool)
+    # Differences are of a direction along any axis, and so are less precise where the lobe is narrower along one.
+    return w @ case.view > (1e-3 if case.alpha_y is None else 3e-3) * case.alpha + 2e-6
 
 
 def tangents(w):

@@ -13,7 +13,6 @@
   directions between the frame and world coordinates.
 """
 
-from warpsample.distributions.beckmann import beckmann_to_square, square_to_beckmann, square_to_beckmann_pdf
 from warpsample.distributions.cosine_hemisphere import (
     cosine_hemisphere_to_square,
     cosine_hemisphere_to_square_concentric,
@@ -23,7 +22,38 @@ from warpsample.distributions.cosine_hemisphere import (
     square_to_cosine_hemisphere_offset,
     square_to_cosine_hemisphere_pdf,
 )
-from warpsample.distributions.ggx import ggx_to_square, square_to_ggx, square_to_ggx_pdf
+from warpsample.distributions.microfacets.beckmann import (
+    anisotropic_beckmann_to_square,
+    beckmann_to_square,
+    square_to_anisotropic_beckmann,
+    square_to_anisotropic_beckmann_pdf,
+    square_to_beckmann,
+    square_to_beckmann_pdf,
+)
+from warpsample.distributions.microfacets.ggx import (
+    anisotropic_ggx_to_square,
+    ggx_to_square,
+    square_to_anisotropic_ggx,
+    square_to_anisotropic_ggx_pdf,
+    square_to_ggx,
+    square_to_ggx_pdf,
+)
+from warpsample.distributions.microfacets.visible_beckmann import (
+    anisotropic_visible_beckmann_to_square,
+    square_to_anisotropic_visible_beckmann,
+    square_to_anisotropic_visible_beckmann_pdf,
+    square_to_visible_beckmann,
+    square_to_visible_beckmann_pdf,
+    visible_beckmann_to_square,
+)
+from warpsample.distributions.microfacets.visible_ggx import (
+    anisotropic_visible_ggx_to_square,
+    square_to_anisotropic_visible_ggx,
+    square_to_anisotropic_visible_ggx_pdf,
+    square_to_visible_ggx,
+    square_to_visible_ggx_pdf,
+    visible_ggx_to_square,
+)
 from warpsample.distributions.offset_ball import offset_ball_to_square, square_to_offset_ball, square_to_offset_ball_pdf
 from warpsample.distributions.offset_circle import (
     offset_circle_to_square,
@@ -65,12 +95,6 @@ from warpsample.distributions.uniform_sphere import (
     square_to_uniform_sphere_pdf,
     uniform_sphere_to_square,
 )
-from warpsample.distributions.visible_beckmann import (
-    square_to_visible_beckmann,
-    square_to_visible_beckmann_pdf,
-    visible_beckmann_to_square,
-)
-from warpsample.distributions.visible_ggx import square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square
 from warpsample.distributions.von_mises_fisher import (
     square_to_von_mises_fisher,
     square_to_von_mises_fisher_pdf,
@@ -89,6 +113,10 @@ from warpsample.tracing.own_rays import Tree, any_hit, nearest_hit, offset_origi
 __all__ = [
     "Lobe",
     "Tree",
+    "anisotropic_beckmann_to_square",
+    "anisotropic_ggx_to_square",
+    "anisotropic_visible_beckmann_to_square",
+    "anisotropic_visible_ggx_to_square",
     "any_hit",
     "beckmann_to_square",
     "cosine_hemisphere_to_square",
@@ -108,6 +136,14 @@ __all__ = [
     "power_cosine_to_square",
     "r2",
     "sobol",
+    "square_to_anisotropic_beckmann",
+    "square_to_anisotropic_beckmann_pdf",
+    "square_to_anisotropic_ggx",
+    "square_to_anisotropic_ggx_pdf",
+    "square_to_anisotropic_visible_beckmann",
+    "square_to_anisotropic_visible_beckmann_pdf",
+    "square_to_anisotropic_visible_ggx",
+    "square_to_anisotropic_visible_ggx_pdf",
     "square_to_beckmann",
     "square_to_beckmann_pdf",
     "square_to_cosine_hemisphere",

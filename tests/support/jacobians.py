@@ -20,11 +20,13 @@ LAST = 1.0 - CELL
 VIEWS = ((0.0, 0.0, 1.0), (0.6, -0.64, 0.48), (1.0, 0.0, 0.0), (-0.8, 0.0, 0.6), (1e-4, 0.0, 1.0))
 CASES = [
     *(kind(alpha) for kind in (ws.GGX, ws.Beckmann) for alpha in (1e-3, 0.05, 0.3, 1.0)),
+    *(kind(*alphas) for kind in (ws.GGX, ws.Beckmann) for alphas in ((0.3, 0.05), (1e-3, 1e-2), (1.0, 0.2))),
     *map(ws.PowerCosine, (0.0, 1.0, 2.5, 100.0, 1e6)),
     *map(ws.VonMisesFisher, (1e-6, 0.5, 8.0, 20.0, 1000.0, 1e6)),
     *map(ws.HenyeyGreenstein, (0.0, 1e-4, 0.7, -0.7, -0.99, 0.9999)),
     *map(ws.OffsetSphere, (1e-3, 0.5, 1.0, 1.5, 100.0)),
     *(ws.UniformCone(one_minus_cos=c) for c in (1.999, 1.0, 0.25, 1e-5)),
+    *(kind(0.3, view, 0.1) for kind in (ws.VisibleGGX, ws.VisibleBeckmann) for view in VIEWS),
     *(kind(alpha, view) for kind in (ws.VisibleGGX, ws.VisibleBeckmann) for alpha in (1e-3, 0.3, 1.0) for view in VIEWS),
     *ws.LinearlyTransformedCosine.cases(),
     *map(ws.CosineHemisphere, ("polar", "concentric", "inversion", "offset")),

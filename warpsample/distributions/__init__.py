@@ -2,11 +2,11 @@
 
 import ast
 import sys
-from dataclasses import fields
+from dataclasses import MISSING, fields
 from functools import cache
 from typing import Any
 
-from warpsample.distributions import scattering
+from warpsample.distributions import microfacets, scattering
 from warpsample.distributions.own import Twin, UserDistribution, check_kind, check_twin, is_same_class, user_distributions
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import told
@@ -18,7 +18,7 @@ __all__ = ["Distribution", "Maps", "as_distribution", "as_spatial", "classes", "
 @cache
 def _find_package_distributions() -> dict[str, type[Distribution]]:
     """Import and return the distributions of the package, name -> class; the import takes half as long as `import warp`."""
-    return records_of(sys.modules[__name__]) | records_of(scattering)
+    return records_of(sys.modules[__name__]) | records_of(microfacets) | records_of(scattering)
 
 
 def _find_distributions() -> dict[str, type[Distribution]]:
@@ -138,7 +138,8 @@ def as_distribution(value: Any) -> Distribution:
             raise SyntaxError
         return kind(**_parse_keywords(inside.removesuffix(")")))
     except (TypeError, SyntaxError) as error:
-        example = f"{name}({', '.join(f'{field.name}=...' for field in fields(kind))})"
+        required = [field for field in fields(kind) if field.default is MISSING] or fields(kind)
+        example = f"{name}({', '.join(f'{field.name}=...' for field in required)})"
         reason = "" if "__init__()" in str(error) or isinstance(error, SyntaxError) else f" ({error})"
         raise TypeError(f"distribution: got {told(value)}, want {example}{reason}") from None
 

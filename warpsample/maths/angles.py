@@ -80,7 +80,13 @@ def sin_squared(w: wp.vec3) -> wp.float64:
 def tan_squared(w: wp.vec3) -> wp.float64:
     """Return tan^2 of the angle between w and +z, at most 1e37; 1 / z^2 - 1 would lose precision near the pole."""
     x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
-    return wp.min((x * x + y * y) / wp.max(z * z, _TINY), _LARGEST_TAN_SQUARED)
+    return quotient_of_squares(x * x + y * y, z)
+
+
+@wp.func
+def quotient_of_squares(across: wp.float64, z: wp.float64) -> wp.float64:
+    """Return across / z^2, at most 1e37."""
+    return wp.min(across / wp.max(z * z, _TINY), _LARGEST_TAN_SQUARED)
 
 
 @wp.func

@@ -11,9 +11,11 @@ from typing import Any
 import numpy as np
 
 from warpsample.directions.sample import sample_square
-from warpsample.distributions.beckmann import Beckmann
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
-from warpsample.distributions.ggx import GGX
+from warpsample.distributions.microfacets.beckmann import Beckmann
+from warpsample.distributions.microfacets.ggx import GGX
+from warpsample.distributions.microfacets.visible_beckmann import VisibleBeckmann
+from warpsample.distributions.microfacets.visible_ggx import VisibleGGX
 from warpsample.distributions.offset_ball import OffsetBall
 from warpsample.distributions.offset_circle import OffsetCircle
 from warpsample.distributions.offset_disk import OffsetDisk
@@ -25,8 +27,6 @@ from warpsample.distributions.uniform_cone import UniformCone
 from warpsample.distributions.uniform_disk import UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere
-from warpsample.distributions.visible_beckmann import VisibleBeckmann
-from warpsample.distributions.visible_ggx import VisibleGGX
 from warpsample.proof import laws
 from warpsample.proof.evidence import Evidence, Subject
 from warpsample.proof.twins import polar_angle, spherical
