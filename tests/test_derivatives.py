@@ -1,4 +1,4 @@
-"""The wp.funcs of the kernel API under wp.Tape: their gradients are those of the float64 twins, finite everywhere."""
+"""Gradients of the kernel API's wp.funcs under wp.Tape: equal to those of the float64 twins, and finite everywhere."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ TOO_NARROW = (ws.OffsetSphere(1e-15), ws.UniformCone(one_minus_cos=1e-24))
 
 @pytest.fixture(autouse=True)
 def _twins_of_any_parameter(monkeypatch):
-    """The twins round their parameters to float32, as kernels take them; a difference is of the formula itself."""
+    """Replace the twins' rounding of parameters to float32, because difference quotients need exact parameters."""
     for module in (shapes, microfacets):
         monkeypatch.setattr(module, "parameter", lambda d, name: float(getattr(d, name)))
     monkeypatch.setattr(microfacets, "_view", lambda d: d.view)
@@ -35,10 +35,10 @@ def norm(a, axis=-1):
 
 
 def sizes(case):
-    """The change of each parameter that changes a distribution by as much as itself, by name.
+    """Return the scale on which a distribution varies with each parameter, by name.
 
-    A Henyey-Greenstein lobe is as wide as 1 - abs(g). Exponents and concentrations below 1 change as little as 1 does.
-    A view does by its angle to +z and to the horizon, a matrix by its smallest singular value.
+    A Henyey-Greenstein lobe is as wide as 1 - abs(g). For exponents and concentrations below 1 the scale is
+    1. For a view it depends on the angles to +z and to the horizon. For a matrix it is the smallest singular value.
     """
     known = parameters(case)
     found = {name: float(value) for name, value in known.items() if value.ndim == 0}
@@ -56,7 +56,7 @@ def sizes(case):
 
 
 def by_parameter(case, f, name, fineness):
-    """(..., k): the derivative of f(case) by the k components of a parameter."""
+    """Return the derivative (..., k) of f(case) with respect to the k components of a parameter."""
     value = parameters(case)[name]
     axes = np.eye(value.size).reshape(-1, *value.shape)
     step = fineness * sizes(case)[name]
@@ -64,17 +64,17 @@ def by_parameter(case, f, name, fineness):
 
 
 def with_derivative(case):
-    """The names of the parameters by which a map can be differentiated: the azimuth of a view along +z jumps."""
+    """Return the names of the parameters with a derivative of the map: the azimuth of a view along +z jumps."""
     return [name for name in case.parameters if name != "view" or case.view != PLUS_Z]
 
 
 def fineness(case):
-    """The relative step for a twin's directions. With a view they are a bisection, right to 2e-10, or a sum that cancels."""
+    """Return the relative step for a twin's directions; with a view, bisection or cancellation makes them less exact."""
     return 1e-2 if case in WITH_VIEW else 1e-5
 
 
 def by_square(case, u):
-    """(N, width, 2): how a twin's directions follow u, inside of the square."""
+    """Return the derivative (N, width, 2) of a twin's directions with respect to u, inside the square."""
     gap = np.minimum(u, 1.0 - u)
     step = 1e-2 if case.name == "visible_beckmann" else 1e-3
     columns = [
@@ -84,7 +84,7 @@ def by_square(case, u):
 
 
 def inside(case):
-    """Variates of the open square that are off the seams, where an inverse is differentiable, by what it says of itself."""
+    """Return variates inside the square and off the stated seams, where an inverse is differentiable."""
     u = U[(U.min(axis=1) > 0.0) & (U.max(axis=1) < LAST)]
     if getattr(case, "method", "") == "concentric":
         return u[np.abs(np.abs(u[:, 0] - 0.5) - np.abs(u[:, 1] - 0.5)) > 1e-3]
@@ -94,7 +94,7 @@ def inside(case):
 
 
 def off_edges(case, w):
-    """Whether a density is differentiable at w: not where its edge is clamped, or a horizon blurred."""
+    """Return whether a density is differentiable at w: away from a clamped edge and from a blurred horizon."""
     if case.name == "offset_sphere":
         return min(case.rho, 1.0) ** 2 - norm(w[:, :2]) ** 2 > 1e-2 * min(case.rho, 1.0) ** 2
     if case.stretch is not None and case not in WITH_VIEW:
@@ -106,14 +106,14 @@ def off_edges(case, w):
 
 
 def tangents(w):
-    """(N, 2 or 1, width): orthonormal and across the directions w."""
+    """Return orthonormal vectors (N, 2 or 1, width) perpendicular to the directions w."""
     if w.shape[1] == 2:
         return np.stack([-w[:, 1], w[:, 0]], axis=1)[:, None]
     return twins.frames(w / norm(w)[:, None])[:, :, :2].swapaxes(1, 2)
 
 
 def moved(w, by):
-    """Unit vectors in the directions w + by."""
+    """Return the unit vectors along w + by."""
     return (w + by) / norm(w + by)[:, None]
 
 
@@ -139,7 +139,7 @@ def test_maps_follow_their_parameters(case):
 
 @pytest.mark.parametrize("case", CASES, ids=repr)
 def test_densities_follow_the_direction_and_the_parameters(case):
-    """Along the sphere: off it a density is whatever its formula says.
+    """Derivatives are along the sphere; off the sphere a density depends on the form of its formula.
 
     The error is relative to the derivative and the density, this over the change of a parameter that changes it by itself.
     """
@@ -204,7 +204,7 @@ NORMALS = np.array(
 
 
 def test_frames_follow_the_normal_and_the_direction():
-    """Where z changes sign the frame jumps: there the gradient is that of the sign's side, so z is moved away from 0."""
+    """The frame jumps where z changes sign, so z is moved away from 0."""
     n = (NORMALS / norm(NORMALS)[:, None]).astype(np.float32).astype(np.float64)
     w = np.random.default_rng(7).normal(size=n.shape).astype(np.float32).astype(np.float64)
     away = np.copysign(1.0, n[:, 2])[:, None]
@@ -224,7 +224,7 @@ def test_frames_follow_the_normal_and_the_direction():
 
 @pytest.mark.parametrize("case", all_cases(), ids=repr)
 def test_no_gradient_is_nan_or_infinite(case):
-    """Also at the bounds of the parameters, outside of the support, and where nothing can be differentiated."""
+    """This includes the bounds of the parameters, directions outside the support, and points without a derivative."""
     up = np.eye(case.width)[-1]
     tiny = 10.0 ** -np.arange(1.0, 45.0, 4.0)[:, None] * np.eye(case.width)[0]
     w = np.random.default_rng(8).normal(size=(100, case.width))
