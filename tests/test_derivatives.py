@@ -161,7 +161,9 @@ def test_densities_follow_the_direction_and_the_parameters(case):
         fine = 1e-9 if case == ws.OffsetSphere(1.0) else 1e-5
         exact = by_parameter(case, lambda d: twins.density(d, w), name, fine)
         errors.append(norm(by_p - exact) / (norm(exact) + value / sizes(case)[name]))
-    assert max((e.max() for e in errors), default=0.0) <= 1e-5
+    # A derivative with respect to one of two roughnesses is a sum over their mean and both quotients, which cancels in part.
+    limit = 1e-5 if getattr(case, "alpha_y", None) is None else 2e-5
+    assert max((e.max() for e in errors), default=0.0) <= limit
 
 
 @pytest.mark.parametrize("case", INVERTIBLE, ids=repr)
