@@ -11,7 +11,14 @@ from warpsample.directions.samples import (
     select_accessors,
 )
 from warpsample.directions.variates import LANES
-from warpsample.distributions.by_point import Layout, column_loader, column_writer, repeat_number, row_check, row_loader
+from warpsample.distributions.by_point.tables import (
+    Layout,
+    column_loader,
+    column_writer,
+    repeat_number,
+    row_check,
+    row_loader,
+)
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_along

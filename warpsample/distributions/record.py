@@ -7,8 +7,8 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 import warp as wp
 
+from warpsample.distributions.by_point.parameterised import Parameterised, Range
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise, elementwise_by_point
-from warpsample.distributions.parameterised import Parameterised, Range
 from warpsample.distributions.parameters import about_normal_of, bind_parameters, build_about, build_about_frame
 from warpsample.host.arrays import Array, Floats, as_real, as_square
 from warpsample.host.device_memory import Memory
@@ -253,7 +253,7 @@ class Distribution(Parameterised):
         target = new_vectors(source, source.shape, out_width)
         bound = bind_parameters(func, _VECTORS[width], len(self.parameters))
         if source.count:
-            (self._apply_by_point if self.by_point else self._apply_constant)(bound, source, target, width, out_width)
+            (self._apply_by_point if self.by_point else self._apply_constant)(bound, source, target)
         return target.owner
 
     def _check_rows_of(self, source: Vectors, argument: str) -> None:
@@ -263,17 +263,17 @@ class Distribution(Parameterised):
             wants = f"({len(table)}, {source.width}) or ({len(table)}, n, {source.width}), as {name} has {len(table):,} rows"
             raise ValueError(f"{argument}: got shape {(*source.shape, source.width)}, want {wants}")
 
-    def _apply_constant(self, bound: wp.Function, source: Vectors, target: Vectors, width: int, out_width: int) -> None:
+    def _apply_constant(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
         """Apply a function of (vector, Parameters) with constant parameters."""
         block = FLAT_BLOCK if source.device.is_cpu else 1
         inputs = [source.count, block, source.address, target.address, self.kernel_parameters()]
-        kernel = elementwise(bound, width, out_width)
+        kernel = elementwise(bound, source.width, target.width)
         run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
 
-    def _apply_by_point(self, bound: wp.Function, source: Vectors, target: Vectors, width: int, out_width: int) -> None:
+    def _apply_by_point(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
         """Apply a function of (vector, Parameters) with parameters by point."""
         block, count = FLAT_BLOCK if source.device.is_cpu else 1, source.count // source.shape[0]
-        kernel = elementwise_by_point(bound, width, out_width, self.layout, block)
+        kernel = elementwise_by_point(bound, source.width, target.width, self.layout, block)
         with Memory.of(None, source.owner).loan() as loan:
             inputs = [source.count, count, source.address, target.address, self.lend_tables(loan), self.kernel_parameters()]
             run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)

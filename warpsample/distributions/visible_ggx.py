@@ -6,9 +6,9 @@ from typing import Any, ClassVar
 import numpy as np
 import warp as wp
 
+from warpsample.distributions.by_point.rows import copy_views
 from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.host.arrays import as_view
-from warpsample.host.rows_by_point import copy_views
 from warpsample.maths.angles import turns_of
 from warpsample.maths.numerics import INV_PI, ZERO, clamp_uniform, fma, polish, root, sincos_turns
 

@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsample.directions.samples import INVALID_PARAMETER, INVALID_TANGENT
-from warpsample.distributions.by_point import row_check, row_loader
+from warpsample.distributions.by_point.tables import row_check, row_loader
 from warpsample.estimate.free import BLOCK, free_lobe
 from warpsample.estimate.lobe import NOTHING, traced_lobe
 from warpsample.estimate.lobes import NONFINITE_VALUE, Lobes, orienter_of

@@ -38,7 +38,7 @@ class Lobes:
     falloff: Exponent of the falloff, 0 without one.
     edge: Largest variance expected from an edge through a stratum, in rays squared; the limit of `edge_variance`.
     parameters: Parameters of the distribution.
-    tables: Address of the addresses of the parameters by point, see `distributions.by_point`, or 0.
+    tables: Address of the addresses of the parameters by point, see `distributions.by_point.tables`, or 0.
     tangents: Tangents of the points, (P, 4) float32, or 0.
     value, error, spread, degrees: Results, (P, channels) float32.
     cast: Number of rays cast, (P,) int32.

@@ -5,7 +5,7 @@ from typing import Any
 
 import warp as wp
 
-from warpsample.distributions.by_point import Layout
+from warpsample.distributions.by_point.tables import Layout
 from warpsample.sequences.record import Sequence
 
 

@@ -6,12 +6,12 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 from typing_extensions import Self
 
-from warpsample.distributions.by_point import Layout, layout_of, lend_tables, tables_in, without_tables
+from warpsample.distributions.by_point.rows import as_rows, copy_rows
+from warpsample.distributions.by_point.tables import Layout, layout_of, lend_tables, tables_in, without_tables
 from warpsample.distributions.parameters import SIZES, pack_parameters, parameter_types
 from warpsample.host.arguments import check_number
 from warpsample.host.device_memory import Loan
 from warpsample.host.known import digest_of
-from warpsample.host.rows_by_point import as_rows, copy_rows
 
 Range: TypeAlias = tuple[float, float] | None
 
