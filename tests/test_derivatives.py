@@ -1,4 +1,4 @@
-"""The wp.funcs of the kernel API under wp.Tape: their gradients are those of the float64 twins, finite everywhere."""
+"""Gradients of the kernel API's wp.funcs under wp.Tape: equal to those of the float64 twins, and finite everywhere."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ TOO_NARROW = (ws.OffsetSphere(1e-15), ws.UniformCone(one_minus_cos=1e-24))
 
 @pytest.fixture(autouse=True)
 def _twins_of_any_parameter(monkeypatch):
-    """The twins round their parameters to float32, as kernels take them; a difference is of the formula itself."""
+    """Replace the twins' rounding of parameters to float32, because difference quotients need exact parameters."""
     for module in (shapes, microfacets):
         monkeypatch.setattr(module, "parameter", lambda d, name: float(getattr(d, name)))
     monkeypatch.setattr(microfacets, "_view", lambda d: d.view)
@@ -33,9 +33,9 @@ def norm(a, axis=-1):
 
 
 def sizes(case):
-    """The change of the scalar, and of the view, that changes a distribution by as much as itself.
+    """Return the scales on which a distribution varies with its scalar and with its view.
 
-    Exponents and concentrations below 1 change as little as 1 does. A view does by its angle to +z and to the horizon.
+    For exponents and concentrations below 1 the scale is 1. For a view it depends on the angles to +z and to the horizon.
     """
     scalar, view = parameters(case)
     across = np.hypot(*view[:2])
@@ -44,25 +44,25 @@ def sizes(case):
 
 
 def by_scalar(case, f, fineness):
-    """The derivative of f(case) by the case's scalar."""
+    """Return the derivative of f(case) with respect to the scalar of the case."""
     scalar, _ = parameters(case)
     return slope(lambda h: f(like(case, scalar=scalar + h)), fineness * sizes(case)[0])
 
 
 def by_view(case, f, fineness):
-    """(..., 3): the derivative of f(case) by the components of the view."""
+    """Return the derivative (..., 3) of f(case) with respect to the components of the view."""
     _, view = parameters(case)
     step = fineness * sizes(case)[1]
     return np.stack([slope(lambda h, axis=axis: f(like(case, view=view + h * axis)), step) for axis in np.eye(3)], axis=-1)
 
 
 def fineness(case):
-    """The relative step for a twin's directions. With a view they are a bisection, right to 2e-10, or a sum that cancels."""
+    """Return the relative step for a twin's directions; with a view, bisection or cancellation makes them less exact."""
     return 1e-2 if case in WITH_VIEW else 1e-5
 
 
 def by_square(case, u):
-    """(N, width, 2): how a twin's directions follow u, inside of the square."""
+    """Return the derivative (N, width, 2) of a twin's directions with respect to u, inside the square."""
     gap = np.minimum(u, 1.0 - u)
     step = 1e-2 if case.name == "visible_beckmann" else 1e-3
     columns = [
@@ -72,7 +72,7 @@ def by_square(case, u):
 
 
 def inside(case):
-    """Variates of the open square that are off the seams, where an inverse is differentiable, by what it says of itself."""
+    """Return variates inside the square and off the stated seams, where an inverse is differentiable."""
     u = U[(U.min(axis=1) > 0.0) & (U.max(axis=1) < LAST)]
     if getattr(case, "method", "") == "concentric":
         return u[np.abs(np.abs(u[:, 0] - 0.5) - np.abs(u[:, 1] - 0.5)) > 1e-3]
@@ -82,7 +82,7 @@ def inside(case):
 
 
 def off_edges(case, w):
-    """Whether a density is differentiable at w: not where its edge is clamped, or the view's horizon blurred."""
+    """Return whether a density is differentiable at w: away from a clamped edge and from a blurred horizon of the view."""
     scalar, view = parameters(case)
     if case.name == "offset_sphere":
         return min(scalar, 1.0) ** 2 - norm(w[:, :2]) ** 2 > 1e-2 * min(scalar, 1.0) ** 2
@@ -90,14 +90,14 @@ def off_edges(case, w):
 
 
 def tangents(w):
-    """(N, 2 or 1, width): orthonormal and across the directions w."""
+    """Return orthonormal vectors (N, 2 or 1, width) perpendicular to the directions w."""
     if w.shape[1] == 2:
         return np.stack([-w[:, 1], w[:, 0]], axis=1)[:, None]
     return twins.frames(w / norm(w)[:, None])[:, :, :2].swapaxes(1, 2)
 
 
 def moved(w, by):
-    """Unit vectors in the directions w + by."""
+    """Return the unit vectors along w + by."""
     return (w + by) / norm(w + by)[:, None]
 
 
@@ -123,7 +123,7 @@ def test_maps_follow_their_parameters(case):
 
 @pytest.mark.parametrize("case", CASES, ids=repr)
 def test_densities_follow_the_direction_and_the_parameters(case):
-    """Along the sphere: off it a density is whatever its formula says.
+    """Derivatives are along the sphere; off the sphere a density depends on the form of its formula.
 
     The error is relative to the derivative and the density, this over the change of a parameter that changes it by itself.
     """
@@ -192,7 +192,7 @@ NORMALS = np.array(
 
 
 def test_frames_follow_the_normal_and_the_direction():
-    """Where z changes sign the frame jumps: there the gradient is that of the sign's side, so z is moved away from 0."""
+    """The frame jumps where z changes sign, so z is moved away from 0."""
     n = (NORMALS / norm(NORMALS)[:, None]).astype(np.float32).astype(np.float64)
     w = np.random.default_rng(7).normal(size=n.shape).astype(np.float32).astype(np.float64)
     away = np.copysign(1.0, n[:, 2])[:, None]
@@ -212,7 +212,7 @@ def test_frames_follow_the_normal_and_the_direction():
 
 @pytest.mark.parametrize("case", all_cases(), ids=repr)
 def test_no_gradient_is_nan_or_infinite(case):
-    """Also at the bounds of the parameters, outside of the support, and where nothing can be differentiated."""
+    """This includes the bounds of the parameters, directions outside the support, and points without a derivative."""
     up = np.eye(case.width)[-1]
     tiny = 10.0 ** -np.arange(1.0, 45.0, 4.0)[:, None] * np.eye(case.width)[0]
     w = np.random.default_rng(8).normal(size=(100, case.width))

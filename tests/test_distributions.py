@@ -13,7 +13,7 @@ COSINE = [case for case in CASES if isinstance(case, ws.CosineHemisphere)]
 
 
 def independent_directions(distribution, count, seed=0):
-    """Local directions of independent u; N = 64 * count."""
+    """Return N = 64 * count local directions of independent u."""
     return distribution.sample(ws.sample_square("independent", count, 64, seed=seed).reshape(-1, 2))
 
 
@@ -27,7 +27,7 @@ def test_ten_laws_or_more_judge_every_case():
 
 
 def mostly_slow(cases):
-    """The cases for pytest: of each kind one is quick. Masses of slanted views, and VisibleBeckmann, take seconds."""
+    """Return the cases as parameters: one of each kind is quick; slanted views and VisibleBeckmann take seconds."""
     straight = [case for case in cases if getattr(case, "view", (0.0, 0.0, 1.0)) == (0.0, 0.0, 1.0)]
     quick = {(case.name, getattr(case, "method", "")): case for case in straight if case.name != "visible_beckmann"}.values()
     return [case if case in quick else pytest.param(case, marks=pytest.mark.slow) for case in cases]
@@ -35,7 +35,7 @@ def mostly_slow(cases):
 
 @pytest.mark.parametrize("case", mostly_slow(CASES), ids=repr)
 def test_every_law_holds(case):
-    """Here every 64th variate and 2^18 draws are taken; `warpsample verify` takes 16 times as many."""
+    """The test takes every 64th variate and 2^18 draws; `warpsample verify` takes 16 times that number."""
     assert broken(verify.judge_case(case, every=64, draws=1 << 18)) == []
 
 
@@ -52,7 +52,7 @@ def test_hostile_normals_are_survived(case):
 @pytest.mark.slow
 @pytest.mark.parametrize("method", ["polar", "offset"])
 def test_cosine_lobe_is_correct_at_every_variate(method):
-    """All 2^24 values of both coordinates are taken; `verify --thorough` does so for the other methods and distributions."""
+    """The test takes all 2^24 values of both coordinates; `verify --thorough` does so for all distributions."""
     case = ws.CosineHemisphere(method)
     found = verify.judge(verify.Evidence(verify.Subject(repr(case), case, case)), verify.LAWS[:6])
     assert len(found) == 6
@@ -105,7 +105,7 @@ def test_cdf_is_the_integral_of_the_density(case):
 
 @pytest.mark.parametrize("case", [case for case in CASES if case.symmetric], ids=repr)
 def test_chances_are_0_below_all_angles_and_1_above(case):
-    """This holds where the formula itself would turn round too; chances are float64, whatever the angles are."""
+    """This holds where the formula itself is not monotonic, too. Probabilities are float64 for any type of angles."""
     assert case.cdf([-4.0, 4.0]).tolist() == pytest.approx([0.0, 1.0], abs=1e-15)  # a few roundings
     assert case.cdf(np.float32([0.5, 1.0])).dtype == np.float64
 

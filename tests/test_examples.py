@@ -1,4 +1,4 @@
-"""Every public function says what it takes and gives, and shows it by an example, which is run."""
+"""Every public function documents its arguments and its result, and has an example, which is run."""
 
 import inspect
 from enum import Enum
@@ -16,7 +16,7 @@ ACCESSOR = type(pv.PolyData().warpsample)
 
 
 def public():
-    """(name, function) of the functions of `ws.__all__`, its modules' and its classes', each where it is first defined."""
+    """Return (name, function) of the functions of `ws.__all__`, its modules and classes, where they are first defined."""
     for name in ws.__all__:
         item = getattr(ws, name)
         if isinstance(item, ModuleType):
@@ -34,7 +34,7 @@ def public():
 
 
 def own(owner):
-    """Public functions by name, class methods among them."""
+    """Return public functions by name, including class methods."""
     found = ((key, getattr(owner, key)) for key in vars(owner) if not key.startswith("_"))
     return [(key, item) for key, item in found if inspect.isfunction(item) or inspect.ismethod(item)]
 
@@ -46,7 +46,7 @@ def methods(name, owner):
 
 
 def documented():
-    """Every docstring that has an example, of functions and of classes."""
+    """Return every docstring with an example, of functions and of classes."""
     classes = {name: item for name in ws.__all__ if inspect.isclass(item := getattr(ws, name))}
     return FUNCTIONS | {name: item for name, item in classes.items() if "Example" in sections(item)}
 

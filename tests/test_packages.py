@@ -1,4 +1,4 @@
-"""The wheel and the sdist: built from the checkout, and used outside of it by a plain installation."""
+"""Wheel and sdist, built from the checkout and used outside the checkout by a plain installation."""
 
 import os
 import re
@@ -28,7 +28,7 @@ def test_papers_are_one_screen_and_their_links_lead_to_files(repository):
 
 
 def environment(folder):
-    """The Python of a new environment, and how to run something there: away from the checkout."""
+    """Return the Python of a new environment, and a function that runs commands there, outside the checkout."""
     subprocess.run([sys.executable, "-m", "venv", folder / "venv"], check=True)
     variables = {key: value for key, value in os.environ.items() if not key.startswith("PYTHON")}
     python = str(folder / "venv" / "bin" / "python")
@@ -44,7 +44,7 @@ def environment(folder):
 
 @pytest.fixture(scope="module")
 def packages(repository, tmp_path_factory):
-    """The folder of a wheel and an sdist of a copy of the checkout's files."""
+    """Return the folder with a wheel and an sdist, built from a copy of the checkout's files."""
     folder = tmp_path_factory.mktemp("build")
     left_out = shutil.ignore_patterns(".git", ".*_cache", "__pycache__", ".venv")
     shutil.copytree(repository, folder / "checkout", ignore=left_out)

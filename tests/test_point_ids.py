@@ -1,4 +1,4 @@
-"""Global ids of points: what is drawn at a point follows its id, in every call, however the points are put together."""
+"""Global ids of points: the random numbers of a point depend on its id alone, in every call and any selection of points."""
 
 from dataclasses import fields, is_dataclass
 from inspect import signature
@@ -51,7 +51,7 @@ CALLS = [
 
 @pytest.fixture(scope="module")
 def scene():
-    """A mesh, and points of which one is nowhere and one has no normal."""
+    """Return a mesh and points; one point has no finite position and one has no normal."""
     mesh = ws.load_mesh("courtyard")
     points = ws.sample_surface(mesh, POINTS, seed=4)
     position, normal = points.position.copy(), points.normal.copy()
@@ -69,7 +69,7 @@ def with_ids(points, ids):
 
 
 def rows_of(found):
-    """All arrays of a result that have a row for each point, by name."""
+    """Return by name all arrays of a result with one row per point."""
     if not is_dataclass(found):
         return {"answer": found}
     arrays = {item.name: getattr(found, item.name) for item in fields(found)}
@@ -84,7 +84,7 @@ def assert_rows(found, right, rows=slice(None)):
 
 
 def assert_laws(call, mesh, points):
-    """What ids say: they count like first_point, and go with their points in any order, part, mask and number of threads."""
+    """Check that ids act like first_point, and stay with their points in any order, part, mask and number of threads."""
     ids = np.arange(FIRST, FIRST + POINTS, dtype=np.uint64)
     whole = call(mesh, points, seed=5, first_point=FIRST)
     owned = with_ids(points, ids)
@@ -116,7 +116,7 @@ def test_what_is_drawn_follows_the_ids(call, scene):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", quantities())
 def test_every_quantity_follows_the_ids(name, scene, athens):
-    """Those that a list of calls like the above forgets, too."""
+    """This includes quantities that are missing in the list of calls above."""
     pytest.importorskip("pvlib")
     pytest.importorskip("pyradiance")
     mesh, points = scene
@@ -149,7 +149,7 @@ def test_quantities_take_points_with_ids(scene, athens):
 
 
 def test_some_calls_differ_by_the_ids(scene):
-    """So that the laws above are not true of calls that do not look at ids."""
+    """Otherwise the checks above would pass for calls that ignore ids."""
     mesh, points = scene
     one, other = (ws.ambient_occlusion(mesh, with_ids(points, np.arange(POINTS) + k), 40).value for k in (0, 2**32))
     assert not np.array_equal(one, other)
@@ -170,7 +170,7 @@ def test_integrands_are_told_the_ids(scene):
 
 @pytest.mark.slow
 def test_with_a_tolerance_ids_count_like_the_first(scene):
-    """How many rays it takes is found by some of the rows: in another order others are taken, so that is no law there."""
+    """The number of rays follows from a trial at some rows; in another order the trial has other rows."""
     mesh, points = scene
     ids = np.arange(FIRST, FIRST + POINTS)
     right = ws.ambient_occlusion(mesh, points, 512, tolerance=0.05, first_point=FIRST)

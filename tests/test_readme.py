@@ -1,4 +1,4 @@
-"""What the README shows is run as it is."""
+"""The code blocks of the README run unchanged."""
 
 import inspect
 import re
@@ -31,7 +31,7 @@ ROOMS = (
 
 
 def documents(repository):
-    """The top README, and those that it links to."""
+    """Return the top README and the READMEs that it links to."""
     rooms = [repository / "warpsample" / room for room in ROOMS]
     return [folder / "README.md" for folder in (repository, *rooms, repository / "viz")]
 
@@ -165,7 +165,7 @@ def test_options_and_calls_are_those_of_the_commands_and_the_accessor(repository
 
 @pytest.mark.slow
 def test_mesh_commands_run(repository, tmp_path, call, can_render, monkeypatch):
-    """As `warpsample` runs them, but in this process, which has loaded the kernels."""
+    """The commands run in this process, which has loaded the kernels already."""
     monkeypatch.chdir(tmp_path)
     lines = [line for block in blocks(repository, "sh") for line in block.splitlines() if "courtyard" in line]
     assert [line.split()[1] for line in lines] == ["bake", "info", "directions", "bake", "bake", "view"]

@@ -1,4 +1,4 @@
-"""Sequences: known answers, exact structure, uniformity, and streams that are never shared."""
+"""Sequences: known answers, exact structure, uniformity, and streams that no two points share."""
 
 import subprocess
 import sys
@@ -42,7 +42,7 @@ def _common(seed: wp.uint64, high: wp.uint32, out: wp.array[wp.vec4ui]):
 
 
 def cells(u):
-    """Coordinates as exact integers on the 2^24 grid."""
+    """Return coordinates as exact integers on the 2^24 grid."""
     scaled = u.astype(np.float64) * GRID
     assert np.array_equal(scaled, np.floor(scaled))
     return scaled.astype(np.int64)
@@ -67,7 +67,7 @@ def test_the_words_of_a_run_are_the_same_on_the_host(seed, high):
     "name", [pytest.param(n, marks=() if n in ("independent", "sobol") else pytest.mark.slow) for n in NAMES]
 )
 def test_every_law_of_streams_holds(name):
-    """The laws are on each bit of seeds and ids, correlation, repeats, shared streams, a frozen hash, and exact integers."""
+    """The laws test each bit of seeds and ids, correlation, repeats, shared streams, a recorded hash, and exact integers."""
     found = [*judge_sequence(name, points=200_000), *judge_mixing(name), judge_indices(name)]
     assert len(found) >= 10
     assert [verdict for verdict in found if not verdict.passed] == []
@@ -83,7 +83,7 @@ def test_emitted_bytes_are_the_variates():
 
 
 def ids_of(words, seed):
-    """The ids of points below 2^32 whose keys begin with these words: the inverse of the finaliser."""
+    """Return the ids below 2^32 of points whose keys begin with these words, by the inverse of the finaliser."""
     words = words ^ words >> 16
     words = words * 0x7ED1B41D & 0xFFFFFFFF  # 1 / 0xC2B2AE35 modulo 2^32
     words = words ^ words >> 13 ^ words >> 26

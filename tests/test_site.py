@@ -1,4 +1,4 @@
-"""The site: what its pages show is run, nothing public is missing, and a browser finds it whole."""
+"""The site: its code blocks run, every public name is in it, and a browser shows all pages without an error."""
 
 import importlib
 import re
@@ -22,7 +22,7 @@ JOURNEYS = tuple(f"journeys/{name}" for name in ("sampler", "city", "enclosure",
 
 
 def steps(text):
-    """(language, code, what it prints or "") of a page, in order."""
+    """Return (language, code, output or "") of the blocks of a page, in order."""
     found = BLOCK.findall(text)
     after = [*found[1:], ("", "")]
     return [
@@ -33,9 +33,9 @@ def steps(text):
 
 
 def differences(printed, shown):
-    """Lines that a page shows and that are not printed, in this order; "..." stands for any.
+    """Return the lines that a page shows and the code does not print, in this order; "..." matches any lines.
 
-    Numbers may differ by one unit in the last place that is shown: roundings of other processors are theirs.
+    Numbers may differ by one unit in the last place, because processors round differently.
     """
     lines, missing = iter(printed.splitlines()), []
     for line in shown.splitlines():
@@ -58,13 +58,13 @@ def value(number):
 
 
 def unit(number):
-    """Of the last place: whole numbers with no point are counts, and exact."""
+    """Return the unit of the last place; 0 for whole numbers without a decimal point, which are exact counts."""
     digits, _, exponent = number.partition("e")
     return 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2])) if "." in digits else 0.0
 
 
 class Reader:
-    """Someone who types what a page shows: Python into one file, and commands, in one folder."""
+    """Reader who types the blocks of a page in one folder: Python into one file, and commands."""
 
     def __init__(self, name, folder, call):
         self.module = ModuleType(f"page_{name.replace('/', '_')}")
@@ -117,7 +117,7 @@ def test_a_line_may_differ_by_a_unit_of_its_last_place(shown, printed, alike):
 
 @pytest.fixture
 def names(repository, monkeypatch):
-    """What the site knows of public names."""
+    """Return the module of the site that lists public names."""
     pytest.importorskip("zarr")  # and with it all that pages describe
     pytest.importorskip("sphinx")
     monkeypatch.syspath_prepend(repository / "viz/site")
@@ -141,7 +141,7 @@ def test_every_command_is_in_the_reference(repository):
 
 @pytest.mark.thorough
 def test_examples_that_the_site_makes_run(names, tmp_path, monkeypatch):
-    """The body of a kernel for each function of `funcs`, and lines for each distribution."""
+    """Examples are the body of a kernel for each function of `funcs`, and lines for each distribution."""
     from extension.kernels import KERNEL
 
     lines = ["import numpy as np\nimport warp as wp\nimport warpsample as ws\nfrom warpsample import funcs\n"]
@@ -160,7 +160,7 @@ def test_examples_that_the_site_makes_run(names, tmp_path, monkeypatch):
 
 
 class Links(HTMLParser):
-    """What a page leads to, what it loads, and its anchors."""
+    """Links, loaded files and anchors of a page."""
 
     def __init__(self, text):
         super().__init__()
@@ -177,7 +177,7 @@ class Links(HTMLParser):
 
 @pytest.fixture(scope="module")
 def site(repository, tmp_path_factory):
-    """The folder of the built site."""
+    """Build the site and return its folder."""
     pytest.importorskip("sphinx")
     pytest.importorskip("zarr")
     folder = tmp_path_factory.mktemp("site")

@@ -1,4 +1,4 @@
-"""Sources: each key that is cited is listed in warpsample/SOURCES.md, and each that is listed is cited."""
+"""Sources: each cited key is listed in warpsample/SOURCES.md, and each listed key is cited."""
 
 import re
 
@@ -21,7 +21,7 @@ def listed(repository):
 
 @pytest.fixture(scope="module")
 def texts(repository):
-    """The files that may cite a source, by their path."""
+    """Return the files that may cite a source, keyed by path."""
     folders = ("warpsample", "tests", "viz")
     paths = [path for folder in folders for path in (repository / folder).rglob("*") if path.suffix in CITED_IN]
     own = {repository / "warpsample/SOURCES.md", repository / "tests/test_sources.py"}

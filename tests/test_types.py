@@ -1,4 +1,4 @@
-"""Types: a user's script is clean by the strictest checker, and nearly all of the package has known types."""
+"""Types: a user's script passes the strictest checker, and nearly all of the package has known types."""
 
 import json
 import re
@@ -18,7 +18,7 @@ WRONG = ["call-arg", "call-arg", "arg-type", *["call-arg"] * 5]
 
 @pytest.mark.thorough
 def test_a_users_script_is_clean_by_mypy_strict_and_wrong_options_are_errors(repository, tmp_path):
-    """Both scripts in one run, since reading the package takes most of the time."""
+    """One run checks both scripts, because reading the package takes most of the time."""
     pytest.importorskip("mypy")
     right, wrong = (shutil.copy(repository / f"tests/support/{name}_client.py", tmp_path) for name in ("typed", "wrong"))
     environment = {"MYPYPATH": str(repository), "MYPY_CACHE_DIR": str(tmp_path / "cache"), "PATH": ""}

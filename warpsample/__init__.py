@@ -33,7 +33,7 @@ _HOMES = {
     "radiation.exchange.view_factors": ("view_factors",),
     "texture.report": ("TextureReport",),
     "texture.texture_points": ("TexturePoints", "texture_points"),
-    "texture.unwrapping": ("unwrap",),
+    "texture.uv.unwrapping": ("unwrap",),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.trace_all": ("AllHits", "trace_all"),
@@ -62,7 +62,7 @@ __all__.extend((*_HOME, *_LOBES))
 
 
 def __getattr__(name: str) -> object:
-    """Imports a name when it is first used: Warp takes a second, in which the command line must react to Ctrl-C."""
+    """Import a name when it is first used: Warp takes a second, during which the command line must react to Ctrl-C."""
     if name not in __all__ and name != "__version__":
         raise AttributeError(f"module 'warpsample' has no attribute {name!r}")
     from warpsample.host.interrupts import uninterrupted
@@ -85,5 +85,5 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> list[str]:
-    """The public names, imported or not."""
+    """Return the public names, imported or not."""
     return sorted({*globals(), *__all__})

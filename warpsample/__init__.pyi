@@ -61,7 +61,7 @@ from warpsample.radiation.sun.direct_sun import direct_sun as direct_sun
 from warpsample.radiation.weather.irradiation import Irradiation as Irradiation, irradiation as irradiation
 from warpsample.texture.report import TextureReport as TextureReport
 from warpsample.texture.texture_points import TexturePoints as TexturePoints, texture_points as texture_points
-from warpsample.texture.unwrapping import unwrap as unwrap
+from warpsample.texture.uv.unwrapping import unwrap as unwrap
 from warpsample.tracing.scene import refit as refit
 from warpsample.tracing.trace import Hits as Hits, trace as trace
 from warpsample.tracing.trace_all import AllHits as AllHits, trace_all as trace_all

@@ -1,8 +1,8 @@
-"""The benchmark of rasters: what is exact, and that a tool is told what it is off by."""
+"""Benchmark of rasters: the exact values, and the reported error of a tool."""
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of, untracked
+from bench_output import draw_pictures, lines_of, untracked
 
 pytest.importorskip("rasterio")
 pytest.importorskip("rioxarray")
@@ -28,13 +28,13 @@ def test_exact_values_are_those_of_the_sheet():
 
 @pytest.mark.slow
 def test_a_tool_is_told_what_it_is_off_by(monkeypatch):
-    """By 64 rays four standard errors of the mean of 441 cells; one that adds 0.1 is told so."""
+    """With 64 rays the bias is within four standard errors of the mean of 441 cells; a tool that adds 0.1 has that bias."""
     heights, cells, right = city.build_yard()
     job = city.build_sky("warpsample, 64 rays", "yard", None, workers=1)
     job.work()
-    told = job.report()
-    assert abs(told["bias"]) < 4.0 * told["rmse"] / np.sqrt(len(cells)) + 1e-3
-    assert 0.001 < told["rmse"] < 0.05
+    report = job.report()
+    assert abs(report["bias"]) < 4.0 * report["rmse"] / np.sqrt(len(cells)) + 1e-3
+    assert 0.001 < report["rmse"] < 0.05
     sky = np.zeros(heights.size)
     sky[cells] = right + 0.1
     library, _, _ = RASTER_TOOLS["warpsample, 64 rays"]
@@ -54,4 +54,4 @@ def test_tools_take_turns_at_each_raster(monkeypatch, capsys, tmp_path, reposito
     assert [row.scene for row in found["rows"]] == ["yard"] * 2 + ["slope"] * 2 + ["tm1_564_146.tif"] * 2
     assert all(row.rmse < 0.05 and abs(row.bias) < 0.01 for row in found["rows"])
     assert [line for line in lines_of("city", settings, found, capsys) if line.startswith(" warpsample, 64 rays ")]
-    assert drawn("city", found, tmp_path) == ["city.png"]
+    assert draw_pictures("city", found, tmp_path) == ["city.png"]

@@ -1,7 +1,7 @@
 """The benchmark of the room `cluster`: what it counts, and that its plan follows from what it measured."""
 
 import pytest
-from bench_output import drawn, lines_of, untracked
+from bench_output import draw_pictures, lines_of, untracked
 
 from warpsample.bench import cluster
 from warpsample.bench.rows import Spread
@@ -22,9 +22,9 @@ def test_the_plan_follows_from_what_was_measured():
 
 
 def test_the_bottleneck_is_named():
-    told = {row.threads: row.bottleneck for row in cluster.plan_hours(CASE)}
-    assert told[1] == told[256] == "the work, up to 500 threads"
-    assert told[1024] == "the scheduler: take chunks of 3 times as many points"
+    bottlenecks = {row.threads: row.bottleneck for row in cluster.plan_hours(CASE)}
+    assert bottlenecks[1] == bottlenecks[256] == "the work, up to 500 threads"
+    assert bottlenecks[1024] == "the scheduler: take chunks of 3 times as many points"
     less = CASE | {"overheads": CASE["overheads"][:1]}
     assert cluster.plan_hours(less)[10].bottleneck == "the work, up to 2,000 threads"
 
@@ -41,4 +41,4 @@ def test_all_is_measured_and_shown(capsys, tmp_path):
     assert [
         line for line in lines_of("cluster", settings, found, capsys) if line.startswith(" two processes of one thread ")
     ]
-    assert drawn("cluster", found, tmp_path) == ["cluster.png"]
+    assert draw_pictures("cluster", found, tmp_path) == ["cluster.png"]

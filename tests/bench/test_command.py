@@ -13,20 +13,20 @@ from warpsample.bench.result import RESULTS, load_results
 
 
 @pytest.fixture
-def found():
-    """What every benchmark has found, as its files hold it, with repeats made up."""
-    results = load_results(readme.list_processors(RESULTS)[0], benchmarks())
-    found = {name: result.rows for name, result in results.items()}
-    found["peers"]["rows"] = [replace(row, seconds=[1.0, 2.0]) for row in found["peers"]["rows"]]
-    return found
+def results():
+    """Rows of every benchmark from the files of results, with invented repeats for `peers`."""
+    stored = load_results(readme.list_processors(RESULTS)[0], benchmarks())
+    rows = {name: result.rows for name, result in stored.items()}
+    rows["peers"]["rows"] = [replace(row, seconds=[1.0, 2.0]) for row in rows["peers"]["rows"]]
+    return rows
 
 
 @pytest.fixture
-def measured(found, monkeypatch):
+def measured(results, monkeypatch):
     """The settings that each benchmark was asked for; nothing is measured."""
     asked = {}
-    for name in found:
-        give(monkeypatch, name, measure=lambda _, *, name=name, **settings: asked.update({name: settings}) or found[name])
+    for name in results:
+        give(monkeypatch, name, measure=lambda _, *, name=name, **settings: asked.update({name: settings}) or results[name])
     return asked
 
 
@@ -67,8 +67,8 @@ def test_a_command_keeps_what_it_finds(measured, monkeypatch, capsys, tmp_path, 
     assert not list(tmp_path.glob("*.part"))
 
 
-def test_what_is_wrong_ends_with_a_status(measured, found, monkeypatch):
-    wrong = found["peers"] | {"rows": [replace(row, agrees=False) for row in found["peers"]["rows"]]}
+def test_what_is_wrong_ends_with_a_status(measured, results, monkeypatch):
+    wrong = results["peers"] | {"rows": [replace(row, agrees=False) for row in results["peers"]["rows"]]}
     give(monkeypatch, "peers", measure=lambda *_, **__: wrong)
     assert run_command(monkeypatch, "peers") == 1
 

@@ -1,7 +1,7 @@
 """The benchmark of directions: every map, sequence and count is measured."""
 
 import pytest
-from bench_output import drawn, lines_of
+from bench_output import draw_pictures, lines_of
 
 import warpsample as ws
 from warpsample.bench import directions
@@ -45,4 +45,4 @@ def test_directions_tables_and_pictures(rows, capsys, tmp_path):
     assert [line for line in lines if line.startswith(" CosineHemisphere(polar)")]
     assert [line for line in lines if line.startswith(" independent")]
     assert len([line for line in lines if line.startswith(" fill ")]) == 3
-    assert drawn("directions", found, tmp_path) == ["directions.png"]
+    assert draw_pictures("directions", found, tmp_path) == ["directions.png"]

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of, untracked
+from bench_output import draw_pictures, lines_of, untracked
 from scipy.stats import norm
 
 import warpsample as ws
@@ -49,7 +49,7 @@ def test_every_sequence_is_measured(monkeypatch, capsys, tmp_path):
     assert error.estimate_time(by_sequence["independent"], 1e-3)[1] is True
     lines = lines_of("error", settings, found, capsys)
     assert [line for line in lines if line.startswith(" sky gradient") and " ~" in line]
-    assert drawn("error", found, tmp_path) == ["error.png"]
+    assert draw_pictures("error", found, tmp_path) == ["error.png"]
 
 
 def test_a_time_to_an_error_lies_on_the_line_between_its_neighbours():

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of, untracked
+from bench_output import draw_pictures, lines_of, untracked
 from meshes import soup
 
 import warpsample as ws
@@ -37,4 +37,4 @@ def test_all_is_measured_and_shown(monkeypatch, capsys, tmp_path):
     assert all(row.nanoseconds.median > 0.0 and row.ours.median > 0.0 and len(row.seconds) == 2 for row in found["rows"])
     lines = lines_of("kernels", settings, found, capsys)
     assert [line for line in lines if line.startswith(" city ") and "ambient_occlusion, skip=False" in line]
-    assert drawn("kernels", found, tmp_path) == ["kernels.png"]
+    assert draw_pictures("kernels", found, tmp_path) == ["kernels.png"]

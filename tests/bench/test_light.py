@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of
+from bench_output import draw_pictures, lines_of
 
 from warpsample.bench import light
 from warpsample.bench.radiation import compute_errors
@@ -49,4 +49,4 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert by_tool[PEER].rmse < 0.05
     text = "\n".join(lines_of("light", SETTINGS, {"rows": rows}, capsys))
     assert "nobody did not run here: KeyError" in text
-    assert drawn("light", {"rows": rows}, tmp_path) == ["light.png"]
+    assert draw_pictures("light", {"rows": rows}, tmp_path) == ["light.png"]

@@ -1,4 +1,4 @@
-"""What lookups in a texture are wrong by: noise, overlap and resolution, against closed forms and told errors."""
+"""Errors of lookups in a texture: noise, overlap and resolution, against closed forms and estimated errors."""
 
 import numpy as np
 import pytest
@@ -41,7 +41,7 @@ def test_places_are_shared_that_read_texels_of_others(made, share):
 
 @pytest.mark.thorough
 def test_noise_overlap_and_resolution_are_the_whole_error():
-    """Each is found in a second way: by told errors, by many rays, and overlap by a closed form.
+    """Each is found in a second way: by the stated errors, by many rays, and overlap by a closed form.
 
     Their sum is the mean square error of images of other seeds, within 4 of its standard errors, at places that are shared
     and at the others.
@@ -54,27 +54,27 @@ def test_noise_overlap_and_resolution_are_the_whole_error():
     best = t.image(ws.ambient_occlusion(mesh, t.points, 65_536, seed=99).value)
     squares = [(read_bilinear(image, places.uv) - places.right) ** 2 for image in images]
     common = (read_bilinear(best, places.uv) - places.right) ** 2
-    told = _told(places.uv, np.mean([np.square(t.image_error(bake)).ravel() for bake in bakes], axis=0))
+    noise = compute_lookup_variance(places.uv, np.mean([np.square(t.image_error(bake)).ravel() for bake in bakes], axis=0))
     pairs = [places.compute_error(images[k : k + 2]) for k in range(0, len(images), 2)]
 
     for name, half in (("overlap", places.shared), ("resolution", ~places.shared)):
         part, whole = np.mean(common * half), np.array([np.mean(square * half) for square in squares])
         error = whole.std(ddof=1) / np.sqrt(len(whole))
-        assert abs(whole.mean() - np.mean(told * half) - part) < 4.0 * error
+        assert abs(whole.mean() - np.mean(noise * half) - part) < 4.0 * error
         assert 8.0 * error < part  # so that it cannot be missing
         assert_mean(part, [pair[name] ** 2 for pair in pairs])
-    assert_mean(np.mean(told), [pair["noise"] ** 2 for pair in pairs])
+    assert_mean(np.mean(noise), [pair["noise"] ** 2 for pair in pairs])
     a = DEPTH / HEIGHT  # the mean over the depth of (1 - V)^2, by V = (1 + d / sqrt(d^2 + h^2)) / 2
     closed = (2.0 * a - 2.0 * (np.sqrt(a * a + 1.0) - 1.0) - np.arctan(a)) / (4.0 * a) / 3.0
     assert np.mean(common * places.shared) == pytest.approx(closed, rel=0.1)  # a third of the places: 2 %; half a texel: 3 %
 
 
 def assert_mean(right, found):
-    """Within 4 standard errors."""
+    """Check that the mean is within 4 standard errors."""
     assert abs(np.mean(found) - right) < 4.0 * np.std(found, ddof=1) / np.sqrt(len(found))
 
 
-def _told(uv, variance):
-    """The variance of each lookup by those of the texels (T,), which are independent."""
+def compute_lookup_variance(uv, variance):
+    """Return the variance of each lookup, from the variances (T,) of the texels, which are independent."""
     ways = (read_bilinear(np.eye(SIDE**2)[texel].reshape(SIDE, SIDE), uv) ** 2 * variance[texel] for texel in range(SIDE**2))
     return sum(ways)

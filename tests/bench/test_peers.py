@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of
+from bench_output import draw_pictures, lines_of
 
 from warpsample.bench import peers
 from warpsample.bench.tools.directions import DIRECTIONS
@@ -39,9 +39,9 @@ def test_a_peer_with_another_mean_is_called_wrong():
     assert worst(0.0) < 0.1
     assert worst(5e-3) == pytest.approx(5.0, rel=0.01)
     assert np.isnan(worst(np.nan))
-    told = [peers.judge(DIRECTIONS["NumPy"], 2, worst(off)) for off in (0.0, 5e-3, np.nan)]
-    assert [row["agrees"] for row in told] == [True, False, False]
-    assert told[0]["threads"] == 1
+    judged = [peers.judge(DIRECTIONS["NumPy"], 2, worst(off)) for off in (0.0, 5e-3, np.nan)]
+    assert [row["agrees"] for row in judged] == [True, False, False]
+    assert judged[0]["threads"] == 1
 
 
 @pytest.mark.thorough
@@ -49,7 +49,7 @@ def test_peer_tables_and_pictures(rows, capsys, tmp_path):
     found = {"rows": rows}
     lines = lines_of("peers", {}, found, capsys)
     assert [line for line in lines if line.startswith(" NumPy")]
-    assert drawn("peers", found, tmp_path) == ["peers.png"]
+    assert draw_pictures("peers", found, tmp_path) == ["peers.png"]
 
 
 def test_every_peer_names_the_package_to_install():

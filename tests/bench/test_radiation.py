@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of
+from bench_output import draw_pictures, lines_of
 
 from warpsample.bench import radiation
 from warpsample.bench.radiation import RECORD, compute_errors, compute_sky_reference
@@ -92,4 +92,4 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert "nobody did not run here: KeyError" in text
     assert "Sky matrix, 1,024 rays per point: bunny, threads 1" in text
     assert "seconds for 16 points" in text
-    assert drawn("radiation", found, tmp_path) == ["radiation.png"]
+    assert draw_pictures("radiation", found, tmp_path) == ["radiation.png"]

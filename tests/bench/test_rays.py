@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of, untracked
+from bench_output import draw_pictures, lines_of, untracked
 
 from warpsample.bench import rays, scenes
 from warpsample.bench.running import timing
@@ -99,7 +99,7 @@ def test_tables_and_picture(measured, capsys, tmp_path):
     for kind in scenes.KINDS:
         assert len([line for line in lines if line.startswith(f" 12,200     {kind}")]) == 2
     assert "Open3D did not run here: pip install open3d." in lines
-    assert drawn("rays", measured, tmp_path) == ["rays.png"]
+    assert draw_pictures("rays", measured, tmp_path) == ["rays.png"]
 
 
 def test_an_unknown_scene_is_refused():

@@ -151,10 +151,10 @@ def test_the_first_page_says_what_was_measured(repository):
 
 def test_pictures_are_of_the_results(repository):
     shown = readme.find_pictures(readme.README.read_text(encoding="utf-8"))
-    drawn = {picture.name: name for name, benchmark in benchmarks().items() for picture in benchmark.pictures}
+    draw_pictures = {picture.name: name for name, benchmark in benchmarks().items() for picture in benchmark.pictures}
     assert sorted(shown) == ["error", "rays", "visibility"]
     for picture in shown:
-        path = RESULTS / f"{drawn[picture]}-{readme.list_processors(RESULTS)[0]}.json"
+        path = RESULTS / f"{draw_pictures[picture]}-{readme.list_processors(RESULTS)[0]}.json"
         with Image.open(repository / "viz" / f"bench_{picture}.png") as image:
             assert image.text["Description"] == readme.describe_source(path)
 
@@ -169,10 +169,10 @@ def test_each_processor_has_its_tables_the_first_before_the_others(results, tmp_
         benchmarks()["peers"], replace(result, machine=replace(result.machine, cpu="Two", instructions="avx512")), tmp_path
     )
     text = fill("\n".join(map(block, NAMES)), tmp_path)
-    told = re.findall("`warpsample bench ([a-z-]+)`:[^;]*;\\s(One|Two),\\s(AVX2|AVX-512)", text)
+    listed = re.findall("`warpsample bench ([a-z-]+)`:[^;]*;\\s(One|Two),\\s(AVX2|AVX-512)", text)
     others = [(name, "One", "AVX2") for name in NAMES]
     others.insert(NAMES.index("peers"), ("peers", "Two", "AVX-512"))
-    assert told == others
+    assert listed == others
     assert fill(text, tmp_path) == text
 
 

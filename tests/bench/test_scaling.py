@@ -1,7 +1,7 @@
 """The benchmark of size: its cases, and that a stream computes every direction."""
 
 import pytest
-from bench_output import drawn, lines_of, untracked
+from bench_output import draw_pictures, lines_of, untracked
 
 from warpsample.bench import scaling
 
@@ -30,4 +30,4 @@ def test_each_case_is_measured_in_a_process_of_its_own(monkeypatch, capsys, tmp_
     assert [(row.points, len(row.seconds)) for row in found["rows"]] == [(1000, 2), (4000, 2)]
     assert all(row.nanoseconds.median > 0.0 and row.peak_megabytes > 50.0 for row in found["rows"])
     assert [line for line in lines_of("scaling", settings, found, capsys) if line.startswith(" points  4,000 ")]
-    assert drawn("scaling", found, tmp_path) == ["scaling.png"]
+    assert draw_pictures("scaling", found, tmp_path) == ["scaling.png"]

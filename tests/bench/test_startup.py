@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from bench_output import drawn, lines_of, untracked
+from bench_output import draw_pictures, lines_of, untracked
 
 from warpsample.bench import startup
 
@@ -35,4 +35,4 @@ def test_waits_are_shown(monkeypatch, capsys, tmp_path):
     assert [len(wait.seconds) for wait in found["waits"]] == [3] * len(found["waits"])
     lines = lines_of("startup", {}, found, capsys)
     assert [line for line in lines if line.startswith(" first points and their occlusion ")]
-    assert drawn("startup", found, tmp_path) == ["startup.png"]
+    assert draw_pictures("startup", found, tmp_path) == ["startup.png"]

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of
+from bench_output import draw_pictures, lines_of
 from lookups import lookup
 
 import warpsample as ws
@@ -92,4 +92,4 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert not RECORD.has_disagreement({"rows": rows})
     text = "\n".join(lines_of("textures", {"side": 128, "repeats": 1}, {"rows": rows}, capsys))
     assert "bunny, side 128, threads" in text
-    assert drawn("textures", {"rows": rows}, tmp_path) == ["textures.png"]
+    assert draw_pictures("textures", {"rows": rows}, tmp_path) == ["textures.png"]

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of
+from bench_output import draw_pictures, lines_of
 
 import warpsample as ws
 from warpsample.bench import view_factors
@@ -127,4 +127,4 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     text = "\n".join(lines_of("view-factors", SETTINGS, found, capsys))
     assert "city 1, faces 104, threads 1" in text
     assert "nobody did not run here: KeyError" in text
-    assert drawn("view-factors", found, tmp_path) == ["view_factors.png"]
+    assert draw_pictures("view-factors", found, tmp_path) == ["view_factors.png"]

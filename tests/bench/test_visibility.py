@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from bench_output import drawn, lines_of
+from bench_output import draw_pictures, lines_of
 
 from warpsample.bench import visibility
 from warpsample.bench.scenes import sample_scene
@@ -92,7 +92,7 @@ def test_what_is_shown_and_drawn(rows, many, tmp_path, capsys):
     assert "bunny, to 0.02, points 200" in text
     assert sum(line.startswith(" embreex ") for line in lines) == 3
     assert "embreex 4" in text
-    assert drawn("visibility", both, tmp_path) == ["visibility.png"]
+    assert draw_pictures("visibility", both, tmp_path) == ["visibility.png"]
 
 
 @pytest.mark.parametrize("tool", ["embreex", "warpsample, skip=False"])

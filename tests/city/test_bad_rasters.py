@@ -71,7 +71,7 @@ def array_of(values=HEIGHTS, **coordinates):
         (
             (HEIGHTS, Affine(1.0, 0.0, 2e15, 0.0, -1.0, 0.0), None),
             ValueError,
-            r"up to 2e\+15 of cells that are 1 long, want",
+            r"up to 2e\+15 of cells 1 long, want",
         ),
         (xr.DataArray(HEIGHTS, dims=("lat", "lon")), ValueError, r"dimensions \('lat', 'lon'\), want y and x"),
         (xr.DataArray(np.zeros((2, 3, 4)), dims=("time", "y", "x")), ValueError, "want y and x alone: one band"),

@@ -12,10 +12,10 @@ import warpsample as ws
 from warpsample import rasters
 from warpsample.city.rasters.leaves import (
     check_transmittance,
-    irradiation_through,
-    seen_through,
+    compute_irradiation_through,
+    count_suns_through,
+    estimate_through_crowns,
     shares_of_hours,
-    sun_through,
 )
 from warpsample.radiation.weather.light import light_of
 from warpsample.tracing.options import RayOptions
@@ -27,7 +27,7 @@ RAYS = 2**16
 ONE = np.ones(1)
 
 
-def wooded(ground, canopy, transform=NORTH_UP, **options):
+def with_crowns(ground, canopy, transform=NORTH_UP, **options):
     """A surface of the ground's heights, and crowns of these heights above it."""
     ground, canopy = (np.atleast_2d(np.float64(a)) for a in (ground, canopy))
     return rasters.surface((ground, transform, None), canopy=(canopy, transform, None), **options)
@@ -36,7 +36,9 @@ def wooded(ground, canopy, transform=NORTH_UP, **options):
 def sky(made, cell, transmittance, count=RAYS):
     points, cells = made.points()
     some = points.take(cells == cell)
-    return seen_through(made.scenery, check_transmittance(transmittance), lambda mesh: ws.sky_view_factor(mesh, some, count))
+    return estimate_through_crowns(
+        made.scenery, check_transmittance(transmittance), lambda mesh: ws.sky_view_factor(mesh, some, count)
+    )
 
 
 def assert_sky(made, cell, transmittance, exact):
@@ -54,7 +56,7 @@ def test_crowns_close_their_volume(model, transform):
     canopy = np.where(rng.random(ground.shape) < 0.6, rng.choice([3.0, 8.0, 12.5], ground.shape), 0.0)
     ground[3, 3] = np.nan
     canopy[3, 3] = 9.0
-    made = wooded(ground, canopy, transform, trunk=0.4, model=model)
+    made = with_crowns(ground, canopy, transform, trunk=0.4, model=model)
     faces = len(made.mesh.faces)
     assert np.array_equal(made.canopy_mesh.vertices[: len(made.mesh.vertices)], made.mesh.vertices)
     assert np.array_equal(made.canopy_mesh.faces[:faces], made.mesh.faces)
@@ -66,16 +68,16 @@ def test_crowns_close_their_volume(model, transform):
 
 
 def test_a_wood_of_one_height_is_one_prism():
-    made = wooded(np.zeros((5, 7)), np.full((5, 7), 4.0))
+    made = with_crowns(np.zeros((5, 7)), np.full((5, 7), 4.0))
     crowns = len(made.canopy_mesh.faces) - len(made.mesh.faces)
     assert crowns == 2 * (2 * 5 * 7 + 2 * (5 + 7))  # tops and undersides, and the walls around
-    assert wooded(np.zeros((5, 7)), np.zeros((5, 7))).canopy_mesh is None
+    assert with_crowns(np.zeros((5, 7)), np.zeros((5, 7))).canopy_mesh is None
 
 
 @pytest.mark.slow
 def test_under_a_canopy_without_end():
     flat = np.zeros((9, 9))
-    made = wooded(flat, flat + 4.0, Affine.scale(1e4, -1e4))
+    made = with_crowns(flat, flat + 4.0, Affine.scale(1e4, -1e4))
     for share in (0.0, 0.1, 1.0):
         assert float(sky(made, 40, share, 64).value[0]) == pytest.approx(share, abs=1e-6)
 
@@ -84,13 +86,13 @@ def test_under_a_canopy_without_end():
 def test_in_a_street_under_trees():
     """As wide as high, closed at the roofs."""
     transform = Affine.scale(20.0, -1e4)
-    made = wooded([20.0, 0.0, 20.0], [0.0, 25.0, 0.0], transform, trunk=0.8, model="block")
+    made = with_crowns([20.0, 0.0, 20.0], [0.0, 25.0, 0.0], transform, trunk=0.8, model="block")
     assert_sky(made, 1, 0.1, 0.1 * np.cos(np.arctan(2.0)))
 
 
 def test_below_a_strip_of_crowns():
     """8 wide, 4 above the point: sin 45° is blocked."""
-    made = wooded(np.zeros(5), [0.0, 0.0, 6.0, 0.0, 0.0], LONG, trunk=2.0 / 3.0)
+    made = with_crowns(np.zeros(5), [0.0, 0.0, 6.0, 0.0, 0.0], LONG, trunk=2.0 / 3.0)
     assert_sky(made, 2, 0.1, 1.0 - 0.9 * np.sqrt(0.5))
 
 
@@ -99,7 +101,7 @@ def test_below_a_square_crown(share, exact):
     """10 x 10, 3 above the point; the exact value has five digits."""
     canopy = np.zeros((3, 3))
     canopy[1, 1] = 12.0
-    assert_sky(wooded(np.zeros((3, 3)), canopy, Affine.scale(10.0, -10.0), trunk=0.25), 4, share, exact)
+    assert_sky(with_crowns(np.zeros((3, 3)), canopy, Affine.scale(10.0, -10.0), trunk=0.25), 4, share, exact)
 
 
 def test_beside_a_hedge():
@@ -107,11 +109,11 @@ def test_beside_a_hedge():
     transform = Affine.scale(20.0, -1e4)
     exact = 1.0 - 0.9 * 0.5 * (1.0 - 1.0 / np.sqrt(1.36))
     for hedges in ([0.0, 6.0, 0.0, 0.0], [0.0, 6.0, 0.0, 6.0]):
-        assert_sky(wooded(np.zeros(4), hedges, transform, trunk=0.0), 0, 0.1, exact)
+        assert_sky(with_crowns(np.zeros(4), hedges, transform, trunk=0.0), 0, 0.1, exact)
 
 
 def test_a_point_within_a_crown_sees_through_it_alone():
-    made = wooded(np.zeros((3, 3)), np.full((3, 3), 4.0), trunk=0.0)
+    made = with_crowns(np.zeros((3, 3)), np.full((3, 3), 4.0), trunk=0.0)
     assert float(sky(made, 4, 0.3, 64).value[0]) == pytest.approx(0.3, abs=1e-6)
 
 
@@ -119,24 +121,24 @@ def test_a_point_within_a_crown_sees_through_it_alone():
 def test_the_trunk_zone_lets_the_sun_pass():
     """From 10 in front of a crown from 2 to 6 high and 20 wide, towards it: under it, through it, over it."""
     transform = Affine.scale(20.0, -1e4)
-    made = wooded(np.zeros(2), [0.0, 6.0], transform, trunk=1.0 / 3.0)
+    made = with_crowns(np.zeros(2), [0.0, 6.0], transform, trunk=1.0 / 3.0)
     points, cells = made.points()
     altitude = np.radians([3.0, 20.0, 45.0])
     suns = np.stack([np.cos(altitude), 0.0 * altitude, np.sin(altitude)], axis=1)
     some = points.take(cells == 0)
     for k, lit in enumerate((1.0, 0.25, 1.0)):
-        assert sun_through(made.scenery, some, suns[k : k + 1], 0.25 * ONE)[0] == pytest.approx(lit, abs=1e-12)
-    assert sun_through(made.scenery, some, suns, np.array([0.5, 0.25, 0.1]))[0] == pytest.approx(2.25, abs=1e-12)
+        assert count_suns_through(made.scenery, some, suns[k : k + 1], 0.25 * ONE)[0] == pytest.approx(lit, abs=1e-12)
+    assert count_suns_through(made.scenery, some, suns, np.array([0.5, 0.25, 0.1]))[0] == pytest.approx(2.25, abs=1e-12)
 
 
 def test_trunks_and_crowns_come_in_rasters_and_as_elevations(tmp_path):
     ground = rough()
     canopy = np.where(np.arange(ground.size).reshape(ground.shape) % 3 == 0, 7.0, 0.0)
     trunk = np.where(canopy > 0.0, 2.0, 0.0)
-    right = wooded(ground, canopy, trunk=(trunk, NORTH_UP, None)).canopy_mesh
-    assert np.allclose(right.vertices, wooded(ground, canopy, trunk=2.0 / 7.0).canopy_mesh.vertices, atol=1e-12)
+    right = with_crowns(ground, canopy, trunk=(trunk, NORTH_UP, None)).canopy_mesh
+    assert np.allclose(right.vertices, with_crowns(ground, canopy, trunk=2.0 / 7.0).canopy_mesh.vertices, atol=1e-12)
     above = np.where(canopy > 0.0, ground + canopy, np.nan), np.where(canopy > 0.0, ground + trunk, np.nan)
-    found = wooded(ground, above[0], trunk=(above[1], NORTH_UP, None), relative=False).canopy_mesh
+    found = with_crowns(ground, above[0], trunk=(above[1], NORTH_UP, None), relative=False).canopy_mesh
     assert np.array_equal(found.vertices, right.vertices)
     moved = Affine.translation(5e5, 1e5) @ NORTH_UP
     file = write_tif(tmp_path / "canopy.tif", canopy.astype(np.float32), transform=moved)
@@ -145,16 +147,20 @@ def test_trunks_and_crowns_come_in_rasters_and_as_elevations(tmp_path):
 
 
 def test_errors_are_those_of_both_runs():
-    made = wooded(np.zeros((3, 3)), np.eye(3) * 6.0)
+    made = with_crowns(np.zeros((3, 3)), np.eye(3) * 6.0)
     points, _ = made.points()
     below, above = (ws.sky_view_factor(mesh, points, 256) for mesh in (made.canopy_mesh, made.mesh))
-    found = seen_through(made.scenery, check_transmittance(0.3), lambda mesh: ws.sky_view_factor(mesh, points, 256))
+    found = estimate_through_crowns(
+        made.scenery, check_transmittance(0.3), lambda mesh: ws.sky_view_factor(mesh, points, 256)
+    )
     assert np.allclose(found.value, 0.7 * below.value + 0.3 * above.value, rtol=1e-6)
     assert np.allclose(found.standard_error, 0.7 * below.standard_error + 0.3 * above.standard_error, rtol=1e-6)
     assert np.array_equal(found.rays, below.rays + above.rays)
     assert found.rays.dtype == np.int32
-    bare = rasters.surface((np.zeros((3, 3)), NORTH_UP, None))
-    alone = seen_through(bare.scenery, check_transmittance(0.3), lambda mesh: ws.sky_view_factor(mesh, points, 256))
+    without_crowns = rasters.surface((np.zeros((3, 3)), NORTH_UP, None))
+    alone = estimate_through_crowns(
+        without_crowns.scenery, check_transmittance(0.3), lambda mesh: ws.sky_view_factor(mesh, points, 256)
+    )
     assert np.array_equal(alone.value, above.value)
 
 
@@ -186,7 +192,7 @@ def test_bad_crowns_are_named(canopy, options, message):
 )
 def test_what_is_said_of_crowns_without_any_is_refused(options, got):
     argument = next(iter(options))
-    with pytest.raises(ValueError, match=f"^{argument}: got {got} without canopy, want canopy, the crowns that it is of$"):
+    with pytest.raises(ValueError, match=f"^{argument}: got {got} without canopy, want canopy, too$"):
         rasters.surface((np.zeros((3, 3)), NORTH_UP, None), **options)
 
 
@@ -213,13 +219,13 @@ def test_crowns_of_another_map_are_refused(canopy, message):
 
 def test_crowns_without_height_are_told():
     with pytest.warns(UserWarning, match=r"^trunk: got undersides at or above the tops of 2 crowns, which are left out$"):
-        made = wooded(np.zeros((3, 3)), np.eye(3) * 5.0, trunk=(np.diag([5.0, 1.0, 9.0]), NORTH_UP, None))
+        made = with_crowns(np.zeros((3, 3)), np.eye(3) * 5.0, trunk=(np.diag([5.0, 1.0, 9.0]), NORTH_UP, None))
     assert len(made.canopy_mesh.faces) - len(made.mesh.faces) == 12
 
 
 def test_crowns_without_a_trunk_height_are_told():
-    with pytest.warns(UserWarning, match=r"^trunk: got none for 1 crowns, which reach down to the ground$"):
-        wooded(np.zeros((3, 3)), np.eye(3) * 5.0, trunk=(np.diag([1.0, np.nan, 1.0]), NORTH_UP, None))
+    with pytest.warns(UserWarning, match=r"^trunk: got none for 1 crowns, which then reach down to the ground$"):
+        with_crowns(np.zeros((3, 3)), np.eye(3) * 5.0, trunk=(np.diag([1.0, np.nan, 1.0]), NORTH_UP, None))
 
 
 @pytest.mark.parametrize("value", [-0.1, 1.1, np.nan, [0.5] * 3, "half"])
@@ -233,7 +239,7 @@ def test_a_year_of_leaves_is_the_sum_of_its_months():
     """At no further ray: light of each hour is dimmed before it is summed. Sums of float32 differ by some roundings."""
     pytest.importorskip("pvlib")
     pytest.importorskip("pyradiance")
-    made = wooded(np.zeros((5, 5)), np.eye(5) * 6.0, Affine.scale(4.0, -4.0))
+    made = with_crowns(np.zeros((5, 5)), np.eye(5) * 6.0, Affine.scale(4.0, -4.0))
     points, _ = made.points()
     shares = np.linspace(0.0, 1.0, 12)
 
@@ -241,7 +247,7 @@ def test_a_year_of_leaves_is_the_sum_of_its_months():
         options = RayOptions.of(len(points), seed=3).by()
         given = {"ground_albedo": 0.2, "patches": "tregenza", "up": (0, 0, 1), "north": made.north}
         light = light_of("athens", period=period, **given)
-        return irradiation_through(
+        return compute_irradiation_through(
             made.scenery, points, light, check_transmittance(transmittance), count=64, options=options
         )
 

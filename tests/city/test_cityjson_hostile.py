@@ -179,9 +179,9 @@ def test_polygons_that_cross_themselves_are_told_and_read(tmp_path):
     path = cases.written(tmp_path / "a.json", cases.house(cases.surfaces(boundaries=faces)))
     with pytest.warns(
         UserWarning, match=r"a\.json' with 1 of 10 polygons that cross themselves .* of object 'house'; their"
-    ) as told:
+    ) as warned:
         city = ws.load_city(path, split=True)
-    assert told[0].filename == __file__
+    assert warned[0].filename == __file__
     assert city.surfaces.area.tolist() == [0.0, 96.0, *[50.0] * 4, *[10.0] * 4]
     covered = np.bincount(city.surface, city.mesh.face_areas)
     assert covered.tolist() == [100.0, 96.0, *[50.0] * 4, *[10.0] * 4]

@@ -88,8 +88,8 @@ def test_what_stands_around_takes_the_view_and_gets_no_numbers(path):
         points = city.points(300, seed=1)
         outer = 3  # the row of a wall that looks outward
         for quantity in (ws.ambient_occlusion, ws.sky_view_factor):
-            seen = quantity(city.mesh, points, 64)
-            values, _, _ = city.surface_means(seen.value, seen.standard_error, points=points)
+            compute_means = quantity(city.mesh, points, 64)
+            values, _, _ = city.surface_means(compute_means.value, compute_means.standard_error, points=points)
             assert len(values) == len(city.surfaces) == 10
             found[name, quantity.__name__] = values[outer]
     assert found["none", "ambient_occlusion"] == found["far", "ambient_occlusion"] == 1.0
@@ -104,15 +104,15 @@ def test_the_error_bars_of_a_real_city_hold(repository):
     """Of 118 roofs and walls of 3DBAG: the mean squared error is that of the bars, and 95 % are within about two."""
     city = ws.load_city(repository / "tests/city/data/3dbag_901.city.jsonl")
 
-    def seen(count, rays, seed):
+    def compute_means(count, rays, seed):
         points = city.points(count, seed=seed)
         found = ws.sky_view_factor(city.mesh, points, rays, seed=seed)
         return np.array(city.surface_means(found.value, found.standard_error, points=points)[:2])
 
-    right, rest = seen(200_000, 256, 99)
+    right, rest = compute_means(200_000, 256, 99)
     known = np.isfinite(right)
     assert np.count_nonzero(known) == 118
-    runs = np.array([seen(None, 32, seed) for seed in range(16)])[:, :, known]
+    runs = np.array([compute_means(None, 32, seed) for seed in range(16)])[:, :, known]
     squares = np.square(runs[:, 0] - right[known])
     bars = np.square(runs[:, 1]) + np.square(rest[known])
     # The largest tenth of the surfaces makes most of the sum, of which 16 runs know it to about sqrt(2 / 200) = 10 %.

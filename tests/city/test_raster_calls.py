@@ -59,16 +59,20 @@ def test_a_cell_draws_the_same_numbers_whatever_other_cells_have_no_height():
 
 
 @pytest.mark.slow
-def test_the_attributes_say_what_it_is_and_how_to_make_it_again(path):
+def test_attributes_state_the_definition_and_all_options(path):
     found = rasters.sky_view_factor(path, 32, receiver="surface", model="block", seed=3)
-    told = found.attrs
-    assert told["definition"].startswith("cosine-weighted share of the sky")
-    assert "the normal of the cell's surface" in told["definition"]
-    assert {name: told[name] for name in ("quantity", "unit", "model", "receiver", "count", "seed", "sequence", "up")} == {
+    attrs = found.attrs
+    assert attrs["definition"].startswith("cosine-weighted share of the sky")
+    assert "the normal of the cell's surface" in attrs["definition"]
+    assert {name: attrs[name] for name in ("quantity", "unit", "model", "receiver", "count", "seed", "sequence", "up")} == {
         "quantity": "sky", "unit": "1", "model": "block", "receiver": "surface", "count": 32, "seed": 3,
         "sequence": "fibonacci", "up": "0.0 0.0 1.0",
     }  # fmt: skip
-    assert (told["source"], told["warpsample"], told["cells_without_height"]) == (str(path), ws.__version__, 1)
+    assert (attrs["source"], attrs["warpsample"], attrs["cells_without_height"]) == (
+        str(path),
+        ws.__version__,
+        1,
+    )
     assert found.value.attrs["units"] == "1"
     assert found.standard_error.attrs["long_name"] == "standard error of the sky view factor"
     visible = rasters.visible_sky((HEIGHTS, SLOVENIA, None), 32)

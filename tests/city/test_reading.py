@@ -243,11 +243,11 @@ def test_a_raster_outside_of_its_crs_has_no_north():
         _ = far.north
 
 
-@pytest.mark.parametrize(("crs", "x", "told"), [("EPSG:3857", 1.65e6, ["1.33"]), ("EPSG:32633", 5e5, [])])
-def test_a_map_that_stretches_the_ground_is_warned_of(crs, x, told):
+@pytest.mark.parametrize(("crs", "x", "ratios"), [("EPSG:3857", 1.65e6, ["1.33"]), ("EPSG:32633", 5e5, [])])
+def test_a_map_that_stretches_the_ground_is_warned_of(crs, x, ratios):
     """Web Mercator by 1 / cos(latitude), here of 41 degrees."""
     with warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")
         rasters.surface((HEIGHTS, Affine(2.5, 0.0, x, 0.0, -2.5, 5e6), crs))
     found = (re.search(r"on which distances are ([\d.]+) times as long as on the ground", str(one.message)) for one in heard)
-    assert [match[1] for match in found if match] == told
+    assert [match[1] for match in found if match] == ratios

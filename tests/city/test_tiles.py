@@ -109,9 +109,9 @@ def test_without_the_far_field_the_bound_would_not_hold():
     heights = town()
     right = whole(run(heights, model="block"))["value"]
     found = run(heights, model="block", tile=16, margin=3)
-    vars(found)["field"] = None
-    bare = whole(found)["value"]
-    assert (np.abs(bare.astype(np.float64) - right) > 1e-3).mean() > 0.1
+    found.far_field = None
+    without_crowns = whole(found)["value"]
+    assert (np.abs(without_crowns.astype(np.float64) - right) > 1e-3).mean() > 0.1
 
 
 @pytest.mark.parametrize("transform", [NORTH_UP, Affine(2.0, 0.3, 5.0, 0.1, 1.5, 7.0)])
@@ -226,7 +226,7 @@ def test_crowns_beyond_the_margin_are_seen_from_a_clearing():
     [
         ({"tile": 0}, "tile: got 0, want a whole number of at least 1|tile: got 0, want a whole number from 1"),
         ({"tile": 8, "margin": 0}, "margin: got 0"),
-        ({"margin": 8}, "margin: got 8 without tile, want tile, around which it is"),
+        ({"margin": 8}, "margin: got 8 without tile, want tile, too"),
         ({"far": "missing.tif"}, "far: got 'missing.tif', which is missing"),
         ({"transmittance": [0.5] * 12}, "transmittance: got 12 shares for the sky view factor, want one: it has no date"),
         ({"trunk": 0.5}, "trunk: got 0.5 without canopy, want canopy"),
@@ -259,9 +259,9 @@ def test_calls_take_trees_and_tiles():
         "canopy": "an array, tuple", "trunk": 0.5, "transmittance": 0.2, "tile": 20, "margin": 60,
     }  # fmt: skip
     assert "tile" not in right.attrs
-    assert found.far_error.attrs["long_name"] == "error by pooled terrain far off of the sky view factor"
-    bare = ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32)
-    assert (right.value < bare.value).mean() > 0.5
+    assert found.far_error.attrs["long_name"] == "error due to pooled distant terrain of the sky view factor"
+    without_crowns = ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32)
+    assert (right.value < without_crowns.value).mean() > 0.5
     with pytest.raises(TypeError, match="^crowns: got it for sky_view_factor, want one of .*canopy, trunk"):
         ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32, crowns=canopy)
 
@@ -302,7 +302,7 @@ def test_a_tile_takes_200_bytes_a_triangle(looked_at):
     heights = np.random.default_rng(11).uniform(0.0, 3.0, (400, 400))
     looks, quantity = looked_at
     made = run(heights, quantity, count=2, tile=200, margin=60)
-    assert made.field is not None  # which is read before
+    assert made.far_field is not None  # which is read before
     tracemalloc.start()
     try:
         made.numbers((slice(100, 300), slice(100, 300)))
@@ -327,6 +327,6 @@ def test_sun_hours_and_irradiation_through_crowns():
         one, other = (call(flat, "athens", canopy=canopy, transmittance=share, **given) for share in (0.4, dated))
         assert np.allclose(one.value, other.value, rtol=1e-5)
         assert np.allclose(one.standard_error, other.standard_error, rtol=1e-3, atol=1e-6)
-        bare = call(flat, "athens", **given).value
-        assert (one.value <= bare).all()
-        assert one.value[2, 2] < 0.9 * bare[2, 2]  # below a crown
+        without_crowns = call(flat, "athens", **given).value
+        assert (one.value <= without_crowns).all()
+        assert one.value[2, 2] < 0.9 * without_crowns[2, 2]  # below a crown

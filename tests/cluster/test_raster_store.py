@@ -18,7 +18,9 @@ from raster_cases import write_tif
 from weather_files import write_epw
 
 from warpsample import rasters
+from warpsample.city.rasters.tiles import RasterRun
 from warpsample.host.files import WriteError
+from warpsample.output.baked import BakeRun
 
 pytestmark = pytest.mark.slow  # seconds each
 
@@ -27,6 +29,8 @@ for library in ("dask", "zarr", "rioxarray"):
 rasterio = pytest.importorskip("rasterio")
 xr = pytest.importorskip("xarray")
 baking = import_module("warpsample.cluster.raster_baking")
+raster_bake = import_module("warpsample.output.rasters.bake")
+tile_files = import_module("warpsample.output.rasters.tile_files")
 
 SLOVENIA = Affine(1.0, 0.0, 564000.0, 0.0, -1.0, 146000.0)
 TILES, RAYS = 12, 32  # 15 x 15 cells of 60 x 44
@@ -56,13 +60,22 @@ def folder(tmp_path):
     return made
 
 
-def job(dsm, **options):
-    given = {"count": RAYS, "tile": 15, "margin": 6, **options}
-    return baking.RasterJob(str(dsm), "sky", "joined", "horizontal", tuple(sorted(given.items())))
+def job(dsm, quantity="sky", **options):
+    """The options of a run."""
+    given = {"samples": RAYS, "tile": 15, "margin": 6, **options} if quantity == "sky" else options
+    return dsm, quantity, given
+
+
+def bake_job(job, output, resume=False, processes=None):
+    source, quantity, given = job
+    run = BakeRun.of(source, output, quantity, {"seed": 0, **given})
+    if output.suffix == ".zarr":
+        return raster_bake.bake_raster(run, baking.ZarrTiles(output, resume, processes))
+    return raster_bake.bake_raster(run, tile_files.TileFiles(output, resume))
 
 
 def bake(dsm, output, resume=False, processes=None, **options):
-    return baking.bake_raster(job(dsm, **options), output, processes, resume)
+    return bake_job(job(dsm, **options), output, resume, processes)
 
 
 def contents(store):
@@ -73,16 +86,18 @@ def contents(store):
 @pytest.fixture
 def computed(monkeypatch):
     """The tiles that are computed; the test may set after how many comes an interrupt."""
-    ran, bake_tile = [], baking.bake_tile
+    ran, numbers = [], RasterRun.numbers
 
-    def counted(job, folder, index, workers):
+    def counted(run, span):
+        if run.reader.shape == (1, 1):  # a check of the options
+            return numbers(run, span)
         if len(ran) == counted.most:
             raise KeyboardInterrupt
-        ran.append(index)
-        return bake_tile(job, folder, index, workers)
+        ran.append(list(run.spans()).index(span))
+        return numbers(run, span)
 
     counted.most = -1
-    monkeypatch.setattr(baking, "bake_tile", counted)
+    monkeypatch.setattr(RasterRun, "numbers", counted)
     return ran, counted
 
 
@@ -135,12 +150,12 @@ def test_a_full_disk_keeps_the_tiles(dsm, folder):
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     try:
         resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, limits[1]))  # between a store's files and the GeoTIFF
-        with pytest.raises(WriteError, match=r"sky.tif cannot be written: .*\.sky\.tif\.making\.zarr can be resumed$"):
+        with pytest.raises(WriteError, match=r"sky.tif cannot be written: .*\.sky\.tif\.tiles can be resumed$"):
             bake(dsm, folder / "sky.tif")
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
-    assert sorted(path.name for path in folder.iterdir()) == [".sky.tif.making.zarr", "right.tif"]
-    assert f"{TILES} of them were there already" in bake(dsm, folder / "sky.tif", resume=True)
+    assert sorted(path.name for path in folder.iterdir()) == [".sky.tif.tiles", "right.tif"]
+    assert f"{TILES} of the {TILES} tiles were there already" in bake(dsm, folder / "sky.tif", resume=True)
     assert (folder / "sky.tif").read_bytes() == (folder / "right.tif").read_bytes()
 
 
@@ -151,14 +166,14 @@ def test_an_interrupted_run_goes_on_to_the_same_bytes(dsm, folder, name, compute
     assert ran == list(range(TILES))
     ran.clear()
     counted.most = 5
-    store = folder / (name if name.endswith(".zarr") else f".{name}.making.zarr")
+    store = folder / (name if name.endswith(".zarr") else f".{name}.tiles")
     with pytest.raises(KeyboardInterrupt, match=f"interrupted after 5 of {TILES} tiles; {store} can be resumed"):
         bake(dsm, folder / name)
     assert not (folder / "sky.tif").exists()
     counted.most = -1
     with pytest.raises(ValueError, match="which is there already, want a new name, or to resume it"):
         bake(dsm, folder / name)
-    assert "5 of them were there already" in bake(dsm, folder / name, resume=True)
+    assert f"5 of the {TILES} tiles were there already" in bake(dsm, folder / name, resume=True)
     assert ran == list(range(TILES))
     if name == "sky.tif":
         assert (folder / name).read_bytes() == (folder / f"right_{name}").read_bytes()
@@ -225,7 +240,7 @@ def test_a_damaged_tile_is_computed_again_and_no_other(dsm, folder, computed):
 
 @pytest.mark.parametrize(
     ("options", "what"),
-    [({"tile": 20}, "tile 15"), ({"margin": 7}, "margin 6"), ({"seed": 1}, "seed 0"), ({"count": 64}, "count")],
+    [({"tile": 20}, "tile 15"), ({"margin": 7}, "margin 6"), ({"seed": 1}, "seed 0"), ({"samples": 64}, "count")],
 )
 def test_a_store_of_another_run_is_refused(dsm, folder, options, what):
     bake(dsm, folder / "sky.zarr")
@@ -270,16 +285,16 @@ def test_what_files_say_is_compared_not_their_size_and_age(dsm, folder, computed
     year = given / "year.epw"
     write_epw(year)
     trees = {"canopy": str(given / "crowns.tif"), "trunk": str(given / "bases.tif"), "far": str(given / "alps.tif")}
-    sun = {"weather": str(year), "period": ("06-21", "06-21"), "tile": 15}
+    sun = {"weather": year, "period": ("06-21", "06-21"), "tile": 15}
     jobs = {
         "sky": job(dsm, **trees),
         "vrt": job(given / "dsm.vrt"),
         "bare": job(given / "bare.tif"),
-        "sun": baking.RasterJob(str(dsm), "sun-hours", "joined", "surface", tuple(sorted(sun.items()))),
+        "sun": job(dsm, "sun-hours", **sun),
     }
     for name, one in jobs.items():
         with pytest.raises(KeyboardInterrupt):
-            baking.bake_raster(one, folder / f"{name}.zarr", None, False)
+            bake_job(one, folder / f"{name}.zarr")
     cases = [
         ("sun", year, warmer, "weather_content"),
         (
@@ -297,7 +312,7 @@ def test_what_files_say_is_compared_not_their_size_and_age(dsm, folder, computed
     for name, file, change, what in cases:
         rewritten(file, change)
         with pytest.raises(ValueError, match=f"of {what} '"):
-            baking.bake_raster(jobs[name], folder / f"{name}.zarr", None, True)
+            bake_job(jobs[name], folder / f"{name}.zarr", resume=True)
 
 
 def moved(path):
@@ -306,50 +321,72 @@ def moved(path):
 
 @pytest.mark.parametrize(("change", "when", "there"), [(raised, 4, 5), (raised, TILES - 1, TILES), (moved, 4, TILES)])
 def test_a_file_that_changes_meanwhile_puts_no_number_into_the_store(dsm, folder, monkeypatch, change, when, there):
-    before, bake_tile = dsm.read_bytes(), baking.bake_tile
+    before, numbers = dsm.read_bytes(), RasterRun.numbers
 
-    def changing(job, store, index, workers):
-        told = bake_tile(job, store, index, workers)
-        if index == when:
+    def changing(run, span):
+        found = numbers(run, span)
+        if run.reader.shape != (1, 1) and list(run.spans()).index(span) == when:
             change(dsm)
-        return told
+        return found
 
     bake(dsm, folder / "right.tif")
-    monkeypatch.setattr(baking, "bake_tile", changing)
-    with pytest.raises(ValueError, match=r"source: got .* when the run began; with what it was .* can be resumed"):
+    monkeypatch.setattr(RasterRun, "numbers", changing)
+    with pytest.raises(ValueError, match="source: got .* (changed since|when) the run began.* resume"):
         bake(dsm, folder / "sky.tif")
     assert not (folder / "sky.tif").exists()
     monkeypatch.undo()
     dsm.write_bytes(before)
-    assert f"{there} of them were there already" in bake(dsm, folder / "sky.tif", resume=True)
+    assert f"{there} of the {TILES} tiles were there already" in bake(dsm, folder / "sky.tif", resume=True)
     assert (folder / "sky.tif").read_bytes() == (folder / "right.tif").read_bytes()
 
 
-def test_what_is_not_our_working_store_stays(dsm, folder, computed):
+def test_what_is_not_our_working_folder_stays(dsm, folder, computed):
     _, counted = computed
-    bake(dsm, folder / "sky.tif.zarr")
-    own = contents(folder / "sky.tif.zarr")
-    bake(dsm, folder / "sky.tif", resume=True)
-    assert contents(folder / "sky.tif.zarr") == own
-    hidden = folder / ".sky.tif.making.zarr"
-    shutil.copytree(folder / "sky.tif.zarr", hidden)
-    with pytest.raises(ValueError, match="of making None, want one of making 'sky.tif'"):
+    hidden = folder / ".sky.tif.tiles"
+    hidden.mkdir()
+    (hidden / "thesis.txt").write_text("own")
+    with pytest.raises(ValueError, match="which holds other files, want another name"):
         bake(dsm, folder / "sky.tif", resume=True)
-    assert contents(hidden) == own
+    assert [path.name for path in hidden.iterdir()] == ["thesis.txt"]
     shutil.rmtree(hidden)
-    counted.most = counted.most + 1 + 2 * TILES + 3
+    counted.most = 3
     with pytest.raises(KeyboardInterrupt):
         bake(dsm, folder / "sky.tif")
-    with pytest.raises(ValueError, match="of making 'sky.tif', want one of making None"):
-        bake(dsm, hidden, resume=True)
+    with pytest.raises(ValueError, match="sky.tif.tiles' of seed 0, want one of seed 1"):
+        bake(dsm, folder / "sky.tif", resume=True, seed=1)
+
+
+def test_a_damaged_tile_file_is_computed_again_and_no_other(dsm, folder, computed):
+    ran, counted = computed
+    bake(dsm, folder / "right.tif")
+    ran.clear()
+    counted.most = 7
+    with pytest.raises(KeyboardInterrupt):
+        bake(dsm, folder / "sky.tif")
+    file = folder / ".sky.tif.tiles" / "tile-2.npz"
+    content = bytearray(file.read_bytes())
+    content[len(content) // 2] ^= 1
+    file.write_bytes(content)
+    ran.clear()
+    counted.most = -1
+    bake(dsm, folder / "sky.tif", resume=True)
+    assert ran == [2, *range(7, TILES)]
+    assert (folder / "sky.tif").read_bytes() == (folder / "right.tif").read_bytes()
+
+
+def test_two_runs_do_not_write_one_geotiff(dsm, folder):
+    store = tile_files.TileFiles(folder / "sky.tif", False)
+    with store.locked(), pytest.raises(WriteError, match="another process is writing it"):
+        bake(dsm, folder / "sky.tif")
+    assert list(folder.iterdir()) == []
 
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["-o", "sky.png"], "--output: got 'sky.png' for a raster, want .tif or .zarr"),
-        (["-o", "sky.tif", "--points", "5"], "--points: got 5 for dsm.tif; it applies only to meshes"),
-        (["-o", "sky.tif", "--margin", "5"], "--margin: got 5 without tile, want tile, around which it is"),
+        (["-o", "sky.exr"], "--output: got 'sky.exr' for rasters, want a file that ends in one of .tif .tiff .png .zarr"),
+        (["-o", "sky.tif", "--points", "5"], "--points: got 5 for dsm.tif; it applies only to meshes and CityJSON"),
+        (["-o", "sky.tif", "--margin", "5"], "--margin: got 5 without tile, want tile, too"),
         (["-o", "sky.tif", "--canopy", "none.tif"], "--canopy: got 'none.tif', which is missing"),
         (["-o", "sky.tif", "--tile", "0"], "--tile: got 0, want a whole number from 1 to 2147483647"),
         (["-o", "sky.tif", "--processes", "0"], "--processes: got 0, want a whole number from 1 to 1024"),
@@ -359,13 +396,19 @@ def test_what_is_not_our_working_store_stays(dsm, folder, computed):
             "--weather: got athens for sky; it applies only to irradiation and sun-hours",
         ),
         (["-o", "sky.tif", "--quantity", "irradiation"], "--weather: got None for irradiation, want an EPW weather file"),
-        (["-o", "sky.tif", "--quantity", "sky-matrix"], "--quantity: got 'sky-matrix', want one of ao, sky, visible-sky"),
-        (["-o", "sky.tif", "--texture", "64"], "--texture: got 64 for dsm.tif; it applies only to meshes"),
-        (["-o", "sky.tif", "--strict"], "--strict: got True for dsm.tif; it applies only to meshes"),
-        (["-o", "sky.tif", "--up", "0", "0", "1"], "--up: got (0.0, 0.0, 1.0) for dsm.tif; it applies only to meshes"),
+        (
+            ["-o", "sky.tif", "--quantity", "sky-matrix"],
+            "--quantity: got 'sky-matrix' for rasters, want one of ao",
+        ),
+        (["-o", "sky.tif", "--texture", "64"], "--texture: got 64 for dsm.tif; it applies only to textures (--texture)"),
+        (["-o", "sky.tif", "--strict"], "--strict: got True for dsm.tif; it applies only to textures (--texture)"),
+        (
+            ["-o", "sky.tif", "--up", "0", "0", "1"],
+            "--up: got (0.0, 0.0, 1.0) for dsm.tif; it applies only to meshes",
+        ),
         (
             ["-o", "sky.tif", "--quantity", "visible-sky", "--receiver", "surface"],
-            "--receiver: got 'surface' for the visible sky, want 'horizontal': it counts no cosines",
+            "--receiver: got 'surface' for the visible sky, want 'horizontal'",
         ),
         (["-o", "no/sky.tif"], "--output: got 'no/sky.tif'"),
         (["-o", "sky.tif", "--seed", "-1"], "--seed: got -1, want"),

@@ -8,6 +8,7 @@ import sys
 from functools import partial
 from importlib import import_module
 from pathlib import Path
+from zlib import crc32
 
 import numpy as np
 import pytest
@@ -420,6 +421,24 @@ def test_a_pipe_in_a_store_is_no_chunk(name, path, mesh, right):
     else:
         bake(path, mesh, resume=True)
         assert_whole(path, right)
+
+
+def test_records_of_version_0_1_are_read(path, mesh, computed):
+    """They have the CRC-32 of each file; a changed file is computed again."""
+    bake(path, mesh)
+    for file in (path / ".run/chunks").iterdir():
+        content = {"chunk": int(file.name)}
+        for name in json.loads(file.read_text())["crc32c"]:
+            below = f"{file.name}/0" if name in ("position", "normal") else file.name
+            content[name] = crc32((path / name / "c" / below).read_bytes())
+        file.write_text(json.dumps(content))
+    computed.clear()
+    bake(path, mesh, resume=True)
+    assert computed == []
+    damaged = path / "value/c/1"
+    damaged.write_bytes(damaged.read_bytes()[:-1] + b"x")
+    bake(path, mesh, resume=True)
+    assert computed == [CHUNK]
 
 
 def test_a_record_of_nothing_but_brackets_is_none(path, mesh, right):

@@ -2,20 +2,11 @@
 
 import io
 import sys
-from importlib import import_module
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from warpsample.output.baked import BakeRun
-
-pytest.importorskip("dask")
-pytest.importorskip("zarr")
-DONE = import_module("warpsample.cluster.baking").DONE
-runs = import_module("warpsample.cluster.runs")
-
-RUN = BakeRun(Path("courtyard"), Path("out.zarr"), "ao", None, 100, {"samples": 8, "up": (0.0, 0.0, 1.0)})
+from warpsample.output import run_record
 
 
 class Stream(io.StringIO):
@@ -36,16 +27,19 @@ def written(monkeypatch):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setenv("COLUMNS", "200")
-    monkeypatch.setattr(runs._Watch, "_seconds", lambda _: 1e-3)
+    monkeypatch.setattr(run_record, "perf_counter", lambda: 1e-3)
 
     def watch(out, err):
         streams = Stream(out), Stream(err)
         with monkeypatch.context() as patch:
             patch.setattr(sys, "stdout", streams[0])
             patch.setattr(sys, "stderr", streams[1])
-            with runs._Watch(RUN, 100) as watch:
-                for told in ((30, 0, 0.0), (50, 7000, 0.5)):
-                    watch.hear(np.array(told, DONE)[()])
+            record = run_record.RunRecord("ambient occlusion")
+            record._start, record._first = 0.0, 0.0
+            with record.show("reading courtyard"), record.count(100, "it can be resumed"):
+                record.skip(30)
+                record._first = 0.0
+                record.add(np.array((50, 7000, 50, 0.5, 25.0, 0.0, 1.0), run_record.SUMMARY)[()])
         return [stream.getvalue() for stream in streams]
 
     return watch

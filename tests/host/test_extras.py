@@ -17,7 +17,8 @@ CALLS = {
     "ws.irradiation(mesh, points, 'athens')": "radiation",
     "perez._pyradiance()": "radiation",
     "ws.rasters.surface('dsm.tif')": "city",
-    "rasters.bake_raster_file(None, {}, {}, {})": "city,cluster",
+    "bake._bake_raster(BakeRun.of(Path('a.tif'), Path('b.tif'), 'sky', {}))": "city",
+    "bake._bake_raster(BakeRun.of(Path('a.tif'), Path('b.zarr'), 'sky', {}))": "city,cluster",
     "cluster.trace": "cluster",
     "stores.export_command(None, None, None)": "cluster",
     "sky.to_xarray(points)": "cluster",
@@ -35,7 +36,8 @@ import warp as wp
 import warpsample as ws
 from warpsample import cluster
 from warpsample.bench import pictures
-from warpsample.cli import rasters, stores
+from warpsample.cli import bake, stores
+from warpsample.output.baked import BakeRun
 from warpsample.plotting import rendering
 from warpsample.proof.rays import closed_meshes
 from warpsample.radiation.weather import perez

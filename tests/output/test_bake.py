@@ -10,10 +10,12 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.output import bake
+from warpsample.output import bake, source
 from warpsample.output.baked import BakeRun
 from warpsample.output.places import PLACES
 from warpsample.output.quantities import quantity_of
+from warpsample.output.run_record import RunRecord
+from warpsample.output.source import read_source
 
 TORUS = trimesh.creation.torus(2.0, 0.6, 24, 12)
 
@@ -70,10 +72,14 @@ def test_every_file_holds_the_numbers(call, torus, tmp_path, suffix, at, monkeyp
         assert np.array_equal(np.float32(found[name]).ravel()[::step], np.float32(getattr(right, name))), name
     first, *rest = out.splitlines()
     assert first == f"{output}: ambient occlusion of {len(right.value):,} {at}"
-    assert f"mean {right.value.mean():.4f}; standard error" in rest[0]
+    assert (
+        f"mean {right.value.mean(dtype=np.float64):.4f}, from {right.value.min():.4g} to {right.value.max():.4g}; stand"
+        in rest[0]
+    )
     assert re.search(rf"{right.rays.sum():,} rays cast in \d+\.\d\d s", rest[1])
-    assert f"{right.skipped.empty_rays:,} in empty strata" in rest[2]
-    assert right.skipped.open_points == 0 or rest[3] == f"  {right.skipped.open_points:,} points needed no rays"
+    assert re.fullmatch(r"  took \d+\.\d\d s, with reading, compiling and writing", rest[2])
+    assert f"{right.skipped.empty_rays:,} in empty strata" in rest[3]
+    assert right.skipped.open_points == 0 or rest[4] == f"  {right.skipped.open_points:,} points needed no rays"
     assert set(tmp_path.iterdir()) == {torus, output}
 
 
@@ -132,7 +138,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
         return ws.ambient_occlusion(*arguments, first_point=first_point, **rest)
 
     changed = replace(quantity_of("ao"), call=wraps(ws.ambient_occlusion)(interrupted))
-    monkeypatch.setattr(bake, "quantity_of", lambda _: changed)
+    monkeypatch.setattr(source, "quantity_of", lambda _: changed)
     monkeypatch.setattr(bake, "RAYS_PER_PART", 64 * 100)
     status, out, err = call("bake", torus, "-o", output, "--samples", 64)
     assert (status, out) == (130, "")
@@ -141,7 +147,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
     assert set(tmp_path.iterdir()) == {torus, output}
     run = BakeRun(torus, output, "ao", "vertices", None, {"samples": 64, "seed": 0})
     with pytest.raises(Terminated, match="^interrupted after 100 of 288 points"):
-        bake.bake(run)
+        bake.bake(read_source(run), RunRecord("ambient occlusion"))
 
 
 @pytest.mark.parametrize(
@@ -149,7 +155,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
     [
         (["-o", "x.txt"], "error: --output: got 'x.txt', want a file that ends in one of .ply .vtp .glb .npz .csv"),
         (["-o", "no/x.ply"], "error: --output: got 'no/x.ply', whose folder does not exist"),
-        (["-o", "x.ply", "--points", "9"], "error: --output: got 'x.ply' for --points, want .vtp, .npz or .csv"),
+        (["-o", "x.ply", "--points", "9"], "error: --points: got 9 for x.ply; it applies only to .vtp, .npz, .csv"),
         (["-o", "x.csv", "--quantity", "irradiance"], "error: --environment: got None for irradiance"),
         (
             ["-o", "x.csv", "--environment", "a.hdr"],

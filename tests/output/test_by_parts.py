@@ -83,7 +83,7 @@ def test_cityjson_gets_attributes_or_a_table(call, tmp_path):
 
 def test_a_picture_of_cityjson_shows_the_means_of_its_surfaces(call, tmp_path, monkeypatch, can_render):
     shown = []
-    monkeypatch.setattr(by_parts, "picture_of", lambda _baked, of_faces: shown.append(of_faces) or b"a picture")
+    monkeypatch.setattr(by_parts, "draw_picture", lambda _baked, of_faces: shown.append(of_faces) or b"a picture")
     path = cases.written(tmp_path / "a.city.json", cases.house())
     given = ["--quantity", "sky", "--samples", 64, "--points", 600]
     assert call("bake", path, "-o", tmp_path / "b.png", *given)[0] == 0
@@ -129,32 +129,35 @@ def test_terrain_around_a_city_may_be_a_raster(call, tmp_path):
     ("arguments", "message"),
     [
         (["cube.ply", "-o", "x.csv", "--by", "part"], "--by: got part for 'cube.ply', whose faces have no named parts"),
-        (["cube.ply", "-o", "x.ply", "--by", "part"], "--output: got 'x.ply' for --by part, want a file that ends in .csv"),
+        (["cube.ply", "-o", "x.ply", "--by", "part"], "--by: got part for x.ply; it applies only to .csv"),
         (
             ["cube.ply", "-o", "x.csv", "--by", "part", "--at", "vertices"],
             "--at: got vertices for means over parts, want faces",
         ),
         (["cube.ply", "-o", "x.csv", "--split"], "--split: got True for cube.ply; it applies only to CityJSON"),
         (["cube.ply", "-o", "x.csv", "--lod", "2"], "--lod: got 2 for cube.ply; it applies only to CityJSON"),
-        (["cube.ply", "-o", "x.json"], "path: got 'cube.ply', which cannot be read as a CityJSON file"),
+        (["cube.ply", "-o", "x.json"], "--output: got 'x.json', want a file that ends in one of .ply"),
         (["a.json", "-o", "x.csv", "--lod", "high"], "--lod: got 'high', want a level of detail, such as 2.2"),
         (
             ["a.json", "-o", "x.csv", "--lod", "3"],
             "--lod: got 3, want a level of detail that 'a.json' has surfaces of: 2.2",
         ),
         (["a.json", "-o", "x.jsonl"], "--output: got 'x.jsonl' for 'a.json', want a file that ends in .json, too"),
-        (["a.json", "-o", "x.csv", "--quantity", "sky-matrix"], "--quantity: got sky-matrix for 'x.csv', want one of a few"),
+        (
+            ["a.json", "-o", "x.csv", "--quantity", "sky-matrix"],
+            "--output: got 'x.csv' for sky-matrix, want a file",
+        ),
         (["a.json", "-o", "x.csv", "--context", "no.obj"], "path: got 'no.obj', which is missing, want a mesh file"),
         (["a.json", "-o", "x.csv", "--at", "vertices"], "--at: got vertices for means over parts, want faces, or --points"),
         (["a.json", "-o", "x.csv", "--points", "0"], "--points: got 0, want a whole number from 1"),
         (["a.json", "-o", "a.json"], "--output: got 'a.json', which is the input"),
         (
             ["a.json", "-o", "x.zarr"],
-            "--output: got 'x.zarr' for CityJSON, want .city.json, .city.jsonl, .csv or a mesh file",
+            "--output: got 'x.zarr' for CityJSON, want a file that ends in one of .json .jsonl .ply .vtp",
         ),
         (
             ["cube.ply", "-o", "x.zarr", "--by", "part"],
-            "--output: got 'x.zarr' for --by part, want a file that ends in .csv",
+            "--by: got part for x.zarr; it applies only to .csv",
         ),
     ],
 )

@@ -42,7 +42,7 @@ def test_a_mesh_in_two_places_has_the_numbers_of_the_first(call, tmp_path):
     quad = np.array([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)], np.float32)
     path, output = placed_twice(tmp_path / "in.glb", quad), tmp_path / "out.glb"
     status, out, _ = call("bake", path, "-o", output, "--samples", 16)
-    assert (status, "of 'meshes[0]', in several places, the first one counts" in out) == (0, True)
+    assert (status, "of 'meshes[0]', in several places, the first place counts" in out) == (0, True)
     tree, data, _ = opened(output)
     assert "_value" not in tree["meshes"][1]["primitives"][0]["attributes"]  # of points
     assert array_of(tree, data, tree["meshes"][1]["primitives"][1]["attributes"]["_value"]).shape == (4, 1)

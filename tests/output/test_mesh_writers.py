@@ -11,7 +11,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.output import bake, baked, export, places
+from warpsample.output import bake, baked, export, places, source
 from warpsample.output.mesh_writers import Lazy, write_vtp
 
 MAP = np.array([500_000.0, 5_400_000.0, 300.0])
@@ -118,7 +118,7 @@ def test_a_glb_that_would_lose_faces_is_refused_before_the_work(call, placed, tm
     near = ground(1e-3)
     vertices = np.concatenate([near.vertices, near.vertices + np.array([1e4, 0.0, 0.0])])
     path = placed(ws.Mesh(vertices, np.concatenate([near.faces, near.faces + len(near.vertices)])))
-    monkeypatch.setattr(bake, "points_on", None)
+    monkeypatch.setattr(source, "_place_points", None)
     status, _, err = call("bake", path, "-o", tmp_path / "out.glb")
     said = (
         r"error: --output: got 'out.glb', whose float32 would change the area of ([\d,]+) of 8,192 faces by more than 1%, "

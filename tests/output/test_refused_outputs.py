@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from warpsample.cli import commands
-from warpsample.output import bake, export
+from warpsample.output import bake, export, source
 from warpsample.plotting import rendering
 
 
@@ -19,7 +19,7 @@ def uncomputed(monkeypatch):
     def load(path):
         raise AssertionError(f"{path} was read")
 
-    for module in (bake, export, commands):
+    for module in (source, export, commands):
         monkeypatch.setattr(module, "load_mesh", load)
 
 

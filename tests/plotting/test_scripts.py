@@ -167,7 +167,7 @@ def test_a_wrong_sampler_is_another_picture(can_render, script, tmp_path, monkey
 @pytest.mark.slow
 @pytest.mark.slow
 def test_a_baked_texture_is_drawn_by_its_own_images(can_render, script, bunny, tmp_path, capsys):
-    """The colours of errors end where they are told to, and the picture is not blank."""
+    """The colours of errors end at the requested number, and the picture is not blank."""
     module = script("baked_texture")
     pytest.importorskip("xatlas")
     assert module.color_image(np.array([[0.0, 0.5, 2.0]]), "viridis", 0.5)[0].tolist() == [

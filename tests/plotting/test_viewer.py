@@ -32,8 +32,8 @@ def fresh(viewer):
     return viewer
 
 
-def drawn(viewer):
-    """The points that the plotter has been given: on the mesh, and of the chosen cloud."""
+def drawn_points(viewer):
+    """Return the points that the plotter draws: on the mesh, and of the chosen cloud."""
     mappers = [viewer.cloud_actor.actor.mapper, viewer.near_actor.actor.mapper]
     for mapper in mappers:
         mapper.update()  # as the next frame would
@@ -66,7 +66,7 @@ def test_what_the_plotter_is_given(fresh, bunny):
     off = np.einsum("pk,pk->p", ends[:, 0] - corners[:, 0], bunny.face_normals[fresh.points.face])
     assert np.abs(off).max() <= 1e-6 * bunny.diagonal
     assert any(getattr(data, "n_cells", 0) == len(bunny.faces) for data in scene)
-    on_mesh, _ = drawn(fresh)
+    on_mesh, _ = drawn_points(fresh)
     assert len(on_mesh) == 20 * 256
     away = np.linalg.norm(on_mesh.reshape(20, 256, 3) - fresh.points.position[:, None], axis=-1)
     assert away.max() <= fresh.scale * (1.0 + 1e-5)
@@ -76,7 +76,7 @@ def test_what_the_plotter_is_given(fresh, bunny):
     assert mapper.scalar_range == (0.0, pytest.approx(1.0 / np.pi, rel=1e-5))
     assert 0.0 < mapper.dataset["pdf"].min() < mapper.dataset["pdf"].max() <= 1.0 / np.pi * (1.0 + 1e-6)
     # The chosen cloud lies on the translucent lobe: the sphere of diameter 1 on the tangent plane.
-    for points in (drawn(fresh)[1], np.array(fresh.lobe_actor.actor.mapper.dataset.points)):
+    for points in (drawn_points(fresh)[1], np.array(fresh.lobe_actor.actor.mapper.dataset.points)):
         assert np.abs(np.linalg.norm(points - [0.0, 0.0, 0.5], axis=1) - 0.5).max() <= 1e-6
 
 
@@ -91,7 +91,7 @@ def test_turning_one_knob_makes_it_wrong_and_right_again(fresh):
     charts = np.s_[:, 660:]
     assert (np.abs(right[charts].astype(int) - wrong[charts]).max(axis=-1) > 50).mean() > 0.02
     # The sphere of radius 0.8 about the normal's tip: nothing beyond asin 0.8.
-    near = drawn(fresh)[1].astype(np.float64)
+    near = drawn_points(fresh)[1].astype(np.float64)
     sine = np.hypot(near[:, 0], near[:, 1]) / np.linalg.norm(near, axis=1)
     assert sine.max() <= 0.8 + 1e-6
     turn(fresh, "scalar", 0.0)
@@ -105,10 +105,10 @@ def test_menus_choose(fresh):
     assert (state(fresh, "distribution"), state(fresh, "density")) == (["cosine_hemisphere"], [controls.OWN])
     scalar = fresh.controls.sliders["scalar"].widget
     assert (scalar.GetRepresentation().GetVisibility(), scalar.GetProcessEvents()) == (0, 0)
-    before = drawn(fresh)
+    before = drawn_points(fresh)
     press(fresh, "method", "concentric")
     assert fresh.controls.choice.distribution == ws.CosineHemisphere("concentric")
-    assert not any(np.array_equal(a, b) for a, b in zip(before, drawn(fresh), strict=True))
+    assert not any(np.array_equal(a, b) for a, b in zip(before, drawn_points(fresh), strict=True))
     press(fresh, "distribution", "offset_ball")
     assert (state(fresh, "method"), state(fresh, "density")) == ([], [controls.COSINE])
     assert fresh.clouds.theta.verdict().startswith("does NOT agree with the cosine lobe")
@@ -124,13 +124,13 @@ def test_menus_choose(fresh):
 @pytest.mark.slow
 def test_sliders_turn(fresh):
     turn(fresh, "samples", log2(100.0))
-    assert [len(p) for p in drawn(fresh)] == [2000, 100]
+    assert [len(p) for p in drawn_points(fresh)] == [2000, 100]
     assert "20 points x 100 directions" in fresh.caption.input
     assert fresh.controls.sliders["samples"].title.input == "100 directions per point"
-    before = drawn(fresh)
+    before = drawn_points(fresh)
     turn(fresh, "seed", 7.0)
     assert fresh.controls.choice.seed == 7
-    assert not any(np.array_equal(a, b) for a, b in zip(before, drawn(fresh), strict=True))
+    assert not any(np.array_equal(a, b) for a, b in zip(before, drawn_points(fresh), strict=True))
     press(fresh, "distribution", "visible_ggx")
     lobe = np.array(fresh.lobe_actor.actor.mapper.dataset.points)
     turn(fresh, "view", 80.0)
@@ -143,7 +143,7 @@ def test_sliders_turn(fresh):
 
 def test_a_double_click_chooses_the_point_under_the_mouse(fresh, bunny):
     """Its cloud becomes the enlarged one, in the same window; the clouds on the mesh stay."""
-    on_mesh, near = drawn(fresh)
+    on_mesh, near = drawn_points(fresh)
     chosen = 0
     for at in [(x, y) for x in range(250, 600, 50) for y in range(350, 600, 50)]:
         before = fresh.chosen
@@ -157,8 +157,8 @@ def test_a_double_click_chooses_the_point_under_the_mouse(fresh, bunny):
             assert weights.min() >= -1e-3  # the point is on the face
             assert fresh.chosen.normal[0] == pytest.approx(bunny.face_normals[fresh.chosen.face[0]])
     assert chosen > 5
-    assert np.array_equal(drawn(fresh)[0], on_mesh)
-    assert not np.array_equal(drawn(fresh)[1], near)
+    assert np.array_equal(drawn_points(fresh)[0], on_mesh)
+    assert not np.array_equal(drawn_points(fresh)[1], near)
     before = fresh.chosen
     fresh.picker.click((1000, 300))  # on the charts
     assert fresh.chosen is before
@@ -202,7 +202,7 @@ def test_a_cloud_cut_by_the_budget_is_thinner_and_whole(can_render, bunny, monke
     monkeypatch.setattr(rendering, "MOST_POINTS", 2000)
     choice = Choice(COSINE, sequence="fibonacci", samples=4096)
     made = window.Viewer(bunny, 4, choice, size=(1200, 675), off_screen=True)
-    clouds = drawn(made)[0].reshape(4, 500, 3)
+    clouds = drawn_points(made)[0].reshape(4, 500, 3)
     centres = made.points.position + 0.5 * made.scale * made.points.normal
     # 500 lattice points are within 1/500 of the uniform sphere's mean; the first 500 of 4096 were off by 0.44.
     assert np.abs(clouds.mean(axis=1) - centres).max() <= 0.01 * made.scale
@@ -216,7 +216,7 @@ def test_ten_million_directions_are_a_bounded_picture(can_render, monkeypatch):
     box = trimesh.creation.box()
     mesh = ws.Mesh(box.vertices + np.array([5e6, 4e6, 100.0]), box.faces)
     made = window.Viewer(mesh, 10_000_000, Choice(COSINE, samples=1000), up="z", size=(1200, 675), off_screen=True)
-    on_mesh, near = drawn(made)
+    on_mesh, near = drawn_points(made)
     assert (len(on_mesh), len(near)) == (1_000_000, 1000)
     caption = made.caption.input.replace("\n", " ")  # without line breaks
     assert "1,000,000 points x 1 directions (of 10,000,000 x 1,000 requested)" in caption

@@ -1,4 +1,4 @@
-"""Distributions of one's own: registered from outside, tried by name, and what is told of those that are wrong."""
+"""User-defined distributions: registration, tests by name, and advice on wrong ones."""
 
 import re
 import subprocess
@@ -131,16 +131,18 @@ def test_an_interrupt_prints_what_is_done(call, monkeypatch):
 
 
 def test_what_is_imprecise_is_told_apart_from_what_is_wrong():
-    def told(**errors):
+    def advise_on(**errors):
         verdicts = [
             Verdict.from_error(law.replace("_", " "), "Mine(alpha=0.1)", value, limit=1e-6) for law, value in errors.items()
         ]
         return " ".join(advise([*verdicts, Verdict.from_error("mass", "Right()", 0.0)]))
 
-    assert told(direction=1e-4, tails=1.0).startswith("Mine is imprecise, not wrong: direction 1.0e-04 (at most 1.0e-06).")
-    assert "state the limits in the class: worst_angle = 2.0e-04." in told(direction=1e-4)
-    assert "No attribute of the class can excuse this" in told(direction=1e-4, sine=1.0)
-    assert told(direction=0.5, cells=1.0).startswith("Mine breaks direction, cells, while all parts agree to 0.01")
-    assert told(finite=3.0).startswith("Mine gives NaN, an infinity or density 0 at 3 values of u")
-    assert told(outside=3.0).startswith("Mine has a density beyond its support, or at NaN: return 0 there")
+    assert advise_on(direction=1e-4, tails=1.0).startswith(
+        "Mine is imprecise, not wrong: direction 1.0e-04 (at most 1.0e-06)."
+    )
+    assert "state the limits in the class: worst_angle = 2.0e-04." in advise_on(direction=1e-4)
+    assert "No attribute of the class can excuse this" in advise_on(direction=1e-4, sine=1.0)
+    assert advise_on(direction=0.5, cells=1.0).startswith("Mine breaks direction, cells, while all parts agree to 0.01")
+    assert advise_on(finite=3.0).startswith("Mine gives NaN, an infinity or density 0 at 3 values of u")
+    assert advise_on(outside=3.0).startswith("Mine has a density beyond its support, or at NaN: return 0 there")
     assert advise([Verdict.from_error("mass", "Right()", 0.0)]) == []

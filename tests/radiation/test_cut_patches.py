@@ -35,19 +35,19 @@ def slats(azimuth, pitch=0.3, number=20):
     )
     faces = np.concatenate([one.T + 8 * k for k in range(number)])
 
-    def seen(w, below=0.0):
+    def is_sky(w, below=0.0):
         height = (w[:, 2] / np.maximum(np.abs(w @ ahead), np.abs(w @ aside) / 1.7**2) - below) / pitch
         return (height < 0.0) | (height >= number) | (height % 1.0 > 0.5)
 
-    return ws.as_mesh((np.concatenate(rings), faces)), seen
+    return ws.as_mesh((np.concatenate(rings), faces)), is_sky
 
 
 @pytest.mark.parametrize("name", NORMALS)
 def test_cut_patches_behind_slats_by_quadrature(name):
     """Slats cut every low patch in two or more: rays that miss a part of one would tell another share."""
     n = unit(NORMALS[name])
-    mesh, seen = slats(np.arctan2(n[0], n[1]))
-    exact = form_factors(n, seen, cells=150)[0]
+    mesh, is_sky = slats(np.arctan2(n[0], n[1]))
+    exact = form_factors(n, is_sky, cells=150)[0]
     errors = []
     for count in (1024, 16384):
         found = ws.sky_matrix(mesh, at((0, 0, 0), n, 64), count)
@@ -135,7 +135,7 @@ def test_a_sliver_of_a_patch_is_seen_where_it_is_highest(height):
     What counts then is a ray to where the patch is farthest above the horizon.
     """
     n = np.array([np.sin(np.pi - 2.5e-4), np.cos(np.pi - 2.5e-4), 0.0])
-    mesh, seen = slats(0.3)
+    mesh, is_sky = slats(0.3)
     found = ws.sky_matrix(mesh, at((0, 0, -height), n, 64), 64, skip=False)
     open_ = ws.sky_matrix(FAR, at((0, 0, 0), n), 64).value[0]
     slivers = [k for k, patch in enumerate(edges(1)) if 0.0 < open_[k] < 1e-7 and patch[0] < 0.3]
@@ -143,7 +143,7 @@ def test_a_sliver_of_a_patch_is_seen_where_it_is_highest(height):
     for k in slivers:
         lit = found.value[:, k] > 0.5 * open_[k]
         w = highest_of(edges(1)[k], n)
-        assert np.mean(lit == seen(w[None], height)[0]) >= 0.7, k
+        assert np.mean(lit == is_sky(w[None], height)[0]) >= 0.7, k
 
 
 @pytest.mark.parametrize("low", [72.0, 60.0])

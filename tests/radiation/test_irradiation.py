@@ -196,9 +196,9 @@ def test_the_error_bars_are_honest(yard, athens):
     plans = (Plan.of(at, 64, RayOptions.of(len(at), seed=seed)) for seed in range(24))
     runs = [received(plan, light, series=False) for plan in plans]
     values, errors = (np.array([getattr(run, name) for run in runs], np.float64) for name in ("value", "standard_error"))
-    told, seen = np.mean(np.square(errors)), np.mean(values.var(axis=0, ddof=1))
-    assert told > 0.0
-    assert 0.7 < told / seen < 1.4
+    estimated, seen = np.mean(np.square(errors)), np.mean(values.var(axis=0, ddof=1))
+    assert estimated > 0.0
+    assert 0.7 < estimated / seen < 1.4
 
 
 def test_the_ground_beyond_the_mesh_has_rays_of_its_own(athens):

@@ -30,7 +30,7 @@ def same(found, other):
 def check_spheres():
     """Integrating spheres, E0 / (1 - rho): evenly lit, so that nothing is left to chance."""
     for rho, tau in ((0.1, 0.3), (0.5, 0.3), (0.8, 0.2), (0.95, 0.05)):
-        found = ws.irradiance(known.shell(rho, tau), known.within(20), known.EVERYWHERE, 64)
+        found = ws.irradiance(known.shell(rho, tau), known.points_inside(20), known.EVERYWHERE, 64)
         np.testing.assert_allclose(found.value, pi * tau / (1.0 - rho), rtol=1e-5)  # of float32 weights
         assert found.standard_error.max() < 1e-4 * pi
 
@@ -187,7 +187,7 @@ def test_rays_that_leave_a_point_behind_its_face_bring_nothing():
 
 def test_a_tolerance_is_refused_where_faces_reflect():
     with pytest.raises(ValueError, match="^tolerance: got 0.01 for a mesh with a reflectance, want None"):
-        ws.irradiance(known.pit(0.5), known.within(2), known.SKY, tolerance=0.01)
+        ws.irradiance(known.pit(0.5), known.points_inside(2), known.SKY, tolerance=0.01)
 
 
 @pytest.mark.parametrize("refine", [None, np.inf, 0.3])
@@ -197,7 +197,7 @@ def test_rays_meet_the_patches_that_places_are_on(refine):
     assert (len(np.unique(made.face)), made.back.sum()) == (9, len(made) / 2)
     at = made.places(5, 0)
     hits = ws.trace(mesh, at.position + 1e-3 * at.normal, -at.normal)
-    patch = made.met(hits.face, -at.normal, hits.distance, lambda rays: (at.position + 1e-3 * at.normal)[rays])
+    patch = made.find_hit(hits.face, -at.normal, hits.distance, lambda rays: (at.position + 1e-3 * at.normal)[rays])
     assert np.array_equal(patch, np.repeat(np.arange(len(made)), 5))
     longest = np.sqrt(2.0) / np.maximum(made.cuts, 1)
     assert {None: len(made) > 4000, np.inf: len(made) == 18, 0.3: longest[made.cuts > 0].max() <= 0.3}[refine]

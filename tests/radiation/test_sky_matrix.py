@@ -11,7 +11,7 @@ from sky_cases import form_factors
 
 import warpsample as ws
 from warpsample.bench import scenes
-from warpsample.radiation.sky.prepared import prepared
+from warpsample.radiation.sky.prepared import prepare_sky
 
 TILTS = np.array(
     [[0, 0, 1], [0, 1, 0], [1, 0, 0], [-0.3, 0.5, 0.6], [0.2, -0.9, -0.3], [0.7, 0.1, -0.7], [1, 0.3, 1e-7], [1e-4, 0, 1]]
@@ -60,10 +60,10 @@ def test_a_street_by_quadrature(count):
     width, height, x = 1.0, 1.7, 0.3
     found = ws.sky_matrix(street(width, height), at((x, 0.4, 0.0), (0, 0, 1), 64), count)
 
-    def seen(w):
+    def is_sky(w):
         return w[:, 2] * np.where(w[:, 0] > 0.0, width - x, x) > height * np.abs(w[:, 0])
 
-    exact = form_factors([0, 0, 1], seen, cells=200)[0]
+    exact = form_factors([0, 0, 1], is_sky, cells=200)[0]
     error = found.value - exact
     bars = np.sqrt(np.mean(np.square(found.standard_error.astype(np.float64)), axis=0) / 64)
     assert (np.abs(error.mean(axis=0)) <= 5.0 * bars + 1e-5).all()
@@ -134,13 +134,13 @@ def test_skipping_threads_parts_and_masks_change_no_bit(bunny, monkeypatch):
 
 def test_wrong_shafts_would_be_seen(bunny, monkeypatch):
     def shifted(sky):
-        own = prepared(sky)
+        own = prepare_sky(sky)
         return replace(own, shafts=np.roll(own.shafts, 7, axis=0), group_shafts=np.roll(own.group_shafts, 7, axis=0))
 
     points = ws.sample_surface(bunny, 100, seed=3)
     right = ws.sky_matrix(bunny, points, 300)
     assert same(ws.sky_matrix(bunny, points, 300), right)
-    monkeypatch.setattr("warpsample.radiation.sky.sky_matrix.prepared", shifted)
+    monkeypatch.setattr("warpsample.radiation.sky.sky_matrix.prepare_sky", shifted)
     assert not same(ws.sky_matrix(bunny, points, 300), right)
 
 
@@ -173,8 +173,8 @@ def test_error_bars_are_honest(bunny):
         for count, patches in ((128, "tregenza"), (1024, "tregenza")):
             runs = [ws.sky_matrix(mesh, points, count, patches=patches, seed=s) for s in range(24)]
             between = np.var([run.value.astype(np.float64) for run in runs], axis=0, ddof=1).mean()
-            told = np.mean([np.square(run.standard_error.astype(np.float64)).mean() for run in runs])
-            assert 0.9 * between <= told <= 1.1 * between
+            estimated = np.mean([np.square(run.standard_error.astype(np.float64)).mean() for run in runs])
+            assert 0.9 * between <= estimated <= 1.1 * between
 
 
 def test_a_fold_is_the_matrix_times_skies(bunny, monkeypatch):

@@ -33,8 +33,8 @@ def lines_of(name, settings, found, capsys):
     return lines
 
 
-def drawn(name, found, folder):
-    """The names of the pictures of a benchmark, none of them blank."""
+def draw_pictures(name, found, folder):
+    """Draw the pictures of a benchmark, check that none is blank, and return their names."""
     from matplotlib.image import imread
 
     result = Result(describe_machine(), benchmarks()[name].settings(), found)

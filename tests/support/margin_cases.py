@@ -70,8 +70,8 @@ def places_on(rng, origins, ways, furthest=7.0):
     return places, (np.abs(places) <= 1.0).all(axis=2), t[..., 0]
 
 
-def beside(rng, ways):
-    """(N, 16, 3) float64 unit vectors across the rays."""
+def sideways(rng, ways):
+    """Return (N, 16, 3) float64 unit vectors perpendicular to the rays."""
     across = np.cross(rng.normal(size=(N, WIDTH, 3)), ways[:, None].astype(np.float64))
     return across / np.linalg.norm(across, axis=2, keepdims=True)
 

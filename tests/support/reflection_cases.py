@@ -42,8 +42,8 @@ def shell(rho, tau):
     return ws.as_mesh((ball.vertices, ball.faces), transmittance=tau, reflectance=rho)
 
 
-def within(copies):
-    """Points inside a sphere of 1, turned all ways."""
+def points_inside(copies):
+    """Return points inside a unit sphere, with normals in random directions."""
     return ws.SurfacePoints(np.tile([[0.1, 0.2, 0.3]], (copies, 1)), np.random.default_rng(1).normal(size=(copies, 3)))
 
 

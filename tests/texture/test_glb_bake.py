@@ -13,7 +13,7 @@ from lookups import lookup, on_surface
 from textured_scenes import SQUARE, TWO, array_of, changed, corner, opened, picture, rich
 
 import warpsample as ws
-from warpsample.output import texture_bake
+from warpsample.output.textures import bake as texture_bake
 
 RAYS = ("--samples", 256)
 
@@ -310,25 +310,29 @@ def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
         (["--texture", 0], "--texture: got 0, want a whole number from 1"),
         (
             ["--texture", 64, "--points", 5],
-            "--points: got 5 for --texture, want none: a texture has its points at the texels",
+            "--points: got 5 for --texture; it applies only to meshes and CityJSON",
         ),
         (["--texture", 64, "--supersample", 0], "--supersample: got 0, want"),
         (["--texture", 64, "--gutter", "some"], "--gutter: got 'some', want 'all' or a whole number"),
         (["--texture", 64, "--strength", 2], "--strength: got 2.0, want a number from 0 to 1"),
         (["--texture", 64, "--uv", "1"], "--uv: got 1, want a set of texture coordinates that all faces of 'brick' have"),
         (["--texture", "64x32", "--uv", "new"], "--texture: got 64x32 for new texture coordinates, want a square"),
-        (["--texture", 64, "--quantity", "mean-distance"], "--quantity: got mean-distance for 'out.glb', want .exr or .npz"),
+        (
+            ["--texture", 64, "--quantity", "mean-distance"],
+            "--output: got '{}/out.glb' for mean-distance, want a file",
+        ),
         (["--texture", 64, "--processes", 2], "--processes: got 2 for"),
         (
             ["--texture", 64, "--report", "r.html"],
-            "--report: got r.html for --texture, want none: a report describes",
+            "--report: got r.html for --texture; it applies only to meshes, CityJSON and rasters",
         ),
-        (["--uv", "new"], "--uv: got new without --texture; it applies only to textures"),
-        (["--strict"], "--strict: got True without --texture; it applies only to textures"),
+        (["--uv", "new"], "--uv: got new for in.glb; it applies only to textures (--texture)"),
+        (["--strict"], "--strict: got True for in.glb; it applies only to textures (--texture)"),
     ],
 )
 def test_wrong_options_are_named(call, scene, options, why):
     status, _, err = call("bake", scene, "-o", scene.with_name("out.glb"), *options)
+    why = why.format(scene.parent)
     assert (status, err.splitlines()[-1][: len(why) + 7]) == (2, f"error: {why}")
     assert [path.name for path in scene.parent.iterdir()] == ["in.glb"]
 

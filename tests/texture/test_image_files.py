@@ -41,7 +41,7 @@ def test_all_files_hold_the_same_numbers(call, floor, tmp_path):
         run(call, floor, tmp_path / f"a{suffix}", "--supersample", 4)
     run(call, floor, tmp_path / "deep.png", "--supersample", 4, "--depth", "16")
     with np.load(tmp_path / "a.npz") as file:
-        value, error, uv, told = (file[name] for name in ("value", "standard_error", "uv", "run"))
+        value, error, uv, options = (file[name] for name in ("value", "standard_error", "uv", "run"))
     assert value.shape == error.shape == (32, 64)
     assert value[:, 0].min() > 0.95 > value[:, -1].max()
     assert 0.0 < np.sqrt(np.mean(error**2)) < 0.1
@@ -53,8 +53,8 @@ def test_all_files_hold_the_same_numbers(call, floor, tmp_path):
     assert np.array_equal(uv, ws.load_uv(floor))
     with np.load(tmp_path / "a.npz") as file:
         assert file["covered"].all()
-    told = json.loads(str(told))
-    assert (told["texture_size"], told["texture_samples"], told["samples"]) == ("(64, 32)", "4", "64")
+    options = json.loads(str(options))
+    assert (options["texture_size"], options["texture_samples"], options["samples"]) == ("(64, 32)", "4", "64")
 
 
 @pytest.mark.slow
@@ -139,7 +139,7 @@ def test_a_full_disk_leaves_the_old_file(tmp_path, child_environment):
 
 def test_what_the_inputs_need_is_not_replaced(call, floor, tmp_path):
     """Pictures of an .obj and of a .gltf, its data, and those of a finer mesh, even where an old .gltf names them."""
-    (tmp_path / "in.glb").write_bytes(changed(rich()[:-12], len))  # its length told anew
+    (tmp_path / "in.glb").write_bytes(changed(rich()[:-12], len))  # with its length updated
     tree, data, _ = opened(tmp_path / "in.glb")
     (tmp_path / "part").mkdir()
     (tmp_path / "part" / "m.mtl").write_text("newmtl a\nmap_Kd -s 1 1 1 of walls.png\n")

@@ -125,7 +125,7 @@ def test_parts_strips_and_other_meshes_change_no_bit():
 
 
 def test_errors_of_samples_hold_what_values_vary():
-    """The mean of x^2 over each texel of a square is known: the told error is at least the true one, and below twice it.
+    """The mean of x^2 over each texel of a square is known: the estimated error is 1 to 2 times the true one.
 
     Stratification makes it smaller than independent samples would be, by which it is told: 16 of them on a slope.
     """
@@ -136,10 +136,10 @@ def test_errors_of_samples_hold_what_values_vary():
     edges = np.arange(33) / 32
     truth = np.diff(np.float_power(edges, 3) / 3) * 32
     error = t.image(value) - truth
-    told = t.image_error(found)
-    assert np.sqrt(np.mean(error**2)) <= np.sqrt(np.mean(told**2))
+    estimated = t.image_error(found)
+    assert np.sqrt(np.mean(error**2)) <= np.sqrt(np.mean(estimated**2))
     exact = np.sqrt((np.diff(np.float_power(edges, 5) / 5) * 32 - truth**2) / 16)  # of 16 independent samples
-    assert np.sqrt((told**2).mean(axis=0)) == pytest.approx(exact, rel=0.1)
+    assert np.sqrt((estimated**2).mean(axis=0)) == pytest.approx(exact, rel=0.1)
 
 
 def test_a_texel_of_one_sample_has_the_error_of_its_point():
@@ -168,8 +168,8 @@ def test_a_texel_with_one_of_several_samples_has_an_error_of_its_place_too():
     covered = np.bincount(fine.texel, (fine.points.barycentric > 0.0).all(axis=1), 32 * 32) > 0
     single = (np.bincount(t.texel, minlength=32 * 32) == 1) & covered
     assert single.sum() > 20
-    true, told = (np.sqrt(np.mean(array[single] ** 2)) for array in (t.image(value).ravel() - truth, error))
-    assert true <= told <= 3.0 * true
+    true, estimated = (np.sqrt(np.mean(array[single] ** 2)) for array in (t.image(value).ravel() - truth, error))
+    assert true <= estimated <= 3.0 * true
 
 
 def test_what_has_no_number_is_filled_from_its_own_chart():

@@ -7,8 +7,8 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.texture import unwrapping
-from warpsample.texture.charts import label_charts
+from warpsample.texture.uv import unwrapping
+from warpsample.texture.uv.charts import label_charts
 
 SPHERE = trimesh.creation.icosphere(3)
 

@@ -5,7 +5,6 @@ import pytest
 import warp as wp
 from margin_cases import (
     N,
-    beside,
     bits,
     chunks,
     launch,
@@ -15,6 +14,7 @@ from margin_cases import (
     on_cpu,
     places_on,
     rays_into_the_scene,
+    sideways,
     triangles_about,
 )
 
@@ -38,8 +38,8 @@ def _boxes_met(nodes: wp.array2d[wp.float32], chunks: wp.array2d[wp.float32], re
 
 
 @wp.func
-def _met(leaf: wp.uint64, k: wp.int32, ray: Ray, reach: wp.float32) -> wp.float32:
-    """The distance of a triangle that a ray meets, decided in float64; -1 if it does not."""
+def _hit_distance(leaf: wp.uint64, k: wp.int32, ray: Ray, reach: wp.float32) -> wp.float32:
+    """Return the distance of a triangle that a ray hits, decided in float64; -1 without a hit."""
     distance = plane_distance(leaf, k, ray)
     return wp.where(distance > 0.0 and distance < reach and is_between_edges(leaf, k, ray), distance, -1.0)
 
@@ -61,7 +61,7 @@ def _triangles(
     near[i, 0] = masks & 0xFFFF
     near[i, 1] = masks >> WIDTH
     for k in range(WIDTH):
-        distances[i, k] = _met(leaf, k, ray, sizes[i, 1])
+        distances[i, k] = _hit_distance(leaf, k, ray, sizes[i, 1])
 
 
 @wp.kernel(enable_backward=False, module="unique")
@@ -83,7 +83,7 @@ def _sides(
     masks = triangles_passed(sides.ptr, direction_of(chunk, 0))
     others = wp.int32(0)
     for k in range(WIDTH):
-        distances[i, k] = _met(leaf, k, ray, sizes[i, 1])
+        distances[i, k] = _hit_distance(leaf, k, ray, sizes[i, 1])
         lanes = rays_passing(sides.ptr, k, chunk)
         others = others | ((lanes & 1) << k) | (((lanes >> WIDTH) & 1) << (WIDTH + k))
     near[i, 0] = masks & 0xFFFF
@@ -102,7 +102,7 @@ def test_a_ray_meets_the_boxes_of_all_places_on_it_and_none_far_beside_it(along_
         launch(_boxes_met, N, [nodes(places, places), chunks(origins, ways), np.inf], wp.zeros(N, wp.int32, device="cpu"))[0]
     )
     assert found[there].all()
-    aside = places + 4.0 * PADDING * beside(rng, ways)  # a padded box reaches no farther than sqrt(3) of its padding
+    aside = places + 4.0 * PADDING * sideways(rng, ways)  # a padded box reaches no farther than sqrt(3) of its padding
     found = bits(
         launch(_boxes_met, N, [nodes(aside, aside), chunks(origins, ways), np.inf], wp.zeros(N, wp.int32, device="cpu"))[0]
     )

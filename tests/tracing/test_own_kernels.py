@@ -38,7 +38,7 @@ def ask(
     met[i] = wp.where(funcs.any_hit(tree, origins[i], directions[i], limit), 1, 0)
 
 
-def asked(tree, origins, directions, limit=np.inf):
+def ask_all(tree, origins, directions, limit=np.inf):
     count = len(directions)
     found = [wp.zeros(count, dtype=kind, device="cpu") for kind in (wp.float32, wp.int32, wp.int32)]
     origins = wp.array(np.ascontiguousarray(origins, np.float64), dtype=wp.vec3d, device="cpu")
@@ -71,7 +71,7 @@ def cases():
 @pytest.mark.parametrize(("mesh", "origins", "directions", "limit"), [pytest.param(*c[1:], id=c[0]) for c in cases()])
 def test_answers_are_those_of_trace(mesh, origins, directions, limit):
     directions = directions.astype(np.float32)
-    distance, face, met = asked(ws.tree(mesh), origins, directions, limit)
+    distance, face, met = ask_all(ws.tree(mesh), origins, directions, limit)
     for any_hit in (False, True):
         hits = ws.trace(mesh, origins, directions, max_distance=None if limit == np.inf else limit, any_hit=any_hit)
         assert np.array_equal(met == 1, hits.face >= 0)
@@ -84,13 +84,13 @@ def test_answers_are_those_of_trace(mesh, origins, directions, limit):
 def test_invalid_rays(bunny):
     bad = np.float32([(0, 0, 0), (np.nan, 0, 1), (0, np.inf, 0), (0, 0, 1)])
     origins = np.float64([(0, 0, 0)] * 3 + [(np.nan, 0, 0)])
-    distance, face, met = asked(ws.tree(bunny), origins, bad)
+    distance, face, met = ask_all(ws.tree(bunny), origins, bad)
     assert np.isnan(distance).all()
     assert face.tolist() == [-1] * 4
     assert met.tolist() == [0] * 4
     triangle = ws.as_mesh(([(0, 0, 0), (2, 0, 0), (0, 2, 0)], [(0, 1, 2)]))
     shortest = np.float32([(0, 0, -1e-45), (0, 0, -1e-40), (0, 0, -3e38)])
-    distance, face, met = asked(ws.tree(triangle), np.float64([(0.5, 0.5, 3.0)] * 3), shortest)
+    distance, face, met = ask_all(ws.tree(triangle), np.float64([(0.5, 0.5, 3.0)] * 3), shortest)
     assert (distance.tolist(), face.tolist(), met.tolist()) == ([3.0] * 3, [0] * 3, [1] * 3)
 
 
@@ -104,7 +104,7 @@ def test_the_tree_keeps_its_memory(bunny):
     del mesh
     gc.collect()
     filler = [np.full(10**6, np.nan, np.float32) for _ in range(8)]
-    assert np.array_equal(asked(tree, origins, directions)[0], expected)
+    assert np.array_equal(ask_all(tree, origins, directions)[0], expected)
     assert len(filler) == 8
 
 

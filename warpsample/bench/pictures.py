@@ -55,7 +55,7 @@ def check_matplotlib(argument: str) -> None:
     """Raise an error if matplotlib is missing, before minutes of work.
 
     Raises:
-        ModuleNotFoundError: matplotlib is missing; says how to install it.
+        ModuleNotFoundError: matplotlib is missing; the message explains how to install it.
     """
     if find_spec("matplotlib") is None:
         raise missing(f"{argument} needs matplotlib", "matplotlib")

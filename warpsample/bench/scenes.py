@@ -32,7 +32,7 @@ def bunny(subdivisions: int) -> Mesh:
     """Load the bunny that comes with warp-lang; each subdivision splits the 12,200 triangles in four.
 
     Raises:
-        ModuleNotFoundError: `subdivisions` is positive and trimesh is missing; says how to install it.
+        ModuleNotFoundError: `subdivisions` is positive and trimesh is missing; the message explains how to install it.
     """
     mesh = load_mesh(Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd")
     vertices, faces = mesh.vertices, mesh.faces

@@ -8,15 +8,15 @@ from warpsample.cli.streams import open_closed_streams
 
 
 def main() -> None:
-    """Runs the command line, as `warpsample` and `python -m warpsample` do."""
+    """Run the command line, as `warpsample` and `python -m warpsample` do."""
     open_closed_streams()
     with listening():
         from warpsample.cli.commands import app
-        from warpsample.cli.terminal import print_anything, saying_what_fails
+        from warpsample.cli.terminal import print_anything, printing_errors
 
         warnings.formatwarning = lambda message, *_, **__: f"warning: {message}\n"
         print_anything()
-        with saying_what_fails():  # for what no command handles: --version and --help
+        with printing_errors():  # for what no command handles: --version and --help
             try:
                 app(prog_name="warpsample")
             finally:

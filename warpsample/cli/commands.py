@@ -12,6 +12,7 @@ from warpsample.cli.bake import bake_command
 from warpsample.cli.terminal import (
     MESH_HELP,
     At,
+    BakedFile,
     MeshFile,
     Size,
     Workers,
@@ -51,37 +52,22 @@ def warpsample_command(
 
 @app.command()
 @fail_plainly()
-def info(mesh: MeshFile) -> None:
-    """Print the size, the extent and the defects of a mesh file."""
+def info(mesh: BakedFile) -> None:
+    """Print the size, extent, defects and named parts of a mesh, the surfaces of CityJSON, or the cells of a raster."""
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
+    from warpsample.output.info import describe_source
+
     with working(f"reading {mesh}"):
-        report = load_mesh(mesh).report
+        rows = describe_source(mesh)
     table = Table(title=Text(str(mesh)), show_header=False, title_justify="left")
     table.add_column(style="bold")
     table.add_column(justify="right")
     table.add_column(style="dim")
-    rows = [
-        ("vertices", f"{report.vertices:,}", ""),
-        ("faces", f"{report.faces:,}", "triangles"),
-        ("area", f"{report.area:.6g}", "square units"),
-        *(
-            (f"{axis} from, to", f"{low:.6g}, {high:.6g}", "")
-            for axis, low, high in zip("xyz", report.lower, report.upper, strict=True)
-        ),
-        ("degenerate faces", f"{report.degenerate_faces:,}", "no area, no points on them"),
-        ("duplicate faces", f"{report.duplicate_faces:,}", "same vertices as another face"),
-        ("unused vertices", f"{report.unreferenced_vertices:,}", "in no face"),
-        ("boundary edges", f"{report.boundary_edges:,}", "one face only"),
-        ("non-manifold edges", f"{report.nonmanifold_edges:,}", "more than two faces"),
-        ("inconsistent edges", f"{report.inconsistent_edges:,}", "faces with opposite orientation"),
-    ]
-    if mesh.suffix.lower() == ".stl":
-        rows.insert(1, ("merged corners", f"{3 * report.faces - report.vertices:,}", "an .stl repeats them"))
     for row in rows:
-        table.add_row(*row)
+        table.add_row(*map(Text, row))
     Console().print(table)
 
 
@@ -113,7 +99,7 @@ def directions_command(
     seed: Annotated[int, typer.Option(help="Seed of the random points and directions.")] = 0,
     workers: Workers = None,
 ) -> None:
-    """Sample directions at points of a mesh and write them to a file; an .npz also records the arguments and versions."""
+    """Sample directions at points of a mesh and write a file; an .npz also records the arguments and versions."""
     from warpsample.output.export import DirectionsRun, export
 
     points = 10_000 if points is None and at is None else points

@@ -26,7 +26,7 @@ def view_factors_command(
     seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
     workers: Workers = None,
 ) -> None:
-    """Compute the view factors between all faces of a mesh, with occlusion, and write them as a sparse matrix."""
+    """Compute the view factors between all faces of a mesh, with occlusion, and write a sparse matrix."""
     from warpsample.radiation.exchange.run import run_view_factors
 
     options = {"count": count, "reciprocal": reciprocal, "up": up, "seed": seed, "workers": workers}

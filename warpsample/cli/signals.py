@@ -19,7 +19,7 @@ class Ended(KeyboardInterrupt):
 
 
 class _State:
-    """The first signal, the last exception that was raised for it, and whether the user has been told."""
+    """First signal, last exception raised for the signal, and whether a message was printed."""
 
     number: int | None = None
     rising: "weakref.ref[Ended] | None" = None

@@ -1,4 +1,4 @@
-"""Shared by all commands and scripts: errors in one line, progress, tables, and where a picture goes."""
+"""Output of all commands and scripts: errors in one line, progress, tables, and pictures in a window or a file."""
 
 import codecs
 import inspect
@@ -53,10 +53,12 @@ _SILENCE = 1.0  # seconds that a step may take without a message
 
 
 def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    """Decorates a command: an error is one line on stderr; status 2 for bad input, 1 for a file that cannot be written.
+    """Decorate a command: an error is one line on stderr; status 2 for bad input, 1 for a file that cannot be written.
 
-    Other errors keep their traceback. A message that starts with the name of an argument says the option instead; `options`
-    are those whose names differ from it.
+    Other errors keep their traceback. A message that starts with the name of an argument shows the option instead.
+
+    Args:
+        **options: Names of options that differ from the argument's name, keyed by argument.
     """
 
     def decorate(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -64,7 +66,7 @@ def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[...,
 
         @wraps(command)
         def run(*arguments: Any, **keywords: Any) -> None:  # without a docstring: `wraps` gives it the command's
-            with signals.listening(), saying_what_fails(**names):
+            with signals.listening(), printing_errors(**names):
                 command(*arguments, **keywords)
                 sys.stdout.flush()
 
@@ -74,8 +76,8 @@ def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[...,
 
 
 @contextmanager
-def saying_what_fails(**options: str) -> Iterator[None]:
-    """Ends a block of code plainly where it fails, as `fail_plainly` a command; `options` by the names of arguments."""
+def printing_errors(**options: str) -> Iterator[None]:
+    """Print an error within a `with` statement as one line and exit, as `fail_plainly` does for a command."""
     try:
         yield
     except SystemExit as stop:
@@ -89,14 +91,14 @@ def saying_what_fails(**options: str) -> Iterator[None]:
 
 
 def _closed_pipe(error: BaseException | None) -> bool:
-    """Whether an error came of a pipe that is closed."""
+    """Return whether an error was caused by a closed pipe."""
     while error is not None and not isinstance(error, BrokenPipeError):
         error = error.__context__
     return error is not None
 
 
 def _options_of(command: Callable[..., Any]) -> dict[str, str]:
-    """The options of a command by their parameters' names."""
+    """Return the options of a command, keyed by parameter name."""
     return {
         name: f"--{name.replace('_', '-')}"
         for name, parameter in inspect.signature(command).parameters.items()
@@ -105,7 +107,7 @@ def _options_of(command: Callable[..., Any]) -> dict[str, str]:
 
 
 def _fail(error: Exception, options: dict[str, str]) -> None:
-    """Prints the error, and ends the command."""
+    """Print the error, and exit with its status."""
     try:
         sys.stdout.flush()
     except OSError as flaw:  # a full disk, or a closed pipe
@@ -120,20 +122,21 @@ def _fail(error: Exception, options: dict[str, str]) -> None:
 
 
 def print_anything() -> None:
-    """Lets stdout and stderr print characters outside their encoding: θ as theta, others by their number."""
+    """Print θ as theta and other characters outside the encoding of stdout and stderr by number."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="warpsample")
 
 
 def _spell(error: UnicodeError) -> tuple[str, int]:
-    """An error handler of `codecs`: spells characters that cannot be printed."""
+    """Replace characters that cannot be printed; an error handler of `codecs`."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
-    return "".join(map(_spelt, error.object[error.start : error.end])), error.end
+    return "".join(map(_spell_letter, error.object[error.start : error.end])), error.end
 
 
-def _spelt(letter: str) -> str:
+def _spell_letter(letter: str) -> str:
+    """Return the name of a Greek letter, or the number of another character."""
     name = unicodedata.name(letter, "")
     if name.startswith("GREEK SMALL LETTER "):
         return name.split()[-1].lower()
@@ -145,7 +148,7 @@ codecs.register_error("warpsample", _spell)
 
 @contextmanager
 def working(what: str) -> Iterator[None]:
-    """Names on stderr, if it is a terminal, a step that takes longer than a second."""
+    """Print the name of a step on stderr, if stderr is a terminal and the step takes longer than a second."""
     timer = threading.Timer(_SILENCE, print_error, [f"{what} ..."])
     timer.daemon = True
     if sys.stderr.isatty():
@@ -157,9 +160,12 @@ def working(what: str) -> Iterator[None]:
 
 
 def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
-    """Ends a script that makes a picture: opens a window, or writes a file and a line on stdout that says what it shows.
+    """Open a window with a picture, or write the picture to a file and a line about it to stdout.
 
-    The picture is a PyVista plotter or a Matplotlib figure.
+    Args:
+        picture: PyVista plotter or Matplotlib figure.
+        screenshot: Path of the file, or None for a window.
+        what: Description of the picture.
     """
     from warpsample.plotting import rendering, scenes
 
@@ -176,14 +182,14 @@ def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
 
 
 def console() -> Any:
-    """A rich Console for tables on stdout."""
+    """Return a rich Console for tables on stdout."""
     from rich.console import Console
 
     return Console(width=None if sys.stdout.isatty() else _PIPE_WIDTH)
 
 
 def with_progress(items: Iterable[Any], total: int, what: str) -> Iterator[Any]:
-    """Yields the items, with a bar on stderr if that is a terminal."""
+    """Yield the items, with a bar on stderr if stderr is a terminal."""
     from rich.console import Console
     from rich.progress import track
 

@@ -85,7 +85,7 @@ def _print_report(verdicts: list[Any], tasks: Iterable[Any], thorough: bool, *, 
 
 
 def _load(module: Path) -> None:
-    """Add the folder of a Python file to `sys.path`, where worker processes find the file too, and import the file."""
+    """Import a Python file, whose folder is added to `sys.path` so that worker processes find the file."""
     from warpsample.host.arguments import check_file
 
     path = check_file(module, "module", "a Python file")

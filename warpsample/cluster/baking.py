@@ -21,9 +21,7 @@ from warpsample.cluster.sending import current_client, shared_by_key
 from warpsample.cluster.store import begin, check_store
 from warpsample.cluster.writing import at_work, put, writing
 from warpsample.host.arguments import check_choice, check_flag
-
-DONE = np.dtype([("points", np.int64), ("rays", np.int64), ("squared_error", np.float64)])
-"""Summary of a computed chunk: number of points, number of rays, sum over the points of the squared standard error."""
+from warpsample.output.run_record import SUMMARY, RunRecord, summarize
 
 
 def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool = False, **options: Any) -> xr.Dataset:
@@ -60,11 +58,11 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
     mesh = options.pop("mesh", None) if call == "sample_directions" else None
     job = job_of(check_choice(call, "call", tuple(FUNCTIONS)), arguments, options, chunk, mesh)
     store = check_store(path, "path")
-    bake_job(job, store, check_flag(resume, "resume"), "path", lambda _: None)
+    bake_job(job, store, check_flag(resume, "resume"), "path", RunRecord(job.call.name))
     return xr.open_zarr(store)
 
 
-def bake_job(job: Job, store: Path, resume: bool, argument: str, heard: Callable[[np.void], None]) -> None:
+def bake_job(job: Job, store: Path, resume: bool, argument: str, record: RunRecord) -> None:
     """Create or open a store, and compute the chunks that are missing.
 
     Args:
@@ -72,35 +70,24 @@ def bake_job(job: Job, store: Path, resume: bool, argument: str, heard: Callable
         store: Path of the store, as `check_store` returns it.
         resume: Whether an existing store may be continued.
         argument: Name of the path's argument, for error messages.
-        heard: Function called with a summary of dtype DONE: first once for all chunks that are complete already, then
-            once for each chunk written.
+        record: Record that counts the points of complete chunks, and adds up the summaries of written chunks.
 
     Raises:
         KeyboardInterrupt: the run is interrupted; the message states how many points are done.
         ValueError, OSError, MemoryError: as for `bake`.
     """
-    points = 0
-
-    def count(told: np.void) -> None:
-        nonlocal points
-        points += int(told["points"])
-        heard(told)
-
     client = current_client()
     if client is not None:
         check_workers_of(client, job)
-    with locked(store):
+    with locked(store), record.count(job.total, f"{store} can be resumed"):
         try:
             whole = begin(store, job, resume, argument)
-            count(np.array((sum(map(job.rows_of, np.flatnonzero(whole).tolist())), 0, 0.0), DONE)[()])
+            record.skip(sum(map(job.rows_of, np.flatnonzero(whole).tolist())))
             with writing(store) as folder:
-                _run(job, folder, np.flatnonzero(~whole).tolist(), count)
-        except KeyboardInterrupt as interrupt:  # the same exception is raised again: it may represent another signal
-            interrupt.args = (f"interrupted after {points:,} of {job.total:,} points; {store} can be resumed",)
-            raise
+                _run(job, folder, np.flatnonzero(~whole).tolist(), record.add)
         except (ConnectionError, MemoryError) as error:
             kind = MemoryError if isinstance(error, MemoryError) else ConnectionError  # a plain type takes a message
-            raise kind(f"{error} after {points:,} of {job.total:,} points; {store} can be resumed") from error
+            raise kind(f"{error} after {record.done:,} of {job.total:,} points; {store} can be resumed") from error
 
 
 def _run(job: Job, folder: Path, chunks: list[int], heard: Callable[[np.void], None]) -> None:
@@ -120,7 +107,7 @@ def _run(job: Job, folder: Path, chunks: list[int], heard: Callable[[np.void], N
 
 
 def _tasks(job: Job, folder: Path, chunks: list[int]) -> Array:
-    """Build a Dask array whose blocks compute and write the chunks, and return their summaries (dtype DONE).
+    """Build a Dask array whose blocks compute and write the chunks, and return their summaries (dtype SUMMARY).
 
     The tasks' names are unique to this run, because tasks of another run may write into another store.
     """
@@ -133,13 +120,13 @@ def _tasks(job: Job, folder: Path, chunks: list[int]) -> Array:
         span = range(start, start + job.rows_of(i))
         tasks[name, number] = (bake_chunk, job.call, (str(folder), job.chunk), span, shared, own)
     graph = HighLevelGraph.from_collections(name, tasks, dependencies=[*job.given.values(), *job.rows.values()])
-    return Array(graph, name, ((1,) * len(chunks),), dtype=DONE)
+    return Array(graph, name, ((1,) * len(chunks),), dtype=SUMMARY)
 
 
 def bake_chunk(
     call: Call, target: tuple[str, int], span: range, shared: list[Any], blocks: list[list[np.ndarray]]
 ) -> np.ndarray:
-    """Compute and write the rows of one chunk, and return a summary of shape (1,) and dtype DONE.
+    """Compute and write the rows of one chunk, and return a summary of shape (1,) and dtype SUMMARY.
 
     Args:
         call: Call to compute.
@@ -158,7 +145,10 @@ def bake_chunk(
         found = numbers(call, span.start, points, shared, rows)
         arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
         where = {name: array for name in GIVEN_ARRAYS if (array := getattr(points, name, None)) is not None}
-        put(folder, span.start, chunk, where | arrays)
+        index = span.start // chunk
+        put(folder, index, (index,), (chunk,), where | arrays)
     rays = int(found["rays"].sum(dtype=np.int64)) if "rays" in found else 0
-    error = np.square(found["standard_error"], dtype=np.float64) if "standard_error" in found else np.zeros(1)
-    return np.array([(len(span), rays, error.reshape(len(error), -1).mean(axis=1).sum())], DONE)
+    if "value" not in found or "standard_error" not in found:
+        return np.array([(len(span), rays, 0, 0.0, 0.0, np.inf, -np.inf)], SUMMARY)
+    known = found["status"] == 0 if "status" in found else None
+    return np.array([summarize(found["value"], found["standard_error"], rays, known)], SUMMARY)

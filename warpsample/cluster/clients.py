@@ -9,6 +9,7 @@ from typing import Any
 
 import dask
 
+from warpsample.host.arguments import check_integer
 from warpsample.host.engine import check_workers
 
 _PATIENCE = 10.0  # seconds for a scheduler to answer
@@ -18,6 +19,16 @@ _TUNED = {
     "distributed.scheduler.worker-saturation": float("inf"),  # waiting chunks take no memory; requesting each takes 2 ms
 }
 """Settings of Dask for local processes started here."""
+
+
+def check_processes(processes: int | None) -> None:
+    """Check a number of processes.
+
+    Raises:
+        TypeError, ValueError: a number outside 1 to 1024.
+    """
+    if processes is not None:
+        check_integer(processes, "--processes", 1, 1024)
 
 
 @contextmanager

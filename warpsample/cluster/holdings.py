@@ -7,14 +7,18 @@ from pathlib import Path
 from typing import Any
 from zlib import crc32
 
+import google_crc32c
 import numpy as np
 import zarr
 
 RECORDS = ".run"
 """Folder of a store with a record for each chunk: the index of the chunk and the checksums of its files."""
 INDEX = "chunk"
-"""Key of the chunk's index in a record; the other keys are names of arrays."""
+"""Key of the chunk's index in a record."""
+SUMS = "crc32c"
+"""Key of the checksums in a record, by name of the array; records of version 0.1 have CRC-32s under the names alone."""
 
+_CHECKSUM = 4  # bytes
 _OF_XARRAY = ("coordinates",)  # attributes for xarray, not part of the run
 
 
@@ -32,15 +36,15 @@ def about_of(path: Path, argument: str) -> dict[str, Any]:
     return {name: value for name, value in kept.items() if name not in _OF_XARRAY}
 
 
-def file_of(name: str, chunk: int, dimensions: int) -> str:
-    """Return the path, relative to the store, of the file of a chunk of an array.
+def file_of(name: str, place: Iterable[int]) -> str:
+    """Return the path, relative to the store, of the chunk of an array at an index along each dimension."""
+    return "/".join([name, "c", *map(str, place)])
 
-    Args:
-        name: Name of the array.
-        chunk: Index of the chunk along the first dimension.
-        dimensions: Number of dimensions of the array.
-    """
-    return "/".join([name, "c", str(chunk), *["0"] * (dimensions - 1)])
+
+def checksum_of(content: bytes) -> int | None:
+    """Return the CRC-32C at the end of a chunk's file, or None if the CRC-32C of the content is another one."""
+    kept = int.from_bytes(content[-_CHECKSUM:], "little")
+    return kept if google_crc32c.value(content[:-_CHECKSUM]) == kept else None
 
 
 def record_of(chunk: int) -> str:
@@ -117,8 +121,9 @@ def _is_whole(path: Path, arrays: dict[str, Any], chunk: int) -> bool:
     try:
         record = json.loads(_content(path.joinpath(record_of(chunk))))
         places = {name: np.unravel_index(chunk, _grid_of(array)) for name, array in arrays.items()}
-        files = {name: path.joinpath(name, "c", *map(str, place)) for name, place in places.items()}
-        return record[INDEX] == chunk and all(record[name] == crc32(_content(file)) for name, file in files.items())
+        sums, checksum = (record[SUMS], checksum_of) if SUMS in record else (record, crc32)
+        whole = (sums[name] == checksum(_content(path / file_of(name, place))) for name, place in places.items())
+        return record[INDEX] == chunk and all(whole)
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return False
 

@@ -28,7 +28,9 @@ def metadata_of(job: Job) -> dict[str, bytes]:
     attributes = {**job.about, "coordinates": " ".join(name for name in coordinates if name not in job.gives)}
     group = zarr.create_group(MemoryStore(files), zarr_format=3, attributes=attributes)
     for name, kind in {**coordinates, **job.gives}.items():
-        add_array(group, name, kind, job.total, job.chunk)
+        dtype, row = kind
+        named = dimensions(name, 1 + len(row))
+        add_array(group, name, dtype, (job.total, *row), (job.chunk, *row), dimension_names=named)
     return contents_of(group, files)
 
 
@@ -44,26 +46,22 @@ def contents_of(group: zarr.Group, files: dict[str, Any]) -> dict[str, bytes]:
     return {path: content.to_bytes() for path, content in files.items()}
 
 
-def add_array(group: zarr.Group, name: str, kind: tuple[np.dtype, tuple[int, ...]], rows: int, chunk: int) -> Any:
-    """Create an array in a Zarr group, split into chunks of rows.
+def add_array(
+    group: zarr.Group, name: str, dtype: np.dtype, shape: tuple[int, ...], chunks: tuple[int, ...], **about: Any
+) -> Any:
+    """Create an array with compressed chunks in a Zarr group; each chunk ends in a CRC-32C, which all readers check.
 
     Args:
         group: Group of a store.
         name: Name of the array.
-        kind: (dtype, shape of a row).
-        rows: Number of rows.
-        chunk: Number of rows per chunk.
+        dtype: Type of the numbers.
+        shape: Shape of the array.
+        chunks: Shape of a chunk.
+        **about: Attributes and names of dimensions, as for `zarr.Group.create_array`.
     """
-    dtype, shape = kind
-    return group.create_array(
-        name,
-        shape=(rows, *shape),
-        chunks=(chunk, *shape),
-        dtype=dtype,
-        fill_value=_ABSENT[dtype.kind],
-        compressors=[ZstdCodec(level=1), Crc32cCodec()],  # the checksum makes other readers fail at a truncated chunk
-        dimension_names=dimensions(name, 1 + len(shape)),
-    )
+    codecs = [ZstdCodec(level=1), Crc32cCodec()]
+    absent = _ABSENT[dtype.kind]
+    return group.create_array(name, shape=shape, chunks=chunks, dtype=dtype, fill_value=absent, compressors=codecs, **about)
 
 
 def check_metadata(path: Path, job: Job, argument: str) -> None:

@@ -2,25 +2,25 @@
 
 import json
 from collections.abc import Iterator, Mapping
-from functools import lru_cache, partial
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import zarr
-from zarr.codecs import Crc32cCodec, ZstdCodec
 from zarr.storage import MemoryStore
 
 from warpsample.city.rasters.calls import attributes_of
 from warpsample.city.rasters.raster_surface import on_map
 from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.cluster.holdings import arrays_of, whole_chunks
-from warpsample.cluster.metadata import contents_of
+from warpsample.cluster.metadata import add_array, contents_of
 from warpsample.cluster.store import check_same, make_store
-from warpsample.cluster.writing import put_encoded
+from warpsample.cluster.writing import put
 from warpsample.host.engine import check_space
 
 _MAP = "spatial_ref"
+_KIND = np.dtype(np.float32)
 
 
 def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument: str) -> np.ndarray:
@@ -47,7 +47,7 @@ def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument:
             if (array.shape, array.chunks) != (run.reader.shape, run.sides):
                 raise ValueError(f"{argument}: got {str(path)!r}, whose array {name!r} is of another shape; bake it anew")
         whole = whole_chunks(path, run.names, argument)
-    check_space(path, int(cells * (1.0 - whole.mean())) * 4 * len(run.names), f"{cells:,} cells")
+    check_space(path, int(cells * (1.0 - whole.mean())) * _KIND.itemsize * len(run.names), f"{cells:,} cells")
     if not path.exists():
         make_store(path, partial(_metadata, run, about))
     return whole
@@ -65,30 +65,13 @@ def put_tile(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.n
     Raises:
         WriteError: if the writing call has ended, or a file cannot be written.
     """
-    row, column = divmod(index, run.grid[1])
-    files = {}
-    for name, tile in arrays.items():
-        encoder, encoded = _encoder(folder, name, run.sides)
-        encoder[: tile.shape[0], : tile.shape[1]] = tile
-        files[name] = f"{name}/c/{row}/{column}", encoded.pop(f"{name}/c/0/0").to_bytes()
-    put_encoded(folder, index, files)
+    put(folder, index, divmod(index, run.grid[1]), run.sides, arrays)
 
 
 def tiles_in(path: Path, run: RasterRun) -> Iterator[tuple[Span, dict[str, np.ndarray]]]:
     """Return an iterator over the tiles of a finished store, as (span, arrays by name)."""
     arrays = arrays_of(path, run.names, "store")
     return ((span, {name: array[span] for name, array in arrays.items()}) for span in run.spans())
-
-
-@lru_cache(maxsize=16)
-def _encoder(_: Path, name: str, sides: tuple[int, int]) -> tuple[Any, dict[str, Any]]:
-    """Return an array in memory that encodes one tile, and the dictionary that receives the encoded bytes.
-
-    The first argument is the folder of the writing call; it only makes the cache entry specific to the call.
-    """
-    encoded: dict[str, Any] = {}
-    array = _add(zarr.create_group(MemoryStore(encoded)), name, sides, sides)
-    return array.with_config({"write_empty_chunks": True}), encoded
 
 
 def _metadata(run: RasterRun, about: Mapping[str, Any]) -> dict[str, bytes]:
@@ -101,23 +84,10 @@ def _metadata(run: RasterRun, about: Mapping[str, Any]) -> dict[str, bytes]:
     group = zarr.create_group(MemoryStore(files), zarr_format=3, attributes=json.loads(json.dumps(attributes)))
     for name in run.names:
         own = {**attributes_of(name, run.quantity), "grid_mapping": _MAP}
-        _add(group, name, run.reader.shape, run.sides, attributes=own, dimension_names=outline.dims)
+        add_array(group, name, _KIND, run.reader.shape, run.sides, attributes=own, dimension_names=outline.dims)
     for name, values in places.items():
         array = group.create_array(name, shape=values.shape, dtype=values.dtype, dimension_names=(name,), compressors=None)
         array[:] = values
     mapping = {key: value.item() if hasattr(value, "item") else value for key, value in laid[_MAP].attrs.items()}
     group.create_array(_MAP, shape=(), dtype=np.int64, attributes=mapping, compressors=None)[...] = 0
     return contents_of(group, files)
-
-
-def _add(group: zarr.Group, name: str, shape: tuple[int, int], sides: tuple[int, int], **about: Any) -> Any:
-    """Create a float32 array in a Zarr group with one chunk per tile."""
-    return group.create_array(
-        name,
-        shape=shape,
-        chunks=sides,
-        dtype=np.float32,
-        fill_value=np.nan,
-        compressors=[ZstdCodec(level=1), Crc32cCodec()],
-        **about,
-    )

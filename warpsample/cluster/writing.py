@@ -8,19 +8,18 @@ The same holds if the store is removed and another one is created at its path.
 import json
 import shutil
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 from uuid import uuid4
-from zlib import crc32
 
 import numpy as np
 import zarr
 from zarr.storage import MemoryStore
 
-from warpsample.cluster.holdings import INDEX, RECORDS, file_of, record_of
+from warpsample.cluster.holdings import INDEX, RECORDS, SUMS, checksum_of, file_of, record_of
 from warpsample.cluster.job import MOST_CHUNKS
 from warpsample.cluster.metadata import add_array
 from warpsample.host.files import WriteError
@@ -110,47 +109,31 @@ def _check(folder: Path) -> None:
         raise WriteError(f"{store_of(folder)} cannot be written: the call has ended, or the store was removed meanwhile")
 
 
-def put(folder: Path, start: int, chunk: int, arrays: dict[str, np.ndarray]) -> None:
+def put(folder: Path, index: int, place: tuple[int, ...], sides: tuple[int, ...], arrays: Mapping[str, np.ndarray]) -> None:
     """Write a chunk of each array, then a record of the chunk's checksums. Each file appears complete.
 
     Args:
         folder: Folder of the writing call.
-        start: Number of the chunk's first row.
-        chunk: Number of rows per chunk; the last chunk may have fewer.
-        arrays: Rows of the chunk, by array name.
+        index: Index of the chunk among all chunks.
+        place: Index of the chunk along each of the first dimensions, which are split: rows, or rows and columns of tiles.
+        sides: Size of a chunk along these dimensions; the last chunks may be smaller.
+        arrays: Content of the chunk, by array name.
 
     Raises:
         WriteError: if the writing call has ended, or a file cannot be written.
     """
     files = {}
-    for name, rows in arrays.items():
-        file = file_of(name, start // chunk, rows.ndim)
-        encoder, encoded = _encoder(folder, name, rows.dtype, rows.shape[1:], chunk)
-        encoder[start : start + len(rows)] = rows
-        files[name] = file, encoded.pop(file).to_bytes() if len(rows) else b""
-    put_encoded(folder, start // chunk, files)
+    for name, array in arrays.items():
+        file = file_of(name, (*place, *[0] * (array.ndim - len(place))))
+        files[name] = file, _encode(folder, name, index, array, sides) if len(array) else b""
+    uninterrupted(partial(_put, folder, index, files))
 
 
-def put_encoded(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
-    """Write the encoded files of a chunk, then a record of their checksums. Each file appears complete.
-
-    Args:
-        folder: Folder of the writing call.
-        index: Index of the chunk.
-        files: (path in the store, content) by array name.
-
-    Raises:
-        WriteError: if the writing call has ended, or a file cannot be written.
-    """
-    uninterrupted(partial(_put_encoded, folder, index, files))
-
-
-def _put_encoded(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
-    """Write the files and the record of a chunk, as for `put_encoded`."""
-    record = {INDEX: index}
+def _put(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
+    """Write the encoded files of a chunk, (path in the store, content) by array name, and the record of the chunk."""
+    record = {INDEX: index, SUMS: {name: checksum_of(content) for name, (_, content) in files.items()}}
     try:
-        for name, (file, content) in files.items():
-            record[name] = crc32(content)
+        for file, content in files.values():
             _place(folder, file, content)
         _place(folder, record_of(index), json.dumps(record).encode())
     except OSError as error:
@@ -158,15 +141,25 @@ def _put_encoded(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) 
         raise WriteError(f"{error.filename2 or store_of(folder)} cannot be written: {error.strerror or error}") from None
 
 
+def _encode(folder: Path, name: str, index: int, array: np.ndarray, sides: tuple[int, ...]) -> bytes:
+    """Return the content of the file of a chunk of an array."""
+    chunk = (*sides, *array.shape[len(sides) :])
+    encoder, encoded = _encoder(folder, name, array.dtype, chunk)
+    slot = index % MOST_CHUNKS
+    encoder[(slice(slot * chunk[0], slot * chunk[0] + len(array)), *map(slice, array.shape[1:]))] = array
+    return encoded.pop(file_of(name, (slot, *[0] * (array.ndim - 1)))).to_bytes()
+
+
 @lru_cache(maxsize=64)
-def _encoder(_: Path, name: str, dtype: np.dtype, shape: tuple[int, ...], chunk: int) -> tuple[Any, dict[str, Any]]:
-    """Return an array in memory that encodes chunks, and the dictionary that receives the encoded bytes.
+def _encoder(_: Path, name: str, dtype: np.dtype, chunk: tuple[int, ...]) -> tuple[Any, dict[str, Any]]:
+    """Return an array in memory that encodes chunks, one below the other, and the dictionary that receives the bytes.
 
     Keys of the dictionary are paths in the store. Threads share the dictionary, because no two tasks use the same path.
     The first argument is the folder of the writing call; it only makes the cache entry specific to the call.
     """
     encoded: dict[str, Any] = {}
-    array = add_array(zarr.create_group(MemoryStore(encoded)), name, (dtype, shape), MOST_CHUNKS * chunk, chunk)
+    shape = (MOST_CHUNKS * chunk[0], *chunk[1:])
+    array = add_array(zarr.create_group(MemoryStore(encoded)), name, dtype, shape, chunk)
     return array.with_config({"write_empty_chunks": True}), encoded
 
 

@@ -4,6 +4,7 @@ import os
 import shutil
 from collections import defaultdict, deque
 from collections.abc import Callable
+from contextlib import suppress
 from ctypes import Structure
 from functools import partial
 from pathlib import Path
@@ -127,9 +128,10 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, 
 
 def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
     """Return a recorded launch with the inputs, unused by other threads: 4 us, where a new launch takes 60 us."""
-    try:
+    command = None
+    with suppress(IndexError):  # another thread may take the last one
         command = _idle[kernel, device.alias].pop()
-    except IndexError:
+    if command is None:  # not within the handling of the error, which would be the context of an interrupt
         load(kernel, device.alias)
         command = make(partial(_record, kernel, inputs, device))
     for index, value in enumerate(inputs):

@@ -76,16 +76,26 @@ def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray
     Raises:
         TypeError: the value has a mask, which would be ignored, or NumPy makes no array of it, as of a ragged list.
     """
-    return value if type(value) is np.ndarray else _to_ndarray(value, argument, wants)
+    array = as_array(value, argument, wants)
+    return array.numpy() if isinstance(array, wp.array) else array
 
 
-def _to_ndarray(value: Any, argument: str, wants: str) -> np.ndarray:
-    """Convert a value as `as_ndarray` does, if it is no NumPy array."""
+def as_array(value: Any, argument: str, wants: str = "an array") -> Any:
+    """Return a wp.array for a wp.array or an array on a CUDA device, else a NumPy array, without a copy where possible.
+
+    Raises:
+        TypeError: as for `as_ndarray` and `from_cuda`.
+    """
+    return value if type(value) in _ARRAYS else _to_array(value, argument, wants)
+
+
+def _to_array(value: Any, argument: str, wants: str) -> Any:
+    """Convert a value as `as_array` does, if it is no array of NumPy or Warp."""
     if _has_mask(value):
         raise TypeError(f"{argument}: got a masked array, want {wants} without a mask, as numpy.ma.filled gives")
     value = from_cuda(value, argument)
     if isinstance(value, wp.array):
-        return value.numpy()
+        return value
     try:
         # By __array__ where there is one: PyTorch's other exports ignore the sign that conj().imag leaves to be applied.
         only_dlpack = hasattr(type(value), "__dlpack__") and not any(hasattr(value, name) for name in _NUMPY_KNOWS)

@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arrays import Array, cpu
-from warpsample.host.neighbours import address_of, as_ndarray, from_cuda, kind_told, own_memory
+from warpsample.host.neighbours import address_of, as_array, as_ndarray, from_cuda, kind_told, own_memory
 
 _SHORTEST, _LONGEST = 1e-30, 1e30  # length of a float64 vector whose components keep their digits in float32
 _FLOATS = (np.dtype(np.float32), np.dtype(np.float64))  # compared with a type, a dtype takes three times as long
@@ -56,10 +56,9 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
         TypeError: the value is no array of floating-point numbers.
         ValueError: the last axis has another length.
     """
-    value = from_cuda(value, argument)
-    if isinstance(value, wp.array):
-        return _warp_vectors(value, width, argument)
-    array = as_ndarray(value, argument)
+    array = as_array(value, argument)
+    if isinstance(array, wp.array):
+        return _warp_vectors(array, width, argument)
     if array.dtype not in _FLOATS:
         raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 (or float64, which is rounded to float32)")
     if array.ndim == 0 or array.shape[-1] != width:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import told
-from warpsample.host.neighbours import as_ndarray, kind_told
+from warpsample.host.neighbours import kind_told
 from warpsample.mesh.joining import joined_parts
 from warpsample.mesh.parts import Named
 from warpsample.mesh.polygons import faces_of_cells
@@ -65,7 +65,7 @@ def _nodes(scene: Any) -> Iterator[Placed]:
         matrix, name = scene.graph[node]
         mesh = scene.geometry[name]
         if hasattr(mesh, "faces"):
-            yield np.asarray(mesh.vertices, np.float64), as_ndarray(mesh.faces, "faces"), np.asarray(matrix).T, str(node)
+            yield np.asarray(mesh.vertices, np.float64), np.asarray(mesh.faces), np.asarray(matrix).T, str(node)
 
 
 def _blocks(blocks: Any, path: str = "") -> Iterator[Placed]:

@@ -219,7 +219,7 @@ class Mesh(Summary):
     @once_property
     def report(self) -> MeshReport:
         """Report with the numbers of faces, vertices and defects of the mesh; the first access sorts all edges."""
-        return report_of(self)
+        return report_of(self.faces, self.face_areas, self.used, self.bounds)
 
 
 def as_mesh(mesh: Any, *, transmittance: Any = None, reflectance: Any = None) -> Mesh:

@@ -1,13 +1,9 @@
 """Report on a mesh: numbers of vertices and faces, and of defects."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-
-if TYPE_CHECKING:
-    from warpsample.mesh.mesh import Mesh
 
 
 @dataclass(frozen=True)
@@ -44,23 +40,30 @@ class MeshReport:
     upper: NDArray[np.float64]
 
 
-def report_of(mesh: "Mesh") -> MeshReport:
-    """Count the vertices, faces and defects of a checked mesh; sorts all edges."""
-    start = mesh.faces.ravel().astype(np.int64)
-    end = mesh.faces[:, [1, 2, 0]].ravel().astype(np.int64)
-    stride = len(mesh.vertices)
+def report_of(faces: np.ndarray, areas: np.ndarray, used: np.ndarray, bounds: np.ndarray) -> MeshReport:
+    """Count the vertices, faces and defects of a checked mesh; sorts all edges.
+
+    Args:
+        faces: (F, 3) int32 indices of vertices.
+        areas: (F,) float64 areas of the faces.
+        used: (V,) bool mask of the vertices that faces use.
+        bounds: (2, 3) smallest and largest coordinates of these vertices.
+    """
+    start = faces.ravel().astype(np.int64)
+    end = faces[:, [1, 2, 0]].ravel().astype(np.int64)
+    stride = len(used)
     _, uses = np.unique(np.minimum(start, end) * stride + np.maximum(start, end), return_counts=True)
     _, same_way = np.unique(start * stride + end, return_counts=True)
     return MeshReport(
-        vertices=len(mesh.vertices),
-        faces=len(mesh.faces),
-        degenerate_faces=int(np.count_nonzero(mesh.face_areas == 0.0)),
-        duplicate_faces=len(mesh.faces) - len(np.unique(np.sort(mesh.faces, axis=1), axis=0)),
-        unreferenced_vertices=int(np.count_nonzero(~mesh.used)),
+        vertices=len(used),
+        faces=len(faces),
+        degenerate_faces=int(np.count_nonzero(areas == 0.0)),
+        duplicate_faces=len(faces) - len(np.unique(np.sort(faces, axis=1), axis=0)),
+        unreferenced_vertices=int(np.count_nonzero(~used)),
         boundary_edges=int(np.count_nonzero(uses == 1)),
         nonmanifold_edges=int(np.count_nonzero(uses > 2)),
         inconsistent_edges=int(np.count_nonzero(same_way > 1)),
-        area=float(mesh.face_areas.sum()),
-        lower=mesh.bounds[0],
-        upper=mesh.bounds[1],
+        area=float(areas.sum()),
+        lower=bounds[0],
+        upper=bounds[1],
     )

@@ -1,8 +1,8 @@
-"""Baked numbers as files: .ply, .vtp, .glb, .npz, .csv and .png."""
+"""Arguments of a run of `warpsample bake`, and the writers of its files: .ply, .vtp, .glb, .npz, .csv, .mtx and .png."""
 
 import json
-from collections.abc import Callable
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields
 from math import pi
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -13,6 +13,7 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.files import write_arrays
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.output.bake_table import OPTIONS, kind_of
 from warpsample.output.kept_glb import keeps, write_kept
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
 from warpsample.output.pictured import write_png
@@ -20,23 +21,30 @@ from warpsample.output.quantities import quantity_of
 from warpsample.output.upward import placed_upright, up_of
 from warpsample.radiation.exchange.matrix_files import write_matrix
 
-_KEPT = 0.01  # of its area a face may gain or lose by a .glb's float32
+_KEPT = 0.01  # fraction of its area that a face may gain or lose by the float32 of a .glb
 
 MOST_GLB_BYTES = 2**32 - 2**20
-"""Of its arrays: a .glb tells its length in 32 bits, and holds a text too."""
+"""Bytes of all arrays of a .glb, whose length is stored in 32 bits and includes a text."""
 
-_BYTES_OF_CORNER = 12 + 4 + 8 * 4  # in a .glb, with all that is known of light
+_BYTES_OF_CORNER = 12 + 4 + 8 * 4  # in a .glb, with all attributes of light
 
 
 @dataclass(frozen=True)
 class BakeRun:
-    """The arguments of `warpsample bake`.
+    """Arguments of `warpsample bake`; `bake_table` describes the options.
 
-    The output's suffix is of WRITERS, and `at` of places.PLACES, or None: on the surface, uniform by area, so many `points`.
-    The options are those that were given of what the quantity takes, by their names on the command line, and the seed. `by`
-    is "part" for means over the named parts of the mesh; `lod`, `split` and `context`, "ground" or a path, are for CityJSON;
-    `report` is a further file, an .html about the run; `transmittance` and `reflectance` are of
-    the faces, as `faces_option.with_optics` takes them.
+    Attributes:
+        mesh: Path of the source: a mesh, CityJSON or a raster.
+        output: Path of the file to write.
+        quantity: Name of the quantity.
+        at: "vertices" or "faces"; None for random points, texels or cells.
+        points: Number of random points; None for those of `at`.
+        options: Given options of the quantity, and the seed, keyed by option name.
+        by: "part" for means over named parts, or None.
+        lod, split, context: Options of CityJSON.
+        report: Path of an .html report, or None.
+        transmittance, reflectance: Options of the faces, as `faces_option.with_optics` takes them.
+        more: Given options of rasters, textures and stores, keyed by option name.
     """
 
     mesh: Path
@@ -52,26 +60,49 @@ class BakeRun:
     report: Path | None = None
     transmittance: str | None = None
     reflectance: str | None = None
+    more: dict[str, Any] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, mesh: Path, output: Path, quantity: str, given: Mapping[str, Any]) -> "BakeRun":
+        """Return the run of a command, from the given options by name."""
+        left = {name: value for name, value in given.items() if value is not None and value is not False}
+        own = {name: left.pop(name) for name in _OWN if name in left}
+        own = {"at": None, "points": None, **own}
+        options = {name: left.pop(name) for name in ("seed", "workers") if name in left}
+        options |= {name: left.pop(name) for name in list(left) if OPTIONS[name].by_quantity}
+        return cls(mesh, output, quantity, options=options, more=left, **own)
+
+    @property
+    def kind(self) -> str:
+        """Kind of the source, one of `bake_table.SOURCES`."""
+        return kind_of(self.mesh, self.output, self.more.get("texture"))
+
+    @property
+    def arguments(self) -> dict[str, Any]:
+        """Options of the command line, without defaults, keyed by option name."""
+        own = {name: getattr(self, name) for name in _OWN}
+        given = {**own, **self.options, **self.more}
+        return {name: value for name, value in given.items() if value is not None and value is not False}
 
     @property
     def optics(self) -> dict[str, str | None]:
-        """What is told of the light that faces let through and send back."""
+        """Options of light on faces."""
         return {"transmittance": self.transmittance, "reflectance": self.reflectance}
 
     @property
-    def told(self) -> dict[str, str]:
-        """What a file tells of these, but for the options, and for what is as it mostly is."""
-        kept = (
-            item
-            for item in fields(self)
-            if item.name not in ("options", "report") and getattr(self, item.name) != item.default
-        )
-        return {item.name: str(getattr(self, item.name)) for item in kept}
+    def recorded(self) -> dict[str, str]:
+        """Arguments to record in an output file, without `options` and without default values."""
+        names = (item.name for item in fields(self) if getattr(self, item.name) != item.default)
+        return {name: str(getattr(self, name)) for name in names if name not in ("options", "report", "more")}
+
+
+_OWN = ("at", "points", "by", "lod", "split", "context", "report", "transmittance", "reflectance")
+"""Names of the options with a field of their own in `BakeRun`."""
 
 
 @dataclass(frozen=True)
 class Baked:
-    """The content of a file: the mesh, the points and their numbers."""
+    """Content of an output file: arguments, mesh, points and the result at the points."""
 
     run: BakeRun
     mesh: Mesh
@@ -80,24 +111,25 @@ class Baked:
 
     @property
     def quantity(self) -> Quantity:
-        """What the numbers are."""
+        """Record of the quantity."""
         return quantity_of(self.run.quantity)
 
     @property
     def arrays(self) -> dict[str, np.ndarray]:
-        """The arrays with a row for each point, by name."""
+        """Arrays with a row for each point, keyed by name."""
         return self.quantity.arrays_of(self.found)
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
-        """The numbers of each point in columns, by name."""
+        """Values of each point in columns, keyed by name."""
         return self.quantity.columns(self.found)
 
 
 def check_glb(run: BakeRun, mesh: Mesh) -> None:
-    """Refuses a mesh that needs more than float32 about its middle, or more than a file of 4 GiB.
+    """Check that a .glb can hold a mesh: in float32 relative to its centre, and in a file of 4 GiB.
 
-    The ValueError names the formats that can hold it.
+    Raises:
+        ValueError: the mesh needs another format; the message names formats that can hold it.
     """
     areas = mesh.face_areas
     change = np.abs(Mesh(_local(mesh)[0], mesh.faces).face_areas - areas)
@@ -113,7 +145,7 @@ def check_glb(run: BakeRun, mesh: Mesh) -> None:
 
 
 def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices as float32, (V, 3), and their float64 translation to the mesh: 0 if it is not far from the origin."""
+    """Return the vertices as float32, (V, 3), and their float64 translation: 0 for a mesh near the origin."""
     single = mesh.vertices.astype(np.float32)
     middle = mesh.bounds.mean(axis=0)
     if np.abs(middle).max() <= mesh.diagonal or np.array_equal(single, mesh.vertices):
@@ -122,14 +154,16 @@ def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _write_npz(file: BinaryIO, baked: Baked, **more: np.ndarray) -> None:
+    """Write points, results, the arrays `more` and the arguments as JSON."""
     points = baked.points
     arrays = {"position": points.position, "normal": points.normal, "face": points.face, **baked.arrays, **more}
     options = baked.quantity.told(baked.run.options)
-    told = baked.run.told | {name: str(value) for name, value in options.items()}
-    write_arrays(file, {**arrays, "run": np.array(json.dumps(told))})
+    record = baked.run.recorded | {name: str(value) for name, value in options.items()}
+    write_arrays(file, {**arrays, "run": np.array(json.dumps(record))})
 
 
 def _write_csv(file: BinaryIO, baked: Baked) -> None:
+    """Write a row for each point: position and values."""
     columns = baked.columns
     formats = ["%.17g"] * 3 + ["%d" if name in ("rays", "status") else "%.9g" for name in columns]
     table = np.column_stack([baked.points.position, *columns.values()])
@@ -138,7 +172,7 @@ def _write_csv(file: BinaryIO, baked: Baked) -> None:
 
 
 def _write_ply(file: BinaryIO, baked: Baked) -> None:
-    """Writes the numbers as properties of vertices or faces and as colours; vertices as float32 if that is exact."""
+    """Write the values as properties of vertices or faces and as colours; vertices as float32 if that is exact."""
     vertices = baked.mesh.vertices
     single = Lazy(vertices.shape, np.dtype(np.float32), lambda i: vertices[i])
     exact = all(np.array_equal(single[i : i + 65536], vertices[i : i + 65536]) for i in range(0, len(vertices), 65536))
@@ -151,9 +185,9 @@ def _write_ply(file: BinaryIO, baked: Baked) -> None:
 
 
 def _write_glb(file: BinaryIO, baked: Baked) -> None:
-    """Writes the numbers as attributes of vertices, as a .glb has no others: for faces, each gets its own corners.
+    """Write the values as attributes of vertices; each face gets its own corners for values at faces.
 
-    Those of the vertices of a .glb are written into that.
+    Values at the vertices of a .glb are added to the content of that file.
     """
     if keeps(baked.run.mesh, baked.run.output, baked.run.at):
         columns = {f"_{name}": array.astype(np.float32) for name, array in baked.columns.items()}
@@ -163,18 +197,19 @@ def _write_glb(file: BinaryIO, baked: Baked) -> None:
     faces, times = baked.mesh.faces, 3 if baked.run.at == "faces" else 1
     corners = Lazy(faces.shape, np.dtype(np.uint32), lambda i: faces[i] if times == 1 else 3 * i[:, None] + np.arange(3))
     vertices = local if times == 1 else Lazy((faces.size, 3), local.dtype, lambda i: local[faces.ravel()[i]])
-    attributes = {
-        "COLOR_0": _repeated(baked.quantity.colours(baked.found), times, np.uint8)
-    }  # custom names begin with an underscore
+    attributes = {"COLOR_0": _repeated(baked.quantity.colours(baked.found), times, np.uint8)}
+    # names of custom attributes begin with an underscore
     attributes |= {f"_{name}": _repeated(array, times, np.float32) for name, array in baked.columns.items()}
     write_glb(file, vertices, corners, attributes, placed_upright(middle, up_of(baked.quantity, baked.run.options)))
 
 
 def _repeated(array: np.ndarray, times: int, dtype: type) -> Lazy:
+    """Return the rows of an array, each repeated, as `Lazy` rows."""
     return Lazy((times * len(array), *array.shape[1:]), np.dtype(dtype), lambda i: array[i // times])
 
 
 def _write_vtp(file: BinaryIO, baked: Baked) -> None:
+    """Write the points, or the mesh with values at vertices or faces."""
     points, arrays = baked.points, baked.arrays
     if baked.run.at is None:
         write_vtp(file, points.position, None, {"Normals": points.normal, "face": points.face, **arrays}, {})
@@ -184,6 +219,7 @@ def _write_vtp(file: BinaryIO, baked: Baked) -> None:
 
 
 def _write_matrix_npz(file: BinaryIO, baked: Baked) -> None:
+    """Write many values per point, with the directions and solid angles of the sky's patches."""
     sky = baked.found.patches
     _write_npz(file, baked, directions=sky.directions, solid_angles=sky.solid_angles)
 
@@ -197,15 +233,15 @@ WRITERS: dict[str, Callable[..., None]] = {
 }
 
 PICTURES = {".png": write_png}
-"""What shows the numbers, and holds none."""
+"""Writers of pictures of the values, keyed by suffix."""
 
 MATRIX_WRITERS: dict[str, Callable[..., None]] = {
     ".npz": _write_matrix_npz,
     ".mtx": lambda file, baked: write_matrix(file, baked.found.value, pi),
 }
-"""For values that are too many for columns; the .mtx in Radiance's form, as `SkyMatrix.save` has it."""
+"""Writers of many values per point, keyed by suffix; the .mtx is in Radiance's form, like that of `SkyMatrix.save`."""
 
 
 def writers_of(quantity: Quantity) -> dict[str, Callable[[BinaryIO, Baked], None]]:
-    """What writes the numbers of a quantity, by the suffix of the file."""
+    """Return the writers of a quantity's files, keyed by suffix."""
     return MATRIX_WRITERS if quantity.is_matrix else WRITERS | PICTURES

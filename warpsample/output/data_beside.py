@@ -85,7 +85,7 @@ def _publish(
 
 
 def _write_pair(part: Path, path: Path, suffix: str, text_naming: Callable[[str], bytes], old: Path | None) -> Path:
-    """Name the data, then write the file that names them; return the path of the data."""
+    """Give the data a name, then write the file that refers to this name; return the path of the data."""
     data = _new_file(path, suffix)
     try:
         part.chmod(S_IMODE((old or data).stat().st_mode))
@@ -101,7 +101,7 @@ def _write_pair(part: Path, path: Path, suffix: str, text_naming: Callable[[str]
 
 
 def _take_name(data: Path, old: Path, path: Path, text_naming: Callable[[str], bytes]) -> Path:
-    """Give the data the name of the old data, which nothing names any more; return the name that they have in the end.
+    """Give the data the name of the old data, if that name is still free, and return the final name.
 
     The data have both names until the file at `path` names the second one. Without hard links they keep the first.
     """
@@ -146,7 +146,7 @@ def _old_data(path: Path, suffix: str, named_by: Callable[[Path], Iterable[Path]
 
 @contextmanager
 def _alone_in(path: Path) -> Iterator[None]:
-    """Wait until no other run writes a pair in the folder of `path`, and keep others waiting until the end."""
+    """Lock the folder of `path` within a `with` statement, so that only one run at a time writes a pair."""
     opened = None
     try:
         with suppress(OSError):  # a folder that cannot be listed
@@ -157,6 +157,28 @@ def _alone_in(path: Path) -> Iterator[None]:
     finally:
         if opened is not None:
             os.close(opened)
+
+
+@contextmanager
+def locked_folder(folder: Path) -> Iterator[None]:
+    """Lock a folder within a `with` statement, without waiting; the operating system releases the lock of a killed process.
+
+    Raises:
+        WriteError: another process has locked the folder, or the folder cannot be opened.
+    """
+    if fcntl is None:  # Windows opens no folders
+        yield
+        return
+    try:
+        opened = os.open(folder, os.O_RDONLY)
+    except OSError as error:
+        raise WriteError(f"{folder} cannot be written: {error.strerror or error}") from error
+    try:
+        if not _is_locked(opened):
+            raise WriteError(f"{folder} cannot be written: another process is writing it")
+        yield
+    finally:
+        os.close(opened)
 
 
 def _wait_for(opened: int, path: Path) -> None:

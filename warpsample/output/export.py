@@ -1,4 +1,4 @@
-"""Writes directions at the points of a mesh into a file: streamed into .npz, or as a cloud into .vtp or .ply."""
+"""`warpsample directions`: write directions at points of a mesh into an .npz, or as a cloud of points into .vtp or .ply."""
 
 import hashlib
 import json
@@ -24,7 +24,7 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.output.places import check_places, points_on
 from warpsample.output.point_arrays import carry_to_points, read_array
-from warpsample.output.terminal_bar import terminal_bar
+from warpsample.output.run_record import RunRecord
 from warpsample.sequences import get as get_sequence
 from warpsample.sequences.record import STREAMS
 
@@ -33,7 +33,7 @@ CLOUD_SCALE = 0.05
 """Length of a direction in a cloud, relative to the diagonal of the mesh's box."""
 
 DIRECTIONS_PER_PART = 1 << 22
-"""Directions of an .npz that are in memory at a time, 50 MB."""
+"""Number of directions of an .npz in memory at a time, 50 MB."""
 
 _BYTES_IN_FILE = 12  # of a direction, at least
 _BYTES_IN_CLOUD = 24  # of a direction: once as sampled, once without the points that have none
@@ -41,10 +41,18 @@ _BYTES_IN_CLOUD = 24  # of a direction: once as sampled, once without the points
 
 @dataclass(frozen=True)
 class DirectionsRun:
-    """The arguments of `warpsample directions`, as its help explains them; stored in the file.
+    """Arguments of `warpsample directions`, which the file records.
 
-    Without `points`, uniform by area, they are what `at` says: "vertices" or "faces" (centres). `arrays` is the file of the
-    arrays that the distribution names, by default the mesh.
+    Attributes:
+        mesh: Path of the mesh.
+        output: Path of the file to write.
+        points: Number of random points, uniform by area, or None.
+        samples: Number of directions per point.
+        distribution: Name of the distribution.
+        sequence: Name of the sequence.
+        seed: Random seed.
+        at: "vertices" or "faces" for points there, or None.
+        arrays: File of the arrays that the distribution names, or None for the mesh.
     """
 
     mesh: Path
@@ -59,7 +67,7 @@ class DirectionsRun:
 
 
 def export(run: DirectionsRun, workers: int | None = None) -> str:
-    """Runs and writes `run.output`; gives a sentence about it.
+    """Sample directions and write `run.output`; return a sentence about the file.
 
     An .npz file holds position, normal, face, vectors, status and `run`, a JSON text; the points and one part of the
     directions are in memory at a time. In .vtp and .ply each direction w is a point at position + CLOUD_SCALE * diagonal *
@@ -147,15 +155,14 @@ def _check(run: DirectionsRun) -> None:
 def _parts(
     points: SurfacePoints, lobe: Distribution, run: DirectionsRun, workers: int | None
 ) -> Iterator[tuple[int, Directions]]:
-    """(first row, directions) of parts that fit into memory, with a progress bar if stderr is a terminal."""
-    step = max(1, DIRECTIONS_PER_PART // run.samples)
-    with terminal_bar() as progress:
-        task = progress.add_task("sampling", total=len(points), told="")
+    """Yield (first row, directions) of parts that fit into memory, with a progress bar if stderr is a terminal."""
+    step, record = max(1, DIRECTIONS_PER_PART // run.samples), RunRecord("directions")
+    with record.show("sampling"), record.count(len(points), f"{run.output} is as it was before"):
         for start in range(0, len(points), step):
             rows = slice(start, start + step)
             normals = points.normal[rows]
             yield start, _sampled(normals, lobe.take(rows), run, workers, start)
-            progress.advance(task, len(normals))
+            record.advance(len(normals))
 
 
 def _sampled(points: Any, lobe: Distribution, run: DirectionsRun, workers: int | None, first_point: int = 0) -> Directions:
@@ -164,7 +171,7 @@ def _sampled(points: Any, lobe: Distribution, run: DirectionsRun, workers: int |
 
 
 def _record(run: DirectionsRun) -> dict[str, object]:
-    """All that is needed to repeat the run: arguments, digest of the mesh, and the versions that determine the bits."""
+    """Return the arguments, the digest of the mesh and the versions of libraries, which repeat a run to the bit."""
     digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
     if run.arrays is None:

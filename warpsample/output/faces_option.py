@@ -1,4 +1,4 @@
-"""A number for each face of a mesh, as the command line tells it: one for all, a file of them, or by named parts."""
+"""Options with a number for each face of a mesh: one number for all faces, a file, or numbers by named parts."""
 
 from pathlib import Path
 
@@ -11,16 +11,16 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 _WANTS = "a number, NAME.npy of one for each face, or by part, as leaf=0.2,glass=0.8"
 
 
-def with_optics(mesh: Mesh, **told: str | None) -> Mesh:
-    """The mesh with the transmittance and the reflectance that options of these names tell, as it is without.
+def with_optics(mesh: Mesh, **options: str | None) -> Mesh:
+    """Return a mesh with the transmittance and the reflectance of the options.
 
-    By parts, each pair names all parts that are called so, or that have that name between slashes, as objects with
-    materials do; of faces of other parts the share is 0.
+    A pair such as leaf=0.2 applies to all parts with that name, or with that name between slashes, as in OBJECT/MATERIAL.
+    Faces of other parts get 0.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: no such shares, a file without them, or a name that no part has.
+        TypeError, ValueError, FileNotFoundError: a wrong number, a missing or wrong file, or a name without a part.
     """
-    shares = {name: _shares(mesh, text, f"--{name}") for name, text in told.items() if text is not None}
+    shares = {name: _shares(mesh, text, f"--{name}") for name, text in options.items() if text is not None}
     if not shares:
         return mesh
     try:
@@ -29,21 +29,21 @@ def with_optics(mesh: Mesh, **told: str | None) -> Mesh:
         raise type(error)(f"--{error}") from None
 
 
-def _shares(mesh: Mesh, told: str, option: str) -> np.ndarray:
-    """What an option tells: a number, or one for each face."""
-    if told.endswith(".npy"):
-        file = check_file(Path(told), option, _WANTS)
+def _shares(mesh: Mesh, text: str, option: str) -> np.ndarray:
+    """Return the number of an option, or an array with a number for each face."""
+    if text.endswith(".npy"):
+        file = check_file(Path(text), option, _WANTS)
         with naming_file(option, file, _WANTS):
             return read_array(file)
-    return _by_parts(mesh, told, option) if "=" in told else np.array(_number(told, told, option))
+    return _by_parts(mesh, text, option) if "=" in text else np.array(_number(text, text, option))
 
 
-def _by_parts(mesh: Mesh, told: str, option: str) -> np.ndarray:
-    """(F,) float64, 0 for faces of parts that are not named."""
+def _by_parts(mesh: Mesh, text: str, option: str) -> np.ndarray:
+    """Return (F,) float64 numbers of faces, 0 for faces of parts that the option does not name."""
     if mesh.part is None:
-        raise ValueError(f"{option}: got {told!r} for a mesh without named parts, want a number or NAME.npy")
+        raise ValueError(f"{option}: got {text!r} for a mesh without named parts, want a number or NAME.npy")
     shares = np.zeros(len(mesh.parts) + 1)  # the last is of faces of no part
-    for pair in told.split(","):
+    for pair in text.split(","):
         name, _, share = pair.rpartition("=")
         named = [i for i, part in enumerate(mesh.parts) if name in (part, *part.split("/"))]
         if not name or not named:
@@ -53,8 +53,9 @@ def _by_parts(mesh: Mesh, told: str, option: str) -> np.ndarray:
     return shares[mesh.part]
 
 
-def _number(text: str, told: str, option: str) -> float:
+def _number(text: str, whole: str, option: str) -> float:
+    """Convert text to a number; raise a ValueError that quotes the whole text of the option."""
     try:
         return float(text)
     except ValueError:
-        raise ValueError(f"{option}: got {told!r}, want {_WANTS}") from None
+        raise ValueError(f"{option}: got {whole!r}, want {_WANTS}") from None

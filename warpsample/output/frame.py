@@ -1,4 +1,4 @@
-"""Any result as a table, with what is known of its points: `to_frame`."""
+"""Conversion of results to tables: `to_frame`."""
 
 from dataclasses import fields, is_dataclass
 from typing import Any
@@ -13,23 +13,23 @@ from warpsample.mesh.surface import SurfacePoints
 
 
 def to_frame(found: Any, points: SurfacePoints, mesh: Any = None, *, first_point: int = 0) -> Any:
-    """A result as a table with a row for each point: where it is, what it is on, and its numbers.
+    """Return a result as a table with a row for each point: position, normal, face, part and values.
 
     Args:
-        found: what a call over points gave: an Estimate, Irradiation, SkyMatrix, Hits, ...
-        points: P of them, that it is of.
-        mesh: what they are on, for the parts and the areas of their faces.
-        first_point: the global id of row 0, as the call had it, where the points have no ids of their own.
+        found: result of a call over points: an Estimate, Irradiation, SkyMatrix, Hits, ...
+        points: P points of the call.
+        mesh: mesh of the points, for the parts and the areas of faces. Default: None, without these columns.
+        first_point: global id of row 0 in the call; points with an `id` keep that. Default: 0.
 
     Returns:
-        a pandas.DataFrame, or a dictionary of arrays where pandas is not installed. Its columns are id; with a mesh part, if
-        it has named ones ("" where a point is on none), and area, of the point's face in square units, NaN without one;
-        face, x, y, z, normal_x, normal_y, normal_z; and the result's arrays of one or more numbers for each point by their
-        names, several as value_0, value_1 and so on. Arrays with more axes are left out.
+        a pandas.DataFrame, or a dictionary of arrays if pandas is not installed. The columns are id; with a mesh also part,
+        if the mesh has named parts ("" for a point on no part), and area, the area of the point's face in square units (NaN
+        without a face); face, x, y, z, normal_x, normal_y, normal_z; and the arrays of the result by name. An array with
+        several values per point becomes value_0, value_1 and so on. Arrays with more axes are left out.
 
     Raises:
-        TypeError: no result, or no points.
-        ValueError: a result of another number of points, faces that the mesh has not, an id of more than 64 bits.
+        TypeError: `found` is no result, or `points` are no SurfacePoints.
+        ValueError: the result has another number of points, a face is not in the mesh, or an id has more than 64 bits.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")
@@ -52,7 +52,7 @@ def to_frame(found: Any, points: SurfacePoints, mesh: Any = None, *, first_point
 
 
 def _of_faces(face: np.ndarray | None, mesh: Mesh) -> dict[str, np.ndarray]:
-    """The parts and areas of the faces of points."""
+    """Return the parts and areas of the faces of points."""
     assert face is not None
     if face.size and face.max() >= len(mesh.faces):
         raise ValueError(f"points: got the face {face.max()}, want faces of the mesh, which has {len(mesh.faces):,}")
@@ -64,7 +64,7 @@ def _of_faces(face: np.ndarray | None, mesh: Mesh) -> dict[str, np.ndarray]:
 
 
 def _numbers(found: Any, count: int) -> dict[str, np.ndarray]:
-    """The columns of a result: those of its arrays that have a row for each point."""
+    """Return the arrays of a result with a row for each point, as columns."""
     arrays = {item.name: getattr(found, item.name) for item in fields(found)}
     arrays = {name: as_ndarray(array, name) for name, array in arrays.items() if hasattr(array, "shape")}
     of_points = {name: array for name, array in arrays.items() if array.shape[:1] == (count,)}

@@ -1,4 +1,4 @@
-"""Numbers at the vertices of a .glb, written into the .glb: what it has besides stays as it is."""
+"""Values at the vertices of a .glb, added to the content of that .glb."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,27 +12,27 @@ from warpsample.texture.primitives import Primitive, list_primitives
 
 
 def keeps(source: Path, output: Path, at: str | None) -> bool:
-    """Whether a run of numbers at places writes them into the file that it has the mesh from."""
+    """Return whether a run adds its values to the content of the source, a glTF file."""
     return source.suffix.lower() in (".glb", ".gltf") and output.suffix == ".glb" and at == "vertices"
 
 
-def told_of_kept(source: Path) -> list[str]:
-    """What is to be said of writing into a file: which colours are replaced, and what stands in several places.
+def describe_kept(source: Path) -> list[str]:
+    """Return sentences on colours that are replaced, on meshes in several places and on materials.
 
     Raises:
         ValueError: a file that cannot be edited.
     """
-    file, primitives = _opened(source)
+    file, primitives = _open(source)
     coloured = join_names(one.name for one in primitives if "COLOR_0" in one.part.part("attributes"))
     several = join_names(one.name for one in primitives if one.others)
-    told = [f"the colours of {coloured} are replaced"] if coloured else []
-    told += [f"of {several}, in several places, the first one counts"] if several else []
-    return [*told, *describe_materials(file.part, primitives)]
+    notes = [f"the colours of {coloured} are replaced"] if coloured else []
+    notes += [f"of {several}, in several places, the first place counts"] if several else []
+    return [*notes, *describe_materials(file.part, primitives)]
 
 
 def write_kept(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]) -> None:
-    """Writes a file with further attributes of its vertices, (V,) or (V, 4) by name; a uint8 stands for 0 to 1."""
-    file, primitives = _opened(source)
+    """Write the source with further attributes of the vertices, (V,) or (V, 4) by name; uint8 represents 0 to 1."""
+    file, primitives = _open(source)
     for one in primitives:
         attributes = file.tree["meshes"][one.mesh]["primitives"][one.number]["attributes"]
         for name, array in columns.items():
@@ -41,7 +41,8 @@ def write_kept(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]
     file.write(stream)
 
 
-def _opened(source: Path) -> tuple[GlbFile, list[Primitive]]:
+def _open(source: Path) -> tuple[GlbFile, list[Primitive]]:
+    """Read a glTF file and list its primitives."""
     with convert_read_errors(source):
         file = GlbFile(source)
         return file, list_primitives(file.part, file.data)

@@ -1,4 +1,4 @@
-"""Writes meshes and clouds into .ply, .vtp and .glb as streams: block by block, so that nothing is in memory twice.
+"""Writers of meshes and clouds as .ply, .vtp and .glb, block by block, so that no array is in memory twice.
 
 The writers of libraries do not suffice: those of trimesh and VTK write only float32 into .ply, VTK crashes when the disk is
 full, and trimesh holds a .glb three times in memory. These libraries read the files that are written here.
@@ -21,18 +21,18 @@ _GLB = {"f4": 5126, "u4": 5125, "u1": 5121}
 
 @dataclass(frozen=True)
 class Lazy:
-    """Rows that are computed when they are written; `make` gives those of indices, (n,) int64."""
+    """Rows of an array, computed when written: `make` returns the rows of (n,) int64 indices."""
 
     shape: tuple[int, ...]
     dtype: np.dtype
     make: Callable[[np.ndarray], np.ndarray]
 
     def __len__(self) -> int:
-        """How many rows."""
+        """Return the number of rows."""
         return self.shape[0]
 
     def __getitem__(self, rows: slice) -> np.ndarray:
-        """The rows of a slice without a step."""
+        """Return the rows of a slice without a step."""
         return self.make(np.arange(*rows.indices(len(self)))).astype(self.dtype, copy=False)
 
 
@@ -41,10 +41,10 @@ Rows = np.ndarray | Lazy
 
 
 def write_ply(file: BinaryIO, elements: dict[str, dict[str, Rows]]) -> None:
-    """Writes a binary .ply of {"vertex": columns, "face": columns}.
+    """Write a binary .ply of {"vertex": columns, "face": columns}.
 
-    A column is named after its property, or after several with blanks between them; "vertex_indices" are the (F, 3) corners
-    of faces.
+    The key of a column is the name of its property, or of several properties with blanks between the names.
+    "vertex_indices" are the (F, 3) corners of faces.
     """
     head = ["ply", "format binary_little_endian 1.0"]
     for element, columns in elements.items():
@@ -68,9 +68,9 @@ def write_ply(file: BinaryIO, elements: dict[str, dict[str, Rows]]) -> None:
 def write_vtp(
     file: BinaryIO, points: Rows, faces: Rows | None, point_data: dict[str, Rows], cell_data: dict[str, Rows]
 ) -> None:
-    """VTK's PolyData, binary: points, (N, 3), with faces, (F, 3) indices of them, or each as a cell.
+    """Write a binary PolyData of VTK: points (N, 3) with faces, (F, 3) indices of points, or with each point as a cell.
 
-    Data are (N, ...) or (F, ...) by name; "Normals" of points become the active normals.
+    Data are arrays (N, ...) or (F, ...) by name; "Normals" of points become the active normals.
     """
     count, corners = (len(points), 1) if faces is None else (len(faces), 3)
     kind = np.dtype(np.int32 if corners * count < 2**31 else np.int64)
@@ -106,7 +106,7 @@ def write_vtp(
 def write_glb(
     file: BinaryIO, vertices: Rows, corners: Rows, attributes: dict[str, Rows], placed: dict[str, list[float]]
 ) -> None:
-    """Binary glTF of one mesh: vertices, (V, 3) float32, and corners, (F, 3) uint32 indices of them.
+    """Write a binary glTF of one mesh: vertices (V, 3) float32, and corners (F, 3) uint32, indices of vertices.
 
     Attributes are (V,) or (V, 4) by name, float32, or uint8 that stands for 0 to 1. The node is placed by its translation
     and rotation, in float64.
@@ -149,13 +149,16 @@ def write_glb(
 
 
 def _count(columns: dict[str, Any]) -> int:
+    """Return the number of rows of the columns."""
     return len(next(iter(columns.values())))
 
 
 def _bytes(rows: Rows) -> int:
+    """Return the size of rows in bytes."""
     return int(np.prod(rows.shape)) * rows.dtype.itemsize
 
 
 def _blocks(rows: Rows) -> Iterator[np.ndarray]:
+    """Yield the rows block by block, little-endian and contiguous."""
     for first in range(0, len(rows), _BLOCK):
         yield np.ascontiguousarray(rows[first : first + _BLOCK], rows.dtype.newbyteorder("<"))

@@ -1,4 +1,4 @@
-"""Baked numbers as a picture: the mesh or its points, in colours."""
+"""Picture of computed values: the mesh, its points or the cells of a raster, in colours."""
 
 from io import BytesIO
 from typing import Any, BinaryIO
@@ -6,47 +6,66 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from warpsample.output.upward import upright_by_y
+from warpsample.plotting.map_sheet import Map, map_sheet
 from warpsample.plotting.number_scene import number_scene
 
 _SIZE = (1200, 900)
 _FRONT = "vertices", "faces"
+_MOST_CELLS = 2000  # cells along the sides of a picture of a raster
 
 
-def shown(baked: Any) -> np.ndarray:
-    """(P,) what is shown of the values: themselves, or the length of those of three components; NaN without a number."""
+def shown_values(baked: Any) -> np.ndarray:
+    """Return the (P,) values to show: the value, or the length of three components; NaN for points without a value."""
     value = baked.found.value.astype(np.float64)
     length = np.linalg.norm(value, axis=1) if value.ndim == 2 else value
     return np.where(baked.found.status == 0, length, np.nan)
 
 
 def title_of(baked: Any) -> str:
-    """What is shown, with its unit."""
+    """Return the title of the shown values, with the unit."""
     unit = baked.quantity.unit
     name = f"length of {baked.quantity.title}" if baked.found.value.ndim == 2 else baked.quantity.title
     return f"{name}, {unit}" if unit else name
 
 
-def picture_of(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
-    """The scene as a .png; `of_faces` are (F,) means over parts, to be shown in place of the numbers."""
-    value, at, what = shown(baked), baked.run.at, baked.run.at or "points"
+def draw_picture(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
+    """Draw a .png of the values, or of the (F,) means over parts in `of_faces`, and return its content."""
+    if baked.mesh is None:
+        return _draw_map(baked)
+    value, at, what = shown_values(baked), baked.run.at, baked.run.at or "points"
     if of_faces is not None:
         value, at, what = of_faces, "faces", f"faces, with the means over {len(baked.mesh.parts):,} surfaces"
-    made = (baked.mesh if at in _FRONT else baked.points).to_polydata()
-    (made.cell_data if at == "faces" else made.point_data)["shown"] = value
+    scene = (baked.mesh if at in _FRONT else baked.points).to_polydata()
+    (scene.cell_data if at == "faces" else scene.point_data)["shown"] = value
     largest = np.nanmax(value, initial=0.0)
     high = float(largest if baked.quantity.unit else max(largest, baked.quantity.white)) or 1.0
     own = (0.0, 1.0, 0.0) if upright_by_y(baked.run.mesh) else (0.0, 0.0, 1.0)
     axis = np.abs(np.array(baked.run.options.get("up") or own, float)).argmax()
-    said = f"{baked.run.mesh.name}: {len(value):,} {what}"
-    plotter = number_scene(made, "shown", title=title_of(baked), caption=said, high=high, up="xyz"[axis], size=_SIZE)
+    caption = f"{baked.run.mesh.name}: {len(value):,} {what}"
+    plotter = number_scene(scene, "shown", title=title_of(baked), caption=caption, high=high, up="xyz"[axis], size=_SIZE)
     try:
-        held = BytesIO()
-        plotter.screenshot(held, return_img=False)
-        return held.getvalue()
+        stream = BytesIO()
+        plotter.screenshot(stream, return_img=False)
+        return stream.getvalue()
     finally:
         plotter.close()
 
 
+def _draw_map(baked: Any) -> bytes:
+    """Draw a .png of the cells of a raster, and return its content; large rasters are shown by every k-th cell."""
+    value = shown_values(baked).reshape(baked.shape)
+    step = -(-max(baked.shape) // _MOST_CELLS)
+    largest = float(np.nanmax(value, initial=0.0))
+    high = float(largest if baked.quantity.unit else max(largest, baked.quantity.white)) or 1.0
+    title = title_of(baked)
+    drawn = Map(value[::step, ::step], step * baked.cell, baked.quantity.title, title, "viridis", (0.0, high), baked.north)
+    some = "" if step == 1 else f", of which the picture shows every {step}th in both directions"
+    caption = f"{baked.run.mesh.name}: {baked.shape[0]:,} x {baked.shape[1]:,} cells{some}"
+    stream = BytesIO()
+    map_sheet([drawn], caption).savefig(stream, format="png", metadata={"Software": None})
+    return stream.getvalue()
+
+
 def write_png(file: BinaryIO, baked: Any) -> None:
-    """Writes the picture."""
-    file.write(picture_of(baked))
+    """Write the picture of the values."""
+    file.write(draw_picture(baked))

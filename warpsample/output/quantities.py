@@ -1,4 +1,4 @@
-"""All quantities, by the names that the command line has for them."""
+"""All quantities, by their names on the command line."""
 
 from collections.abc import Iterable, Mapping
 from functools import cache
@@ -13,39 +13,43 @@ from warpsample.radiation import quantities as of_light
 
 @cache
 def quantities() -> dict[str, Quantity]:
-    """By name, those of `estimate` before those of `radiation`."""
+    """Return all quantities, keyed by name: first quantities of `estimate`, then of `radiation`."""
     return records_of(of_rays) | records_of(of_light)
 
 
 def quantity_of(name: str) -> Quantity:
-    """The record of a quantity, or the error of `look_up`, which lists their names."""
+    """Return the record of a quantity; raise the ValueError of `look_up` for an unknown name."""
     return look_up(quantities(), name, "quantity")
 
 
-def taking(option: str) -> list[str]:
-    """The names of the quantities to which an option of the command line applies."""
+def quantities_with(option: str) -> list[str]:
+    """Return the names of the quantities to which an option of the command line applies."""
     return [name for name, quantity in quantities().items() if quantity.takes(option)]
 
 
 def in_stores() -> list[str]:
-    """The names of the quantities that Zarr stores hold."""
+    """Return the names of the quantities that Zarr stores hold."""
     return [name for name, quantity in quantities().items() if quantity.in_stores]
 
 
 def check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
-    """Refuses options that do not apply to a quantity, and asks for the files without which it cannot be computed."""
+    """Check that options apply to a quantity, and that all required files are given.
+
+    Raises:
+        ValueError: an option that does not apply, or a file that is missing; the message names the option.
+    """
     for option, wants in quantity.files.items():
         if options.get(option) is None:
             raise ValueError(f"--{option}: got None for {quantity.name}, want {wants}")
     for option, value in options.items():
         if not quantity.takes(option):
-            *others, last = taking(option)
+            *others, last = quantities_with(option)
             names = f"{', '.join(others)} and {last}" if others else last
             raise ValueError(f"--{option.replace('_', '-')}: got {value} for {quantity.name}; it applies only to {names}")
 
 
 def call_table() -> str:
-    """The table of the calls of `estimate` for its README, in Markdown."""
+    """Return the table of the calls of `estimate` for the README, in Markdown."""
     of = [quantity for quantity in records_of(of_rays).values() if quantity.in_stores]
     everywhere = set.intersection(*(set(quantity.parameters) for quantity in of))
     rows = [("call", "value at each point"), ("---", "---")]
@@ -60,12 +64,13 @@ def call_table() -> str:
 
 
 def name_table() -> str:
-    """The table of all quantities by the names of the command line, in Markdown."""
+    """Return the table of all quantities by their names on the command line, in Markdown."""
     rows = [("`--quantity`", "value at each point", "unit"), ("---", "---", "---")]
     return _markdown([*rows, *((f"`{name}`", quantity.value, quantity.unit) for name, quantity in quantities().items())])
 
 
 def _markdown(rows: Iterable[tuple[str, ...]]) -> str:
+    """Return rows as a table in Markdown."""
     return "".join(f"| {' | '.join(row)} |\n" for row in rows)
 
 

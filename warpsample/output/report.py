@@ -1,4 +1,4 @@
-"""A report on baked numbers: one .html file that needs no network, and says all that the run was told."""
+"""Report on computed values: an .html file without links, with picture, histogram, tables and all arguments."""
 
 import base64
 from collections.abc import Iterable, Iterator, Mapping
@@ -14,10 +14,11 @@ from warpsample.estimate.result import PointStatus
 from warpsample.host.files import check_output, write_bytes
 from warpsample.output.baked import Baked
 from warpsample.output.by_parts import part_table
-from warpsample.output.pictured import picture_of, shown, title_of
+from warpsample.output.pictured import draw_picture, shown_values, title_of
 from warpsample.plotting.rendering import check_rendering
 
 _BINS, _MOST_ROWS = 40, 200
+_QUARTILES = {"minimum": 0, "first quartile": 25, "median": 50, "third quartile": 75, "maximum": 100}
 _STYLE = """body { font: 16px/1.5 sans-serif; margin: 2em auto; max-width: 60em; padding: 0 1em; color: #222 }
 img, svg { max-width: 100%; height: auto } table { border-collapse: collapse } div { overflow-x: auto }
 td, th { padding: .2em .8em; text-align: right; border-bottom: 1px solid #ddd }
@@ -26,7 +27,11 @@ td:first-child, th:first-child { text-align: left }
 
 
 def check_report(path: Path | None, *others: Path) -> None:
-    """Refuses a report that cannot be written, before anything is computed."""
+    """Check that a report can be written, and that it is none of the other files.
+
+    Raises:
+        ValueError: a wrong suffix, or a path that cannot be written.
+    """
     if path is not None:
         if path.suffix != ".html":
             raise ValueError(f"--report: got {str(path)!r}, want a file that ends in .html")
@@ -34,34 +39,35 @@ def check_report(path: Path | None, *others: Path) -> None:
 
 
 def write_report(path: Path, baked: Baked, city: Any) -> None:
-    """Writes the report of a run, complete or not at all; the same run gives the same bytes."""
+    """Write the report of a run, complete or not at all; the same run gives the same bytes."""
     title = f"{baked.quantity.title} of {baked.run.mesh.name}"
     parts = [
         "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport content='width=device-width'>",
         f"<title>{escape(title)}</title><style>{_STYLE}</style><h1>{escape(title)}</h1>",
-        *_picture(baked),
-        f"<h2>How often</h2>{_histogram(shown(baked), title_of(baked))}",
-        f"<h2>Numbers</h2>{_table(_numbers(baked))}",
+        *_draw(baked),
+        f"<h2>Histogram</h2>{_histogram(shown_values(baked), title_of(baked))}",
+        f"<h2>Statistics</h2>{_table(_statistics(baked))}",
         *_by_part(baked, city),
-        f"<h2>Arguments</h2>{_table(_told(baked).items())}",
+        f"<h2>Arguments</h2>{_table(_arguments(baked).items())}",
         f"<h2>Versions</h2>{_table((name, version(name)) for name in ('warpsample', 'warp-lang', 'numpy'))}",
         f"<p>Python {python_version()}</p></html>\n",
     ]
     write_bytes(path, "\n".join(parts).encode())
 
 
-def _picture(baked: Baked) -> Iterator[str]:
+def _draw(baked: Baked) -> Iterator[str]:
+    """Yield the picture, or a sentence if this machine cannot draw one."""
     try:
         check_rendering()
     except (RuntimeError, ModuleNotFoundError) as error:
         yield f"<p>No picture: {escape(str(error))}</p>"
         return
-    data = base64.b64encode(picture_of(baked)).decode()
+    data = base64.b64encode(draw_picture(baked)).decode()
     yield f'<img alt="{escape(title_of(baked))}" src="data:image/png;base64,{data}">'
 
 
 def _histogram(value: np.ndarray, title: str) -> str:
-    """How often values occur, as a drawing."""
+    """Return a histogram of values as a drawing."""
     value = value[np.isfinite(value)]
     counts, edges = np.histogram(value, bins=_BINS)
     tall = max(int(counts.max(initial=0)), 1)
@@ -74,8 +80,9 @@ def _histogram(value: np.ndarray, title: str) -> str:
     return f'<svg viewBox="0 0 800 230" role="img" aria-label="histogram" font-size="14">{bars}{ends}{middle}</svg>'
 
 
-def _numbers(baked: Baked) -> Iterator[tuple[str, str]]:
-    found, value = baked.found, shown(baked)
+def _statistics(baked: Baked) -> Iterator[tuple[str, str]]:
+    """Yield the number of points, mean, standard error, quartiles and number of rays."""
+    found, value = baked.found, shown_values(baked)
     good = value[np.isfinite(value)]
     yield "points", f"{len(value):,}"
     for status, count in zip(*np.unique(found.status, return_counts=True), strict=True):
@@ -85,37 +92,35 @@ def _numbers(baked: Baked) -> Iterator[tuple[str, str]]:
         error = np.sqrt(np.mean(np.square(found.standard_error[found.status == 0].astype(np.float64))))
         yield "mean", f"{good.mean():.6g}"
         yield "standard error, root mean square", f"{error:.3g}"
-        for name, share in (
-            ("least", 0),
-            ("a quarter is below", 25),
-            ("half", 50),
-            ("three quarters", 75),
-            ("greatest", 100),
-        ):
+        for name, share in _QUARTILES.items():
             yield name, f"{np.percentile(good, share):.6g}"
-    yield "rays", f"{int(found.rays.sum(dtype=np.int64)):,}"
+    if rays := int(found.rays.sum(dtype=np.int64)):
+        yield "rays", f"{rays:,}"
 
 
 def _by_part(baked: Baked, city: Any) -> Iterator[str]:
-    """The means over the parts, where there are any; points at vertices are on none."""
-    if baked.mesh.part is None or baked.run.at == "vertices" or baked.quantity.is_matrix:
+    """Yield a table of means over parts, unless the mesh has no parts or the points are vertices, which are on no part."""
+    if baked.mesh is None or baked.mesh.part is None or baked.run.at == "vertices":
         return
     columns = part_table(baked, city)
     rows = list(zip(*(column.tolist() for column in columns.values()), strict=True))
     yield f"<h2>By part</h2>{_table(rows[:_MOST_ROWS], list(columns))}"
     if len(rows) > _MOST_ROWS:
-        yield f"<p>{len(rows) - _MOST_ROWS:,} further parts are left out here; a .csv by --by part has all.</p>"
+        yield f"<p>{len(rows) - _MOST_ROWS:,} further parts are left out; a .csv with --by part has all parts.</p>"
 
 
-def _told(baked: Baked) -> Mapping[str, Any]:
-    return baked.run.told | baked.quantity.told(baked.run.options)
+def _arguments(baked: Baked) -> Mapping[str, Any]:
+    """Return all arguments of the run, keyed by option name."""
+    return baked.run.recorded | baked.quantity.told(baked.run.options) | baked.run.more
 
 
 def _table(rows: Iterable[Iterable[Any]], header: Iterable[str] = ()) -> str:
+    """Return an HTML table."""
     head = "".join(f"<th>{escape(name)}</th>" for name in header)
     body = "".join(f"<tr>{''.join(f'<td>{escape(_cell(cell))}</td>' for cell in row)}</tr>" for row in rows)
     return f"<div><table>{f'<tr>{head}</tr>' if head else ''}{body}</table></div>"
 
 
 def _cell(value: Any) -> str:
+    """Return the text of a cell of a table."""
     return f"{value:.6g}" if isinstance(value, float) else "" if value is None else str(value)

@@ -1,4 +1,4 @@
-"""The sunlit share of groups of faces, hour by hour, for EnergyPlus: `Schedule:File:Shading`."""
+"""`warpsample shading`: write the sunlit fraction of groups of faces for each hour, as EnergyPlus reads it."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,11 +23,17 @@ _MOST_POINTS = 2**20  # of a group, whose suns stand in memory: four gigabytes
 
 @dataclass(frozen=True)
 class Shading:
-    """The arguments of a run.
+    """Arguments of a run of `warpsample shading`.
 
-    `groups` is a text file with a line for each triangle, the name of the surface that it is of; `output` a .csv; `weather`
-    an EPW file, for its place and hours; `samples` the points of each group, uniform by area, and `seed` theirs; `up` is the
-    sky's axis.
+    Attributes:
+        mesh: Path of the mesh.
+        groups: Path of a text file with a line for each triangle: the name of the surface that contains the triangle.
+        output: Path of the .csv to write.
+        weather: Path of an EPW file, for the place and the hours.
+        samples: Number of points per group, uniform by area.
+        up: Direction of the zenith.
+        north: Direction of north.
+        seed: Random seed of the points.
     """
 
     mesh: Path
@@ -41,11 +47,17 @@ class Shading:
 
 
 def write_shading(run: Shading, workers: int | None = None) -> str:
-    """Writes `run.output`: a row for each hour of the year, stamped with its end, and a column for each surface.
+    """Write `run.output`: a row for each hour of the year, stamped with its end, and a column for each surface.
 
-    The share of a surface's area that sees the sun's centre at mid-hour, 0 at night and where the sun is behind. Random
-    points decide: with N of them the standard error is at most 0.5 / sqrt(N). Gives a report in a sentence. An argument that
-    cannot be used is refused before anything is computed.
+    A value is the fraction of a surface's area that sees the centre of the sun in the middle of the hour. The value is 0 at
+    night and on surfaces that face away from the sun. N random points give a standard error of at most 0.5 / sqrt(N).
+
+    Returns:
+        a report in one sentence.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used, before anything is computed.
+        WriteError: the file cannot be written.
     """
     if run.output.suffix != ".csv":
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in .csv")
@@ -72,9 +84,10 @@ def write_shading(run: Shading, workers: int | None = None) -> str:
 
 
 def _groups(path: Path, mesh: Mesh) -> tuple[list[str], np.ndarray]:
-    """The names of the groups, in the order of the file, and (F,) which of them each face is of.
+    """Return the names of the groups, in the order of the file, and the (F,) index of the group of each face.
 
-    Another number of lines, and a name that is empty or that a .csv cannot hold, are a ValueError.
+    Raises:
+        ValueError: a wrong number of lines, or a name that is empty or that a .csv cannot hold.
     """
     wants = f"{len(mesh.faces):,} lines, each with the name of its triangle's surface"
     found = check_file(path, "groups", f"a text file of {wants}").read_bytes()
@@ -97,6 +110,6 @@ def _groups(path: Path, mesh: Mesh) -> tuple[list[str], np.ndarray]:
 
 
 def _points_of(mesh: Mesh, faces: np.ndarray, count: int, seed: int, first_point: int) -> SurfacePoints:
-    """Points on some faces, uniform by area; other groups of faces have other ids, so independent points."""
+    """Return points on some faces, uniform by area; points of different groups are independent."""
     points = sample_surface(Mesh(mesh.vertices, mesh.faces[faces]), count, seed=seed, first_point=first_point)
     return SurfacePoints(points.position, points.normal, faces[points.face].astype(np.int32))

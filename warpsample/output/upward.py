@@ -1,4 +1,4 @@
-"""Which way is up in a mesh file, where its format says so: otherwise it is z, as on maps."""
+"""Direction of up in mesh files whose format defines the direction; +z in all other files, as on maps."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -13,16 +13,16 @@ from warpsample.mesh.files.usd import read_up_axis
 _GLTF = (".glb", ".gltf")
 _USD = (".usd", ".usda", ".usdc", ".usdz")
 _Y, _NORTH_BY_Y = (0.0, 1.0, 0.0), (0.0, 0.0, -1.0)
-"""The axis, and where north is by it: what is turned upright has its y into the picture."""
+"""Axis of up, and the direction of north for that axis: -z, which was +y before the mesh was turned upright."""
 
 
 def with_up(path: Path, quantity: Quantity, options: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
-    """The options of a run with the file's own axes, unless they are given; and a sentence that says so, or "".
+    """Return the options of a run with the axes of the file, and a sentence on the added axes or "".
 
     Args:
-        path: of the mesh.
-        quantity: that may depend on what is up.
-        options: as given.
+        path: path of the mesh.
+        quantity: quantity, which may depend on the direction of up.
+        options: given options; given axes stay.
     """
     made = dict(options)
     format = "" if not quantity.takes("up") or "up" in options else upright_by_y(path)
@@ -37,7 +37,7 @@ def with_up(path: Path, quantity: Quantity, options: Mapping[str, Any]) -> tuple
 
 
 def upright_by_y(path: Path) -> str:
-    """The name of the format by which +y is up in a file; "" where z is, or where there is no such file."""
+    """Return the name of a file's format if +y is up in the file, else ""."""
     suffix = path.suffix.lower()
     if not path.is_file():
         return ""
@@ -47,12 +47,17 @@ def upright_by_y(path: Path) -> str:
 
 
 def up_of(quantity: Quantity, options: Mapping[str, Any]) -> Any:
-    """What was up for a quantity in a run; None of one that has no up."""
+    """Return the direction of up of a run, or None for a quantity that has no direction of up."""
     return options.get("up") or quantity.default("up") if quantity.takes("up") else None
 
 
 def placed_upright(middle: np.ndarray, up: Any) -> dict[str, list[float]]:
-    """How a node of a .glb places vertices about a middle, so that what was up is +y; as they are where nothing was."""
+    """Return the translation and rotation of a node of a .glb that turn `up` to +y and move vertices to their middle.
+
+    Args:
+        middle: (3,) middle of the vertices.
+        up: Direction of up, or None for no rotation.
+    """
     if up is None or tuple(up) == _Y:
         return {"translation": middle.tolist()}
     turn = imported("scipy.spatial.transform").Rotation.align_vectors([_Y], [up])[0]

@@ -40,7 +40,7 @@ class AngleHistogram:
 
     @property
     def is_wrong(self) -> bool:
-        """Whether the directions certainly do not have the compared density."""
+        """True if the directions certainly do not follow the compared density."""
         return self.test is not None and self.test.p_value < _SURE
 
     def verdict(self) -> str:

@@ -233,18 +233,21 @@ def _check_cdf(o: Opinions) -> Conflicts:
 def _check_polar(o: Opinions) -> Conflicts:
     """Yield a conflict of the map that breaks the `polar` declaration, if the other map follows it.
 
-    With `polar`, u[0] is the cdf and u[1] the azimuth in turns.
+    With `polar`, u[0] is the cdf and u[1] the azimuth divided by 2 pi.
     """
     if not (o.sampler.symmetric and o.sampler.polar):
         return
     keeps = [_is_polar(o, o.at_u[part]) for part in MAPS]
     if keeps[0] != keeps[1]:
         wrong = MAPS[keeps[0]]
-        yield {wrong}, f"`polar` is declared, but the {wrong} does not use u[0] as the cdf and u[1] as the azimuth in turns"
+        yield (
+            {wrong},
+            f"`polar` is declared, but the {wrong} does not use u[0] as the cdf and u[1] as the azimuth divided by 2 pi",
+        )
 
 
 def _is_polar(o: Opinions, w: np.ndarray) -> bool:
-    """Return whether directions w at `u` have u[0] as the cdf and u[1] as the azimuth in turns."""
+    """Return whether directions w at `u` have u[0] as the cdf and u[1] as the azimuth divided by 2 pi."""
     both = [np.asarray(o.sampler.cdf(o.chart.polar(w)), np.float64)]
     both += [o.chart.azimuth(w)] if o.chart.azimuths > 1.0 else []
     apart = np.stack(both, axis=-1) - o.u[:, : len(both)]

@@ -101,7 +101,7 @@ def dependence_p_value(first: np.ndarray, second: np.ndarray) -> float:
 
 
 def _bits_set(octets: np.ndarray) -> np.ndarray:
-    """Return the number of octets in which each of the eight bits is set, (8,); octets are integers below 256."""
+    """Count, for each of the eight bits, the octets with this bit set; return (8,). Octets are integers below 256."""
     return np.bincount(octets, minlength=256) @ (np.arange(256)[:, None] >> np.arange(8) & 1)
 
 

@@ -53,7 +53,7 @@ class Verdict:
 
     @property
     def passed(self) -> bool:
-        """Whether the law holds."""
+        """True if the law holds."""
         return self.measured >= self.limit if self.statistical else self.measured <= self.limit
 
 
@@ -89,7 +89,7 @@ class Law:
         return Verdict.from_error(self.name, subject.name, measured, limit=self.limit(subject.twin), note=note)
 
 
-def _fixed(limit: float) -> Callable[[Distribution], float]:
+def _constant_limit(limit: float) -> Callable[[Distribution], float]:
     """Return a function that gives the same limit for all distributions."""
     return lambda distribution: limit
 
@@ -114,7 +114,7 @@ LAWS = (
         "finite",
         "number of u that give NaN, an infinity or density 0, over the corners of the square and the sweep",
         lambda e: e.sweep["broken"],
-        _fixed(0.0),
+        _constant_limit(0.0),
     ),
     Law(
         "unit length",
@@ -133,7 +133,7 @@ LAWS = (
         "sine",
         "worst relative error of sin θ over the sweep",
         lambda e: e.sweep["sine"],
-        _fixed(1e-6),
+        _constant_limit(1e-6),
         lambda s: s.symmetric and s.measure == "per steradian",
     ),
     Law(
@@ -153,13 +153,13 @@ LAWS = (
         "outside",
         "greatest density outside the support, and at NaN",
         lambda e: laws.density_outside(e.sampler),
-        _fixed(0.0),
+        _constant_limit(0.0),
     ),
     Law(
         "mass",
         "| integral of the density - 1 |, by a quadrature that has converged",
         lambda e: laws.mass_error(e.sampler, e.edges),
-        _fixed(1e-4),
+        _constant_limit(1e-4),
     ),
     # An error of 1e-7 in float32 directions at the ends of a side of 2^-10 gives 4e-4. Curvature gives the same error, and
     # ten times that near the horizon of a view. Both average out.

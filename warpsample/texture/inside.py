@@ -9,8 +9,8 @@ from warpsample.host.locks import imported, once_property
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
-from warpsample.texture.charts import label_charts
 from warpsample.texture.texture_points import TexturePoints
+from warpsample.texture.uv.charts import label_charts
 from warpsample.tracing.trace_all import trace_all
 
 _RAYS = 3  # two rays per point, and a third one where the first two disagree

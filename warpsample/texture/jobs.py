@@ -14,11 +14,11 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, convert_read_errors
 from warpsample.texture.high import average_normals
 from warpsample.texture.materials import OCCLUSION, Slot, name_group
-from warpsample.texture.new_uv import add_uv, charts_for
 from warpsample.texture.primitives import Primitive, group_by_material, list_primitives
 from warpsample.texture.sets import Texels, TextureOptions
 from warpsample.texture.texture_points import TexturePoints
-from warpsample.texture.unwrapping import PADDING, unwrap
+from warpsample.texture.uv.new_uv import add_uv, charts_for
+from warpsample.texture.uv.unwrapping import PADDING, unwrap
 
 _FLAWS = {
     "overlapped": "overlapping texels, which show one of several faces",

@@ -15,11 +15,11 @@ from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints, check_uv
 from warpsample.mesh.tangents import compute_tangents
-from warpsample.texture.charts import label_charts
 from warpsample.texture.claims import MOST_TEXELS, claim_points, compute_weights
 from warpsample.texture.image import TexelRows, check_gutter, fill_texels
 from warpsample.texture.report import TextureReport, build_report, find_face_flaws
 from warpsample.texture.shading import NORMALS, compute_corner_normals, shade_points
+from warpsample.texture.uv.charts import label_charts
 
 _MOST_SAMPLES = 1024
 _MOST_SIDE = 1 << 16

@@ -186,7 +186,7 @@ def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:
 
     Args:
         mesh: any.
-        through: whether the caller takes care of faces that light goes through; else they are refused by a ValueError.
+        through: whether the caller handles faces that transmit light; otherwise a mesh with such faces raises a ValueError.
     """
     if not through:
         check_opaque(mesh, "this call")
@@ -207,7 +207,7 @@ def coarseness_of(scene: Scene, double: bool) -> float:
 
 
 def refit(mesh: Any, vertices: Any, *, workers: int | None = None) -> Mesh:
-    """Return the mesh with moved vertices, several times as fast as a new tree takes.
+    """Return the mesh with moved vertices; several times as fast as building a new tree.
 
     Rays get the same answers as from a new tree, except for the choice among faces at the same distance. They are slower the
     further the vertices have moved, since the tree keeps its groups of triangles.

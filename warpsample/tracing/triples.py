@@ -7,7 +7,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arrays import Array, cpu
-from warpsample.host.neighbours import as_ndarray, from_cuda
+from warpsample.host.neighbours import as_array
 
 _DOUBLE = {np.float32: False, np.float64: True, wp.vec3: False, wp.vec3d: True, wp.float32: False, wp.float64: True}
 
@@ -35,7 +35,7 @@ class Triples:
         Raises:
             TypeError, ValueError: not triples of floating-point numbers; the message names the argument.
         """
-        value = from_cuda(value, argument)
+        value = as_array(value, argument)
         if isinstance(value, wp.array):
             vectors = value.dtype in (wp.vec3, wp.vec3d)
             if value.dtype not in _DOUBLE or not (vectors or (value.ndim and value.shape[-1] == 3)):
@@ -46,12 +46,11 @@ class Triples:
             if not value.is_contiguous:
                 raise ValueError(f"{argument}: got a wp.array that is not contiguous, want a contiguous array")
             return cls(value, value.shape if vectors else value.shape[:-1], _DOUBLE[value.dtype], value.device)
-        array = as_ndarray(value, argument)
-        if array.dtype not in (np.float32, np.float64):
-            raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 or float64")
-        if array.ndim == 0 or array.shape[-1] != 3:
-            raise ValueError(f"{argument}: got shape {array.shape}, want {shape}")
-        return cls(np.ascontiguousarray(array), array.shape[:-1], _DOUBLE[array.dtype.type], cpu())
+        if value.dtype not in (np.float32, np.float64):
+            raise TypeError(f"{argument}: got dtype {value.dtype}, want float32 or float64")
+        if value.ndim == 0 or value.shape[-1] != 3:
+            raise ValueError(f"{argument}: got shape {value.shape}, want {shape}")
+        return cls(np.ascontiguousarray(value), value.shape[:-1], _DOUBLE[value.dtype.type], cpu())
 
     def empty(self, dtype: Any) -> Array:
         """Return an uninitialised array of one number per triple, of the same kind of array and on the same device."""

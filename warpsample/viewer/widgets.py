@@ -31,7 +31,7 @@ def fit_texts(plotter: "pyvista.Plotter") -> None:
 
 
 class Menu:
-    """Title and radio buttons, one of which is on."""
+    """Title and radio buttons; exactly one button is on."""
 
     def __init__(
         self, plotter: "pyvista.Plotter", title: str, entries: list[str], *, top: float, choose: Callable[[str], None]

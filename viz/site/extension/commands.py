@@ -10,7 +10,7 @@ from docutils.statemachine import StringList
 
 from warpsample.cli.commands import app
 
-_CODE = re.compile(r"(--[a-z][a-z-]*|tcp://\.*)")
+_CODE = re.compile(r"(--[a-z][a-z-]*|tcp://\S*\w)")
 
 
 def commands() -> dict[str, Any]:

@@ -30,7 +30,7 @@ from warpsample.texture.jobs import SCENES
 from warpsample.texture.report import find_face_flaws
 from warpsample.texture.shading import compute_corner_normals
 from warpsample.texture.texture_points import texture_points
-from warpsample.texture.unwrapping import unwrap
+from warpsample.texture.uv.unwrapping import unwrap
 
 OURS = "warpsample"
 _RAYS, _SEED = 4096, 1 << 40  # rays per texel and seed of the reference
@@ -128,7 +128,7 @@ def compute_known(scene: Textured, size: int, rays: int = _RAYS, most: int = _MO
 
 
 def build_texture(tool: str, scene: Textured, known: Known, *, size: int, workers: int) -> ChildJob:
-    """Build one image by a tool, is_in_part as in "Blender, 16 rays"; the report needs two runs."""
+    """Build one image by a tool and a number of rays, such as "Blender, 16 rays"; the report needs two runs."""
     name, rays = tool.removesuffix(" rays").split(", ")
     (library, make, _), _ = TEXTURE_TOOLS[name]
     paint, images = make(scene, size, workers), deque[np.ndarray](maxlen=2)

@@ -9,10 +9,10 @@ from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.texture.charts import label_charts
 from warpsample.texture.claims import claim_points
 from warpsample.texture.report import find_face_flaws
 from warpsample.texture.texture_points import TexturePoints
+from warpsample.texture.uv.charts import label_charts
 
 
 @dataclass(frozen=True, eq=False)

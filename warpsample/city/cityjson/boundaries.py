@@ -88,7 +88,7 @@ def _check_list(value: Any, at: str, wants: str) -> list[Any]:
 
 
 def _flatten_values(values: Any, boundaries: Sequence[Any], depth: int, at: str) -> list[Any]:
-    """Return a flat list of one number or None for each face; None at an outer level stands for None at all faces below."""
+    """Return a flat list of one number or None for each face; None at an outer level is None for all faces below."""
     if values is None:
         values = [None] * len(boundaries)
     if type(values) is not list or len(values) != len(boundaries):

@@ -41,7 +41,7 @@ class City(Summary):
         mesh: mesh in metres. Coordinates of the file are converted by its reference system.
         surface: (F,) int32, row in `surfaces` of each triangle's surface; -1 for triangles of a context.
         surfaces: table of the N surfaces.
-        split: whether each polygon is a surface of its own.
+        split: whether each polygon is a separate surface.
         geometries: geometries of the file that are in the mesh.
         rows: positions of the surfaces in the file.
         path: path of the file.
@@ -181,7 +181,7 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
         path: path of the file, or "courtyard", an example, if no file has this name.
         lod: level of detail, as 2.2 or "2.2". Default: the highest of each object, without footprints (LoD 0) and without
             buildings whose parts have a higher one.
-        split: whether each polygon is a surface with results of its own.
+        split: whether each polygon is a separate surface with its own results.
         context: black surroundings without results. A mesh in the coordinates and units of the file, such as terrain; the
             result of `rasters.surface`, in any unit on the same map; or "ground", a level plane through the lowest point.
             Default: no surroundings, and no sky below the horizon.

@@ -18,7 +18,7 @@ _REACH = 20.0  # margin of the plane in city diagonals; a larger one would reduc
 
 
 def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: Units) -> tuple[np.ndarray, np.ndarray]:
-    """Return vertices in metres and faces of a city, followed by those of the context; None adds nothing."""
+    """Return vertices in metres and faces of a city, followed by vertices and faces of the context; None adds nothing."""
     if context is None:
         return points, faces
     if isinstance(context, str) and context == GROUND_PLANE:
@@ -50,8 +50,8 @@ def _check_map(grid: Any, units: Units) -> None:
         if (units.metres != 1.0).any():
             raise ValueError(f"context: got a raster without a CRS beside a city in {told(units.name)}, want one with a CRS")
     elif units.crs is None:
-        said = f"context: got a raster in {grid.crs.name} beside a city without a known reference system"
-        warn(f"{said}; the city is taken to be in metres on the same map", stacklevel=6)
+        message = f"context: got a raster in {grid.crs.name} beside a city without a known reference system"
+        warn(f"{message}; the city is taken to be in metres on the same map", stacklevel=6)
     else:
         rows, columns = grid.height.shape
         middle = grid.transform @ (columns / 2.0, rows / 2.0)

@@ -13,7 +13,7 @@ _STEP = 3.0  # metres; all coordinates are multiples of this step
 
 
 def example_content(path: str | PathLike[str]) -> bytes | None:
-    """Return the bytes of the named example; None if there is no such example or a file has its name.
+    """Return the bytes of the named example; None without an example of this name, or if a file has this name.
 
     All buildings are one Building with semantics, and the ground is a LandUse without; each triangle is a face.
     """

@@ -12,7 +12,7 @@ _NOT_BUILT |= {"SolitaryVegetationObject", "CityFurniture", "CityObjectGroup", "
 
 
 def is_built(kind: str) -> bool:
-    """Return whether objects of a type have roofs and walls; True for unknown types, such as those of extensions."""
+    """Return whether objects of a type have roofs and walls; True for unknown types, for example of extensions."""
     return kind not in _NOT_BUILT
 
 

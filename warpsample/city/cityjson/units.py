@@ -72,10 +72,10 @@ class Units:
 
     def warn(self, path: Path, points: np.ndarray) -> None:
         """Warn of unknown units, and of a map that distorts lengths at the points (V, 3)."""
-        said = f"got {str(path)!r} in {told(self.name)}"
+        message = f"got {str(path)!r} in {told(self.name)}"
         if self.doubt:
             taken = "" if self.crs else "; its coordinates are taken as metres"
-            warn(f"path: {said}, {self.doubt}{taken}", stacklevel=3)
+            warn(f"path: {message}, {self.doubt}{taken}", stacklevel=3)
         if self.crs is not None:
             x, y = 0.5 * (points.min(axis=0) + points.max(axis=0))[:2]
             stretched = imported("warpsample.city.rasters.reference").describe_stretch(self.crs, x, y)

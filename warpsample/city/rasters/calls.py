@@ -25,7 +25,7 @@ from warpsample.radiation.quantities.sun_hours import RECORD as SUN_HOURS
 _SET_HERE = ("up", "north", "first_point", "active", "series")
 """Options of the underlying calls that the raster determines, or whose results are not rasters."""
 
-_UNTOLD = ("first_point", "active", "series", "workers", "progress")
+_NOT_STORED = ("first_point", "active", "series", "workers", "progress")
 """Options that are not stored as attributes, because they change no number or do not apply to rasters."""
 
 TREES_AND_TILES: dict[str, Any] = {
@@ -39,36 +39,7 @@ TREES_AND_TILES: dict[str, Any] = {
 }
 """Options common to all calls, with defaults; each call also has the options of its quantity."""
 
-QUANTITIES = ("ao", "sky", "visible-sky", "irradiation", "sun-hours")
-"""Names of the quantities that can be computed for rasters."""
-
-_NORMAL = {"horizontal": "upwards", "surface": "the normal of the cell's surface"}
-_COSINE = (
-    "cosine-weighted share of the sky that is seen from the middle of each cell: 1/pi times the integral of max(n.w, 0) "
-    "over the directions w above the horizon along which nothing is met, n {normal}"
-)
-_DEFINITIONS = {
-    ("sky", "horizontal"): _COSINE + "; with a horizon h to each azimuth the mean of cos(h)^2",
-    ("sky", "surface"): _COSINE,
-    ("visible-sky", "horizontal"): (
-        "share of the sky's solid angle that is seen from the middle of each cell: 1/(2 pi) times the integral of 1 over "
-        "the directions above the horizon along which nothing is met; with a horizon h to each azimuth 1 - mean of sin(h)"
-    ),
-}
-_OF_THE_REST = {
-    "ao": (
-        "cosine-weighted share of the directions about the middle of each cell along which nothing is met: 1/pi times the "
-        "integral of max(n.w, 0) over them, n {normal}"
-    ),
-    "irradiation": (
-        "sum over the hours of the period of what sun, sky and the ground beyond the raster bring to the middle of each "
-        "cell, for each m2 of a receiver whose normal is {normal}; neighbours reflect nothing"
-    ),
-    "sun-hours": (
-        "hours of the period in whose middle the sun's centre is above the horizon, in front of a receiver whose normal is "
-        "{normal}, and not hidden from the middle of the cell"
-    ),
-}
+_NORMAL = {"horizontal": "up", "surface": "the normal of the cell's surface"}
 
 
 @with_options(SkyKeywords, SKY.parameters | TREES_AND_TILES)
@@ -128,7 +99,7 @@ def sky_view_factor(
         >>> print(found.value.shape, f"{found.value[30, 30]:.1f}")
         (60, 60) 0.5
     """
-    return _laid(SKY, source, {"count": count, **options}, model=model, receiver=receiver)
+    return _compute_tiles(SKY, source, {"count": count, **options}, model=model, receiver=receiver)
 
 
 @with_options(SkyKeywords, VISIBLE_SKY.parameters | TREES_AND_TILES)
@@ -172,7 +143,7 @@ def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **optio
         >>> print(f"{found.value[20, 19]:.1f}, {found.value[20, 30]:.1f}")
         0.5, 1.0
     """
-    return _laid(VISIBLE_SKY, source, {"count": count, **options}, model=model, receiver="horizontal")
+    return _compute_tiles(VISIBLE_SKY, source, {"count": count, **options}, model=model, receiver="horizontal")
 
 
 @with_options(IrradiationKeywords, IRRADIATION.parameters | TREES_AND_TILES)
@@ -227,7 +198,7 @@ def irradiation(
         >>> print(f"{june.value.mean():.0f} {june.value.units}")
         270 kWh m-2
     """
-    return _laid(IRRADIATION, source, {"weather": weather, **options}, model=model, receiver=receiver)
+    return _compute_tiles(IRRADIATION, source, {"weather": weather, **options}, model=model, receiver=receiver)
 
 
 @with_options(SunHoursKeywords, SUN_HOURS.parameters | TREES_AND_TILES)
@@ -239,7 +210,7 @@ def sun_hours(
     receiver: str = "surface",
     **options: Unpack[SunHoursKeywords],
 ) -> xr.Dataset:
-    """Compute the number of hours of a year, or of a period, in which the sun is visible from each cell.
+    """Count the hours of a year or a period during which the sun is visible from each cell.
 
     Args:
         source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
@@ -273,19 +244,19 @@ def sun_hours(
         >>> print(float(ws.rasters.sun_hours(flat, "athens", period=("06-21", "06-21")).value.mean()))
         15.0
     """
-    return _laid(SUN_HOURS, source, {"weather": weather, **options}, model=model, receiver=receiver)
+    return _compute_tiles(SUN_HOURS, source, {"weather": weather, **options}, model=model, receiver=receiver)
 
 
-def _laid(quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str) -> xr.Dataset:
+def _compute_tiles(quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str) -> xr.Dataset:
     """Compute a quantity in all cells of a raster, tile by tile, and return the Dataset."""
     run, about = run_of(quantity, source, options, model=model, receiver=receiver)
-    laid = {name: np.full(run.reader.shape, np.nan, np.float32) for name in run.names}
+    cells = {name: np.full(run.reader.shape, np.nan, np.float32) for name in run.names}
     for span in run.spans():
         for name, values in run.numbers(span).items():
-            laid[name][span] = values
+            cells[name][span] = values
     outline = run.reader.outline
-    arrays = {name: on_map(outline, values).assign_attrs(attributes_of(name, quantity)) for name, values in laid.items()}
-    return xr.Dataset(arrays, attrs=about | {"cells_without_height": int(np.isnan(laid["value"]).sum())})
+    arrays = {name: on_map(outline, values).assign_attrs(attributes_of(name, quantity)) for name, values in cells.items()}
+    return xr.Dataset(arrays, attrs=about | {"cells_without_height": int(np.isnan(cells["value"]).sum())})
 
 
 def run_of(
@@ -300,12 +271,12 @@ def run_of(
     own = {name: value for name, value in options.items() if name not in how}
     _check(quantity, own)
     run = RasterRun.of(source, quantity, own, model=model, receiver=receiver, **how)
-    own = {name: run.options.get(name, default) for name, default in quantity.parameters.items() if name not in _UNTOLD}
+    own = {name: run.options.get(name, default) for name, default in quantity.parameters.items() if name not in _NOT_STORED}
     rasters = {name: _name_of(how[name]) for name in ("canopy", "trunk", "far")}
-    told = {"model": model, "receiver": receiver, **how, **rasters, "margin": run.margin if run.tile else None}
-    told["method"] = "horizons" if run.by_horizons else "rays"
-    told = {name: value for name, value in told.items() if value is not None}
-    return run, _attributes(quantity, source, told | own)
+    attributes = {"model": model, "receiver": receiver, **how, **rasters, "margin": run.margin if run.tile else None}
+    attributes["method"] = "horizons" if run.by_horizons else "rays"
+    attributes = {name: value for name, value in attributes.items() if value is not None}
+    return run, _attributes(quantity, source, attributes | own)
 
 
 def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:
@@ -313,7 +284,7 @@ def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:
     said = {
         "standard_error": "standard error of the ",
         "half_width": "half width of the 95 % confidence interval of the ",
-        "far_error": "error by pooled terrain far off of the ",
+        "far_error": "error due to pooled distant terrain of the ",
     }
     return {"units": quantity.unit.replace("/m2", " m-2") or "1", "long_name": said.get(name, "") + quantity.title}
 
@@ -326,16 +297,15 @@ def _check(quantity: Quantity, options: Mapping[str, Any]) -> None:
             raise TypeError(f"{name}: got it for {quantity.title} of a raster, want one of {', '.join(known)}")
 
 
-def _attributes(quantity: Quantity, source: Any, told: Mapping[str, Any]) -> dict[str, Any]:
+def _attributes(quantity: Quantity, source: Any, attributes: Mapping[str, Any]) -> dict[str, Any]:
     """Return the attributes of a Dataset: definition, unit, source, version and options, as numbers and strings."""
-    definition = _DEFINITIONS.get((quantity.name, told["receiver"])) or _OF_THE_REST[quantity.name]
     return {
         "quantity": quantity.name,
-        "definition": definition.format(normal=_NORMAL[told["receiver"]]),
+        "definition": quantity.on_rasters[attributes["receiver"]].format(normal=_NORMAL[attributes["receiver"]]),
         "unit": quantity.unit or "1",
         "source": _name_of(source),
         "warpsample": version("warpsample"),
-        **{name: _plain(value) for name, value in told.items()},
+        **{name: _plain(value) for name, value in attributes.items()},
     }
 
 

@@ -15,18 +15,18 @@ from warpsample.city.rasters.reading import reader_of
 from warpsample.host.arguments import check_flag, check_number, told
 
 _SIDES = (((0, 1), (1, 1), (1, 0)), ((-1, 0), (1, 0), (0, 0)), ((0, -1), (0, 0), (0, 1)), ((1, 0), (0, 1), (1, 1)))
-"""Of a cell: where the neighbour is, (rows, columns), and both ends of the edge, (columns, rows), the left one first as seen
-from there, in a raster with its north at the top."""
+"""Sides of a cell, in a raster with north at the top: offset of the neighbour, (rows, columns), and both ends of the edge,
+(columns, rows). The first end is the left one, seen from the neighbour."""
 
 _RING = ((0, 0), (0, 1), (1, 1), (1, 0))
-"""The corners of a cell, (columns, rows), counter-clockwise seen from above in such a raster."""
+"""Corners of a cell, (columns, rows), counter-clockwise seen from above in a raster with north at the top."""
 
 TRUNK = 0.25
 """Default height of a crown's underside, as a fraction of the crown's height, as in SOLWEIG."""
 
 _ALL = slice(None)
 _OFF = 0.01
-"""Of a cell's length: what corners of two rasters may be apart whose transforms were written with fewer digits."""
+"""Largest distance, in cells, between corners of two rasters on the same cells: some files round their transforms."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +64,7 @@ class Canopy:
 
     @classmethod
     def of(cls, ground: RasterReader, canopy: Any, trunk: Any, relative: Any) -> "Canopy | None":
-        """Return the canopy over the ground, or None without one; arguments are those of `surface`.
+        """Return the canopy over the ground, or None without one; arguments as for `surface`.
 
         Raises:
             TypeError, ValueError, FileNotFoundError: Invalid rasters, or rasters with other cells; the message names the
@@ -75,8 +75,8 @@ class Canopy:
             check_for_crowns("trunk", trunk, TRUNK)
             check_for_crowns("relative", relative, True)
             return None
-        share = check_number(trunk, "trunk", 0.0, 1.0) if isinstance(trunk, Real) else _on(ground, trunk, "trunk")
-        return cls(_on(ground, canopy, "canopy"), share, relative)
+        share = check_number(trunk, "trunk", 0.0, 1.0) if isinstance(trunk, Real) else _reader_on(ground, trunk, "trunk")
+        return cls(_reader_on(ground, canopy, "canopy"), share, relative)
 
     def crowns(self, grid: Grid, rows: slice = _ALL, columns: slice = _ALL) -> Crowns:
         """Read the crowns over the ground in the given rows and columns.
@@ -98,8 +98,8 @@ class Canopy:
         top = np.where((top != 0.0) & (ground + top > grid.height), ground + top, np.nan)
         if isinstance(self.trunk, RasterReader):
             trunk = self.trunk.read(rows, columns)
-            if (untold := np.isnan(trunk) & ~np.isnan(top)).any():
-                warn(f"trunk: got none for {untold.sum():,} crowns, which reach down to the ground", stacklevel=3)
+            if (bottomless := np.isnan(trunk) & ~np.isnan(top)).any():
+                warn(f"trunk: got none for {bottomless.sum():,} crowns, which then reach down to the ground", stacklevel=3)
             base = np.fmax(ground + trunk, grid.height)
         else:
             base = grid.height + self.trunk * (top - grid.height)
@@ -141,13 +141,13 @@ def _quads(grid: Grid, corners: list[tuple[np.ndarray, np.ndarray]], heights: li
     return np.stack([grid.places(*at, height) for at, height in zip(corners, heights, strict=True)], axis=1)
 
 
-def _on(ground: RasterReader, source: Any, argument: str) -> RasterReader:
+def _reader_on(ground: RasterReader, source: Any, argument: str) -> RasterReader:
     """Return the reader of a raster that must have the cells of the ground.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: An invalid raster, or other cells; the message names the argument.
     """
-    with calling(argument):
+    with rename_argument(argument):
         found = reader_of(source)
     shape, wanted = found.shape, ground.shape
     if shape != wanted:
@@ -167,7 +167,7 @@ def _on(ground: RasterReader, source: Any, argument: str) -> RasterReader:
 def check_for_crowns(argument: str, value: Any, default: float) -> None:
     """Raise a ValueError for an argument about crowns that differs from its default although there is no canopy."""
     if not isinstance(value, Real) or value != default:
-        raise ValueError(f"{argument}: got {told(value)} without canopy, want canopy, the crowns that it is of")
+        raise ValueError(f"{argument}: got {told(value)} without canopy, want canopy, too")
 
 
 def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> None:
@@ -177,7 +177,7 @@ def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> 
 
 
 @contextmanager
-def calling(argument: str) -> Iterator[None]:
+def rename_argument(argument: str) -> Iterator[None]:
     """Replace the argument name `source` in error messages by another name."""
     try:
         yield

@@ -33,7 +33,7 @@ class _Corners:
     column: np.ndarray
 
 
-def joined_cells(grid: Grid, step: float) -> Triangles:
+def build_joined_cells(grid: Grid, step: float) -> Triangles:
     """Build the triangles of a raster, with walls between neighbours whose heights differ by more than a step.
 
     A cell consists of four triangles around its centre, which keeps the cell's height, or of two if all corners are in one

@@ -5,7 +5,7 @@ import numpy as np
 from warpsample.city.rasters.grid import TOP, Grid, Triangles
 
 
-def between_centres(grid: Grid) -> Triangles:
+def build_tin(grid: Grid) -> Triangles:
     """Build the triangles between the centres of each 2 x 2 block of cells that all have heights.
 
     A square is cut along the diagonal whose ends differ less in height, or else along the higher diagonal. So a rotated or

@@ -50,7 +50,7 @@ def write_cog(
     Raises:
         WriteError: The file cannot be written.
     """
-    with _telling(path):
+    with _convert_write_errors(path):
         folder.mkdir(exist_ok=True)
         _write_plain(folder / "plain.tif", run, about, tiles())
         rasterio.shutil.copy(folder / "plain.tif", folder / "cog.tif", driver="COG", predictor="FLOATING_POINT", **_HOW)
@@ -88,7 +88,7 @@ def _check_written(path: Path, run: RasterRun, tiles: Iterable[tuple[Span, Mappi
 
 
 @contextmanager
-def _telling(path: Path) -> Iterator[None]:
+def _convert_write_errors(path: Path) -> Iterator[None]:
     """Convert errors of writing to a WriteError that names the file."""
     try:
         yield

@@ -16,7 +16,7 @@ from affine import Affine
 from warpsample.city.rasters.canopy import Canopy, Crowns, prisms
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.scenery import Columns, Part, joined
+from warpsample.city.rasters.scenery import Columns, Part, join_triangles
 
 _FINENESS = 50  # smallest distance of a ring in cells of the ring
 _EARTH, _REFRACTION = 6_371_000.0, 0.13  # radius in m; curvature of light rays as a fraction of the Earth's curvature
@@ -72,7 +72,7 @@ class FarField:
         if other is not None:
             heights = other.read(slice(None), slice(None))
             beyond = Bounds(heights, heights, ~reader.transform @ other.transform)
-        return cls(_pooled(reader, canopy, size, int(model != "block")), beyond, size, reader.outline)
+        return cls(_pool_raster(reader, canopy, size, int(model != "block")), beyond, size, reader.outline)
 
     def columns(self, tile: tuple[slice, slice], near: tuple[slice, slice], lowest: float) -> list[Columns]:
         """Return functions that build the upper and the lower columns of a tile; an empty list without terrain outside.
@@ -82,14 +82,14 @@ class FarField:
             near: Rows and columns at full resolution, from `window_of`.
             lowest: Lowest height of the full-resolution part. Columns reach below it, so that no ray passes underneath.
         """
-        levels = [level for level in self._levels(tile, near) if not np.isnan(level[0]).all()]
+        levels = [level for level in self._pool_rings(tile, near) if not np.isnan(level[0]).all()]
         known = [some for level in levels for some in level[:2] if not np.isnan(some).all()]
         floor = min([lowest, *map(np.nanmin, known)]) - 1.0
-        return [partial(self._columns, levels, which, floor) for which in (0, 1)] if levels else []
+        return [partial(self._build_columns, levels, which, floor) for which in (0, 1)] if levels else []
 
-    def _columns(self, levels: list[tuple[np.ndarray, np.ndarray, Affine]], which: int, floor: float) -> Part:
+    def _build_columns(self, levels: list[tuple[np.ndarray, np.ndarray, Affine]], which: int, floor: float) -> Part:
         """Build the columns with the upper (0) or lower (1) heights of all rings."""
-        return joined([self._prisms(level[which], level[2], floor) for level in levels])
+        return join_triangles([self._build_prisms(level[which], level[2], floor) for level in levels])
 
     def window_of(self, tile: tuple[slice, slice], margin: int) -> tuple[slice, slice]:
         """Return the rows and columns of a tile with its margin, extended to whole cells of the nearest ring."""
@@ -97,9 +97,11 @@ class FarField:
         highest = [-(-(part.stop + margin) // self.size) * self.size for part in tile]
         return tuple(slice(low, high) for low, high in zip(lowest, highest, strict=True))
 
-    def _levels(self, tile: tuple[slice, slice], near: tuple[slice, slice]) -> list[tuple[np.ndarray, np.ndarray, Affine]]:
+    def _pool_rings(
+        self, tile: tuple[slice, slice], near: tuple[slice, slice]
+    ) -> list[tuple[np.ndarray, np.ndarray, Affine]]:
         """Return upper heights, lower heights and transforms of all rings."""
-        levels = [self._inside(near, size) for size in dict.fromkeys((1, self.size))] if self.beyond else []
+        levels = [self._read_other(near, size) for size in dict.fromkeys((1, self.size))] if self.beyond else []
         inner, size = near, self.size
         reach = _FINENESS * size
         while any(part.start > low or part.stop < high for part, (low, high) in zip(inner, self._extent(), strict=True)):
@@ -107,14 +109,14 @@ class FarField:
             outer = tuple(
                 slice((part.start - reach) // whole * whole, -(-(part.stop + reach) // whole) * whole) for part in inner
             )
-            upper, lower, where = self._pooled(outer, size)
+            upper, lower, where = self._pool_window(outer, size)
             hole = tuple(
                 slice((i.start - o.start) // size, (i.stop - o.start) // size) for i, o in zip(inner, outer, strict=True)
             )
             upper[hole] = lower[hole] = np.nan
             levels.append((upper, lower, where))
             inner, size, reach = outer, whole, 2 * reach
-        return [(*self._lowered(tile, *level), level[2]) for level in levels]
+        return [(*self._lower_by_curvature(tile, *level), level[2]) for level in levels]
 
     def _extent(self) -> list[tuple[float, float]]:
         """Return the first and last row, and the first and last column, of both rasters together."""
@@ -128,20 +130,20 @@ class FarField:
                 y.append(row)
         return [(min(y), max(y)), (min(x), max(x))]
 
-    def _pooled(self, window: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
+    def _pool_window(self, window: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
         """Return upper and lower heights of blocks of `size` x `size` cells in a window, and the transform of the blocks."""
         rows, columns = (np.arange(part.start, part.stop, size) for part in window)
-        whole, none = self._own_part(rows, columns, size)
+        whole, none = self._mask_own_blocks(rows, columns, size)
         where = Affine.translation(window[1].start, window[0].start) @ Affine.scale(size)
         shape = len(rows), len(columns)
-        upper, lower = _scattered(self.own, where, shape)
+        upper, lower = _scatter_extremes(self.own, where, shape)
         if self.beyond:
-            highest, lowest = _scattered(self.beyond, where, shape)
+            highest, lowest = _scatter_extremes(self.beyond, where, shape)
             upper = np.where(whole, upper, np.fmax(upper, highest))
             lower = np.where(whole, lower, np.where(none, lowest, np.nan))
         return upper, lower, where
 
-    def _own_part(self, rows: np.ndarray, columns: np.ndarray, size: int) -> tuple[np.ndarray, np.ndarray]:
+    def _mask_own_blocks(self, rows: np.ndarray, columns: np.ndarray, size: int) -> tuple[np.ndarray, np.ndarray]:
         """Return two masks of blocks from the given rows and columns: entirely inside the raster, and entirely outside."""
         within, outside = [], []
         for first, most in zip((rows, columns), self.outline.height.shape, strict=True):
@@ -149,21 +151,21 @@ class FarField:
             outside.append((first + size <= 0) | (first >= most))
         return within[0][:, None] & within[1], outside[0][:, None] | outside[1]
 
-    def _inside(self, near: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
+    def _read_other(self, near: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
         """Return heights of the other raster inside a window but beyond the raster's edge.
 
         Blocks are large, or small where the edge cuts a large block.
         """
         rows, columns = (np.arange(part.start, part.stop, size) for part in near)
         large = (np.arange(part.start, part.stop, size) // self.size * self.size for part in near)
-        _, outside = self._own_part(rows, columns, size)
-        whole, beyond = self._own_part(*large, self.size)
+        _, outside = self._mask_own_blocks(rows, columns, size)
+        whole, beyond = self._mask_own_blocks(*large, self.size)
         chosen = outside if size == self.size else outside & ~whole & ~beyond
         where = Affine.translation(near[1].start, near[0].start) @ Affine.scale(size)
-        heights = _scattered(self.beyond, where, (len(rows), len(columns)))
+        heights = _scatter_extremes(self.beyond, where, (len(rows), len(columns)))
         return (*(np.where(chosen, height, np.nan) for height in heights), where)
 
-    def _lowered(
+    def _lower_by_curvature(
         self, tile: tuple[slice, slice], upper: np.ndarray, lower: np.ndarray, where: Affine
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return upper and lower heights reduced by the Earth's curvature minus refraction.
@@ -181,14 +183,14 @@ class FarField:
         nearest, farthest = (np.square(x[:, None]) + np.square(y) for x, y in (gaps, spans))
         return upper - scale * shortest**2 * nearest, lower - scale * longest**2 * farthest
 
-    def _prisms(self, heights: np.ndarray, where: Affine, floor: float) -> Part:
+    def _build_prisms(self, heights: np.ndarray, where: Affine, floor: float) -> Part:
         """Build columns from the height `floor` to the given heights."""
         outline = self.outline
         grid = Grid(heights, outline.transform @ where, outline.crs, outline.metres, outline.dims, {})
         return prisms(grid, Crowns(np.where(np.isnan(heights), np.nan, floor), heights))
 
 
-def _pooled(reader: RasterReader, canopy: Canopy | None, size: int, grow: int) -> Bounds:
+def _pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, grow: int) -> Bounds:
     """Pool a raster in blocks of `size` x `size` cells; lower heights are NaN for blocks with missing or cut cells."""
     rows, columns = reader.shape
     step = max(1, _BAND // max(columns, 1) // size) * size
@@ -199,7 +201,7 @@ def _pooled(reader: RasterReader, canopy: Canopy | None, size: int, grow: int) -
         heights = reader.read(*band)
         grid = replace(reader.outline, height=heights)
         tops = heights if canopy is None else np.fmax(heights, canopy.crowns(grid, *band).top)
-        highest, lowest = _spread(tops, grow, np.fmax), _spread(heights, grow, np.fmin)
+        highest, lowest = _widen_extremes(tops, grow, np.fmax), _widen_extremes(heights, grow, np.fmin)
         lowest = np.where(np.isnan(heights), np.nan, lowest)
         kept = slice(first - begin, min(first + step, rows) - begin)
         for made, heights, pick in ((uppers, highest, np.fmax), (lowers, lowest, np.minimum)):
@@ -211,7 +213,7 @@ def _pooled(reader: RasterReader, canopy: Canopy | None, size: int, grow: int) -
     return Bounds(np.concatenate(uppers), np.concatenate(lowers), Affine.scale(size))
 
 
-def _spread(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarray:
+def _widen_extremes(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarray:
     """Return the highest or lowest height of each cell and its eight neighbours; without `grow`, the heights themselves."""
     if not grow:
         return heights
@@ -220,10 +222,10 @@ def _spread(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarray:
     return pick(pick(along[:, :-2], along[:, 1:-1]), along[:, 2:])
 
 
-def _scattered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
+def _scatter_extremes(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
     """Return the highest and lowest of all heights that overlap each cell of a lattice."""
     upper, lower = np.full(shape, -np.inf), np.full(shape, np.inf)
-    rows, columns, box = _reached(bounds, where, shape)
+    rows, columns, box = _find_overlap(bounds, where, shape)
     part = slice(rows[0], rows[1]), slice(columns[0], columns[1])
     highest, lowest = bounds.upper[part].ravel(), bounds.lower[part].ravel()
     first, last = (np.stack(ends).reshape(2, -1) for ends in box)
@@ -236,11 +238,11 @@ def _scattered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[n
             np.fmax.at(upper, at, highest[inside])
             np.minimum.at(lower, at, lowest[inside])
     upper[np.isinf(upper)] = np.nan
-    lower[np.isinf(lower) | ~_covered(bounds, where, shape)] = np.nan
+    lower[np.isinf(lower) | ~_mask_covered(bounds, where, shape)] = np.nan
     return upper, lower
 
 
-def _reached(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[Any, Any, Any]:
+def _find_overlap(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[Any, Any, Any]:
     """Return the rows and columns of a raster that overlap a lattice, and the lattice cells covered by each raster cell."""
     to_lattice = ~where @ bounds.transform
     corners = [~to_lattice @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), (shape[1], shape[0]))]
@@ -260,7 +262,7 @@ def _reached(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[Any
     return *ends, box
 
 
-def _covered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> np.ndarray:
+def _mask_covered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> np.ndarray:
     """Return the mask of lattice cells that lie entirely within a raster."""
     row, column = np.mgrid[: shape[0] + 1, : shape[1] + 1]
     a, b, c, d, e, f = (~bounds.transform @ where)[:6]

@@ -267,7 +267,7 @@ def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64) -> wp.float6
 
 
 @wp.func
-def _of_own_plane(n: wp.vec3, azimuths: wp.float64) -> wp.float64:
+def _own_plane_error(n: wp.vec3, azimuths: wp.float64) -> wp.float64:
     """Return the standard error due to the edge of a tilted receiver's own plane with evenly spaced azimuths, plus rounding.
 
     The second derivative with respect to the azimuth jumps twice, by 2 sin(slope)^2 / cos(slope). The error is B3(x) / 6
@@ -307,7 +307,7 @@ def horizon_kernel() -> wp.Kernel:
             if near.starts != 0 or around != 0:
                 variance = _variance(sums, azimuths, wp.where(rows.cosine != 0, HALF + HALF * wp.float64(point.n[2]), ONE))
             if rows.cosine != 0:
-                own = _of_own_plane(point.n, azimuths)
+                own = _own_plane_error(point.n, azimuths)
                 variance += own * own
         set_float(rows.value, point.index, wp.float32(sums[_SEEN] / azimuths))
         set_float(rows.standard_error, point.index, wp.float32(wp.sqrt(variance)))

@@ -64,7 +64,7 @@ def _look(plan: Plan, reach: float, cosine: bool) -> Seen:
     points, options = len(plan.at), plan.options
     found = {name: np.zeros(points, kind) for name, kind in _ARRAYS.items()}
     if not points:
-        return _seen(found)
+        return _collect_results(found)
     placement = plan.at.facing(options, reach)
     order = plan.at.order(placement, plan.count, options.workers)
     placement.order = 0 if order is None else order.ctypes.data
@@ -82,10 +82,10 @@ def _look(plan: Plan, reach: float, cosine: bool) -> Seen:
     with bar(options.progress, "casting rays", points):
         work = RAY_WORK * points * plan.count
         run(horizon_kernel(), points, [rows, accelerator], cpu(), workers=options.workers, work=work)
-    return _seen(found)
+    return _collect_results(found)
 
 
-def _seen(found: dict[str, np.ndarray]) -> Seen:
+def _collect_results(found: dict[str, np.ndarray]) -> Seen:
     """Return the results of the kernel with half widths of 95 % confidence intervals."""
     return Seen(half_width=half_width_of_normal(found["standard_error"]), **found)
 

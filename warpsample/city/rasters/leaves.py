@@ -62,7 +62,7 @@ def _day_of(day: np.datetime64) -> int:
     return int((first.astype("datetime64[D]") - np.datetime64("2021-01-01")).astype(int) + (day - month).astype(int))
 
 
-def seen_through(scenery: Scenery, transmittance: np.ndarray, call: Callable[[Mesh], Any]) -> Seen:
+def estimate_through_crowns(scenery: Scenery, transmittance: np.ndarray, call: Callable[[Mesh], Any]) -> Seen:
     """Compute a result that does not depend on time, through crowns.
 
     Args:
@@ -70,10 +70,10 @@ def seen_through(scenery: Scenery, transmittance: np.ndarray, call: Callable[[Me
         transmittance: (1,) transmittance of crowns.
         call: Function that computes the result for a mesh, as an Estimate.
     """
-    return _joined(Seen, [_dimmed(call(made()), share) for made, share in _views(scenery, transmittance)])
+    return _add_results(Seen, [_scale_estimate(call(made()), share) for made, share in _list_views(scenery, transmittance)])
 
 
-def seen_of(
+def compute_through_crowns(
     quantity: Quantity,
     scenery: Scenery,
     points: SurfacePoints,
@@ -81,22 +81,22 @@ def seen_of(
     transmittance: np.ndarray,
 ) -> Seen:
     """Compute a quantity at points of a surface, hour by hour if the transmittance of crowns depends on the date."""
-    if len(transmittance) == 1 or scenery.wooded is None:
-        return seen_through(scenery, transmittance[:1], lambda mesh: quantity.call(mesh, points, **options))
+    if len(transmittance) == 1 or scenery.with_crowns is None:
+        return estimate_through_crowns(scenery, transmittance[:1], lambda mesh: quantity.call(mesh, points, **options))
     given = {name: value for name, value in quantity.parameters.items() if name != "first_point"} | options
     if quantity.call is irradiation:
         names = ("weather", "period", "ground_albedo", "patches", "up", "north")
         light = light_of(**{name: given[name] for name in names})
         cast = RayOptions.of(len(points), seed=given["seed"], ids=points.id).by(workers=given["workers"])
-        found = irradiation_through(scenery, points, light, transmittance, count=given["count"], options=cast)
-        return _dimmed(found, np.ones(()))
+        found = compute_irradiation_through(scenery, points, light, transmittance, count=given["count"], options=cast)
+        return _scale_estimate(found, np.ones(()))
     weather = read_weather(given["weather"], given["period"])
     weather = weather.chosen(weather.sun_altitude > 0.0)
     frame = sky_patches(up=given["up"], north=given["north"]).frame
-    bare = quantity.call(scenery.bare(), points, **options)
+    without_crowns = quantity.call(scenery.without_crowns(), points, **options)
     shares = shares_of_hours(transmittance, weather.hours)
-    hours = sun_through(scenery, points, sun_directions(weather, frame), shares, workers=given["workers"])
-    return replace(_dimmed(bare, np.ones(())), value=hours.astype(np.float32))
+    hours = count_suns_through(scenery, points, sun_directions(weather, frame), shares, workers=given["workers"])
+    return replace(_scale_estimate(without_crowns, np.ones(())), value=hours.astype(np.float32))
 
 
 def check_dates(quantity: Quantity, transmittance: np.ndarray) -> None:
@@ -107,7 +107,7 @@ def check_dates(quantity: Quantity, transmittance: np.ndarray) -> None:
         )
 
 
-def irradiation_through(
+def compute_irradiation_through(
     scenery: Scenery,
     points: SurfacePoints,
     light: Light,
@@ -120,13 +120,13 @@ def irradiation_through(
 
     def through(mesh: Mesh, shares: np.ndarray) -> Irradiation:
         plan = Plan.of(PlacedPoints.of(mesh, points), count, options)
-        return received(plan, light_through(light, shares), series=False)
+        return received(plan, dim_light(light, shares), series=False)
 
-    parts = [through(made(), shares) for made, shares in _views(scenery, shares_of_hours(transmittance, light.hours))]
-    return _joined(Irradiation, parts)
+    parts = [through(made(), shares) for made, shares in _list_views(scenery, shares_of_hours(transmittance, light.hours))]
+    return _add_results(Irradiation, parts)
 
 
-def light_through(light: Light, shares: np.ndarray) -> Light:
+def dim_light(light: Light, shares: np.ndarray) -> Light:
     """Return a light multiplied by a fraction (T,) in each hour."""
     return replace(
         light,
@@ -136,28 +136,30 @@ def light_through(light: Light, shares: np.ndarray) -> Light:
     )
 
 
-def sun_through(scenery: Scenery, points: SurfacePoints, suns: np.ndarray, shares: np.ndarray, **options: Any) -> np.ndarray:
+def count_suns_through(
+    scenery: Scenery, points: SurfacePoints, suns: np.ndarray, shares: np.ndarray, **options: Any
+) -> np.ndarray:
     """Return the (P,) float64 number of suns (T, 3) visible from each point; suns behind crowns count as `shares`."""
-    views = _views(scenery, shares)
+    views = _list_views(scenery, shares)
     return np.sum([direct_sun(made(), points, suns, weights=np.array(share), **options) for made, share in views], axis=0)
 
 
-def _views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[], Mesh], np.ndarray], ...]:
+def _list_views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[], Mesh], np.ndarray], ...]:
     """Return the functions that build each scene, and the weight of each scene's result."""
-    if scenery.wooded is None:
-        return ((scenery.bare, np.ones_like(shares)),)
-    return (scenery.wooded, 1.0 - shares), (scenery.bare, shares)
+    if scenery.with_crowns is None:
+        return ((scenery.without_crowns, np.ones_like(shares)),)
+    return (scenery.with_crowns, 1.0 - shares), (scenery.without_crowns, shares)
 
 
-def _dimmed(found: Any, share: np.ndarray) -> Seen:
+def _scale_estimate(found: Any, share: np.ndarray) -> Seen:
     """Return an estimate multiplied by `share`."""
     numbers = found.value, found.standard_error, half_width_of(found)
     value, error, half = (np.float32(share * array.astype(np.float64)) for array in numbers)
     return Seen(value, error, half, found.rays, found.status)
 
 
-def _joined(kind: type[Any], parts: list[Any]) -> Any:
-    """Return the sum of results; fields that are not amounts of light are those of the first result."""
+def _add_results(kind: type[Any], parts: list[Any]) -> Any:
+    """Return the sum of results; fields that are not amounts of light are taken from the first result."""
     summed = ("value", "standard_error", "half_width", "direct", "diffuse", "ground", "rays")
     names = [item.name for item in fields(kind) if item.name in summed]
     sums = {name: sum(getattr(part, name) for part in parts[1:]) for name in names}

@@ -8,11 +8,11 @@ import numpy as np
 import xarray as xr
 
 from warpsample.city.rasters.canopy import TRUNK, Canopy, Crowns, prisms
-from warpsample.city.rasters.cells import STEP, joined_cells
-from warpsample.city.rasters.centres import between_centres
+from warpsample.city.rasters.cells import STEP, build_joined_cells
+from warpsample.city.rasters.centres import build_tin
 from warpsample.city.rasters.grid import TOP, Grid
-from warpsample.city.rasters.reading import ground_of, with_heights
-from warpsample.city.rasters.scenery import Scenery, joined
+from warpsample.city.rasters.reading import check_heights, ground_of
+from warpsample.city.rasters.scenery import Scenery, join_triangles
 from warpsample.host.arguments import check_choice
 from warpsample.host.arrays import as_real
 from warpsample.host.summary import Summary
@@ -165,14 +165,14 @@ def surface(
     check_choice(model, "model", MODELS)
     reader = ground_of(source)
     canopy = Canopy.of(reader, canopy, trunk, relative)
-    grid = with_heights(reader.grid())
+    grid = check_heights(reader.grid())
     return surface_of(grid, model, canopy and canopy.crowns(grid))
 
 
 def surface_of(grid: Grid, model: str, crowns: Crowns | None = None) -> RasterSurface:
     """Build the surface of a grid, and of the crowns over the grid."""
-    made = between_centres(grid) if model == "tin" else joined_cells(grid, STEP if model == "joined" else 0.0)
+    made = build_tin(grid) if model == "tin" else build_joined_cells(grid, STEP if model == "joined" else 0.0)
     mesh, with_crowns = Mesh(made.vertices, made.faces), None
     if crowns is not None and crowns.any:
-        with_crowns = Mesh(*joined([(mesh.vertices, mesh.faces), prisms(grid, crowns)]))
+        with_crowns = Mesh(*join_triangles([(mesh.vertices, mesh.faces), prisms(grid, crowns)]))
     return RasterSurface(grid, model, mesh, made.kind, made.cell, with_crowns)

@@ -22,7 +22,7 @@ _ALL = slice(None)
 
 @dataclass(frozen=True, eq=False)
 class RasterReader:
-    """Position of a raster's cells and a function that reads heights; other attributes are those of `Grid`.
+    """Position of a raster's cells and a function that reads heights; `Grid` describes the other attributes.
 
     Attributes:
         shape: Numbers of rows and columns.

@@ -44,7 +44,7 @@ _HEIGHT_UNIT = re.compile(rb"^Zunits\s+(\w+)", re.IGNORECASE | re.MULTILINE)
 _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
 
 
-def with_heights(grid: Grid) -> Grid:
+def check_heights(grid: Grid) -> Grid:
     """Return the grid unchanged; raise a ValueError if no cell has a height."""
     if not grid.valid.any():
         rows, columns = grid.height.shape
@@ -68,11 +68,11 @@ def reader_of(source: Any) -> RasterReader:
             which distances differ from the ground by 5 % or more, such as Web Mercator.
     """
     if isinstance(source, str | PathLike):
-        return _of_file(fspath(source))
+        return _file_reader(fspath(source))
     if isinstance(source, xr.DataArray):
-        return _of_data_array(source)
+        return _data_array_reader(source)
     if isinstance(source, tuple) and len(source) == 3:
-        return _of_array(*source)
+        return _array_reader(*source)
     raise TypeError(f"source: got {kind_told(source)}, want {_WANTS}")
 
 
@@ -92,15 +92,15 @@ def ground_of(source: Any) -> RasterReader:
             got = repr(fspath(source)) if isinstance(source, str | PathLike) else "an xarray.DataArray"
             warnings.warn(
                 f"source: got {got} without a CRS; its coordinates are taken as metres, and the map's y axis as true north; "
-                "(array, affine, None) says so",
+                "pass (array, affine, None) to state that there is none",
                 stacklevel=4,
             )
     return reader
 
 
-def _of_file(path: str) -> RasterReader:
+def _file_reader(path: str) -> RasterReader:
     """Return the reader of a raster file."""
-    with _opened(path) as file:
+    with _open_raster(path) as file:
         bands = [n for n, colour in enumerate(file.colorinterp, 1) if colour != ColorInterp.alpha]
         if len(bands) != 1:
             raise ValueError(f"source: got {path!r} with {len(bands)} bands, want one band of heights")
@@ -119,14 +119,14 @@ def _height_unit_beside(path: str) -> str:
 
 def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> np.ndarray:
     """Read a part of a file's heights; the file is opened each time, because GDAL's files are not shared between threads."""
-    with _opened(path) as file:
+    with _open_raster(path) as file:
         window = Window.from_slices(rows, columns)
         heights = coding.heights(file.read(band, window=window))
         heights[file.read_masks(band, window=window) == 0] = np.nan
         return heights
 
 
-def _of_data_array(array: xr.DataArray) -> RasterReader:
+def _data_array_reader(array: xr.DataArray) -> RasterReader:
     """Return the reader of an xarray.DataArray."""
     try:
         dims = array.rio.y_dim, array.rio.x_dim
@@ -152,7 +152,7 @@ def _of_data_array(array: xr.DataArray) -> RasterReader:
     return _reader(array.shape, *where, heights, dims=dims, coordinates=coordinates)
 
 
-def _of_array(array: Any, transform: Any, crs: Any) -> RasterReader:
+def _array_reader(array: Any, transform: Any, crs: Any) -> RasterReader:
     """Return the reader of an array with a transform and a CRS."""
     masked = np.ma.getmask(array)
     values = as_real(np.ma.getdata(array) if masked is not np.ma.nomask else array, "source", "an array of real numbers")
@@ -187,9 +187,9 @@ def _reader(
     metres, height_metres = metres_of(found), height_metres_of(found, unit) if found else None
     unknown = found is not None and unit.strip()
     if height_metres is None and (unknown or abs(metres - 1.0) > 1e-5):
-        said = f"heights in {unit!r}, a unit that is not known here" if unknown else "no unit of its heights"
+        message = f"heights in {unit!r}, a unit that is not known here" if unknown else "no unit of its heights"
         warnings.warn(
-            f"source: got {said}, and coordinates in units of {metres:g} m; they are taken to be the same", stacklevel=2
+            f"source: got {message}, and coordinates in units of {metres:g} m; they are taken to be the same", stacklevel=2
         )
     stretched = describe_stretch(found, *(transform @ (shape[1] / 2.0, shape[0] / 2.0)))
     if stretched:
@@ -204,14 +204,14 @@ def _reader(
 def files_read(path: str) -> list[Path]:
     """Return the files of a raster: the file itself, and files that a .vrt or an address within an archive refers to."""
     try:
-        with _opened(path) as file:
+        with _open_raster(path) as file:
             return [Path(path), *map(Path, file.files)]
-    except (FileNotFoundError, ValueError):  # which is told where it is read
+    except (FileNotFoundError, ValueError):  # reported when the file is read
         return [Path(path)]
 
 
 @contextmanager
-def _opened(path: str) -> Iterator[Any]:
+def _open_raster(path: str) -> Iterator[Any]:
     """Open a file with rasterio.
 
     Raises:

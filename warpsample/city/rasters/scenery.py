@@ -20,12 +20,12 @@ class Scenery:
     """Two scenes, built on each call, so that only one mesh and its tree is in memory at a time.
 
     Attributes:
-        bare: Function that returns the mesh without crowns.
-        wooded: Function that returns the mesh with opaque crowns; None without crowns.
+        without_crowns: Function that returns the mesh without crowns.
+        with_crowns: Function that returns the mesh with opaque crowns; None without crowns.
     """
 
-    bare: Callable[[], Mesh]
-    wooded: Callable[[], Mesh] | None = None
+    without_crowns: Callable[[], Mesh]
+    with_crowns: Callable[[], Mesh] | None = None
 
 
 @dataclass(eq=False)
@@ -45,13 +45,15 @@ class Foreground:
     def before(self, *columns: Columns) -> Scenery:
         """Return the scenes with columns in the background: the first columns without crowns, the last ones with crowns."""
         sizes = len(self.triangles[0]), len(self.triangles[1])
-        wooded = partial(self._beside, sizes, *columns[-1:]) if sizes != self.ground or len(columns) > 1 else None
-        return Scenery(partial(self._beside, self.ground, *columns[:1]), wooded)
+        with_crowns = (
+            partial(self._append_columns, sizes, *columns[-1:]) if sizes != self.ground or len(columns) > 1 else None
+        )
+        return Scenery(partial(self._append_columns, self.ground, *columns[:1]), with_crowns)
 
-    def _beside(self, sizes: tuple[int, int], *columns: Columns) -> Mesh:
+    def _append_columns(self, sizes: tuple[int, int], *columns: Columns) -> Mesh:
         """Build the mesh of the first `sizes` vertices and faces together with columns."""
         own = tuple(array[:size] for array, size in zip(self.triangles, sizes, strict=True))
-        mesh = Mesh(*joined([own, *(made() for made in columns)]))
+        mesh = Mesh(*join_triangles([own, *(made() for made in columns)]))
         if len(own[1]) == len(self.triangles[1]):
             self.triangles = mesh.vertices[: sizes[0]], mesh.faces[: sizes[1]]
         return mesh
@@ -76,7 +78,7 @@ class Seen:
     status: np.ndarray
 
 
-def joined(parts: Sequence[Part]) -> Part:
+def join_triangles(parts: Sequence[Part]) -> Part:
     """Join the triangles of all parts, in order."""
     vertices, faces = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
     first, start = 0, 0

@@ -11,17 +11,16 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.canopy import Canopy, calling, check_for_crowns, check_same_map, prisms
+from warpsample.city.rasters.canopy import Canopy, check_for_crowns, check_same_map, prisms, rename_argument
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
-from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, seen_of
+from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, compute_through_crowns
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, surface_of
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reading import ground_of, reader_of, with_heights
-from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, joined
+from warpsample.city.rasters.reading import check_heights, ground_of, reader_of
+from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, join_triangles
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.host.arguments import check_choice, check_integer, told
 from warpsample.host.progress import log
 from warpsample.mesh.mesh import Mesh
@@ -34,9 +33,9 @@ Span = tuple[slice, slice]
 """Rows and columns."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class RasterRun:
-    """Checked arguments of a call on a raster.
+    """Checked arguments of a call on a raster, and the pooled terrain, which the first tile reads.
 
     Attributes:
         reader: Reader of the heights.
@@ -85,17 +84,18 @@ class RasterRun:
         """
         check_choice(model, "model", MODELS)
         check_choice(receiver, "receiver", RECEIVERS)
-        if quantity.call is visible_sky and receiver != "horizontal":
-            raise ValueError(f"receiver: got {receiver!r} for the visible sky, want 'horizontal': it counts no cosines")
+        if receiver not in quantity.on_rasters:
+            wanted = " or ".join(map(repr, quantity.on_rasters))
+            raise ValueError(f"receiver: got {receiver!r} for the {quantity.title}, want {wanted}")
         shares = check_transmittance(transmittance)
         check_dates(quantity, shares)
         if margin is not None and tile is None:
-            raise ValueError(f"margin: got {told(margin)} without tile, want tile, around which it is")
+            raise ValueError(f"margin: got {told(margin)} without tile, want tile, too")
         tile = None if tile is None else check_integer(tile, "tile", 1, 2**31 - 1)
         margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
         reader, other = ground_of(source), None
         if far is not None:
-            with calling("far"):
+            with rename_argument("far"):
                 other = reader_of(far)
             check_same_map(reader, other, "far")
         trees = Canopy.of(reader, canopy, trunk, relative)
@@ -123,7 +123,7 @@ class RasterRun:
         return {name: raster for name, raster in given.items() if isinstance(raster, RasterReader)}
 
     def reading(self, rasters: Mapping[str, RasterReader]) -> "RasterRun":
-        """Return a copy of the run that reads `rasters` in place of its own."""
+        """Return a copy of the run with other input rasters."""
         canopy = self.canopy
         if canopy is not None:
             canopy = replace(canopy, top=rasters["canopy"], trunk=rasters.get("trunk", canopy.trunk))
@@ -135,15 +135,15 @@ class RasterRun:
         return self.tile is not None or self.other is not None
 
     @cached_property
-    def field(self) -> FarField | None:
+    def far_field(self) -> FarField | None:
         """Far field of ground and buildings, read once; None without terrain outside the margins."""
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model) if self.far else None
 
     @cached_property
-    def wooded(self) -> FarField | None:
-        """Far field with tree crowns included; `field` if there are none."""
+    def far_field_with_trees(self) -> FarField | None:
+        """Far field with tree crowns included; `far_field` if there are none."""
         if not self.far or self.canopy is None:
-            return self.field
+            return self.far_field
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model, canopy=self.canopy)
 
     @property
@@ -176,14 +176,14 @@ class RasterRun:
         shape = tuple(part.stop - part.start for part in span)
         log.info("tile of rows %d to %d, columns %d to %d", *(edge for part in span for edge in (part.start, part.stop - 1)))
         laid = {name: np.full(shape, np.nan, np.float32) for name in self.names}
-        near = span if self.field is None else self.field.window_of(span, self.margin)
+        near = span if self.far_field is None else self.far_field.window_of(span, self.margin)
         window = tuple(slice(max(0, n.start), min(n.stop, size)) for n, size in zip(near, self.reader.shape, strict=True))
         grid = self.reader.grid(*window)
         row, column = (first.start - part.start for first, part in zip(span, window, strict=True))
         inside = np.zeros(grid.height.shape, bool)
         inside[row : row + shape[0], column : column + shape[1]] = True
         if self.tile is None:
-            with_heights(grid)
+            check_heights(grid)
         if not (inside & grid.valid).any():
             return laid
         surface = surface_of(grid, self.model)
@@ -194,27 +194,27 @@ class RasterRun:
         points = replace(points.take(chosen), id=id)
         mesh = surface.mesh
         del surface
-        foreground = self._foreground(mesh, grid, window)
+        foreground = self._build_foreground(mesh, grid, window)
         del mesh  # whose arrays are in it
-        scenes = self._between(foreground, span, near)
-        found = [self._seen(points, grid.whole, scenery) for scenery in scenes]
-        for name, values in _bounded(found).items():
+        scenes = self._build_scenes(foreground, span, near)
+        found = [self._compute_values(points, grid.whole, scenery) for scenery in scenes]
+        for name, values in _average_bounds(found).items():
             if name in laid:
                 laid[name][i - row, j - column] = values
         return laid
 
-    def _foreground(self, mesh: Mesh, grid: Grid, window: Span) -> Foreground:
+    def _build_foreground(self, mesh: Mesh, grid: Grid, window: Span) -> Foreground:
         """Build the surface of a tile with its margin, and the crowns over it."""
         ground = mesh.vertices, mesh.faces
         crowns = self.canopy and self.canopy.crowns(grid, *window)
-        triangles = joined([ground, prisms(grid, crowns)]) if crowns and crowns.any else ground
+        triangles = join_triangles([ground, prisms(grid, crowns)]) if crowns and crowns.any else ground
         return Foreground(triangles, tuple(map(len, ground)))
 
-    def _between(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
+    def _build_scenes(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
         """Return the scenes with upper and with lower columns, or the only scene without columns."""
-        if self.field is None:
+        if self.far_field is None:
             return [foreground.before()]
-        fields = [self.field] if self.wooded is self.field else [self.field, self.wooded]
+        fields = [self.far_field, *([] if self.far_field_with_trees is self.far_field else [self.far_field_with_trees])]
         lowest = float(foreground.triangles[0][:, 2].min())
         columns = zip(*(field.columns(span, near, lowest) for field in fields), strict=True)
         return [foreground.before(*each) for each in columns] or [foreground.before()]
@@ -227,14 +227,14 @@ class RasterRun:
         """
         return self.canopy is None and finds_horizons(self.quantity, self.options)
 
-    def _seen(self, points: SurfacePoints, whole: bool, scene: Scenery) -> Seen:
+    def _compute_values(self, points: SurfacePoints, whole: bool, scene: Scenery) -> Seen:
         """Compute the results at points of a tile, by horizons where possible."""
         if whole and self.by_horizons:
-            return sky_by_horizons(self.quantity, scene.bare(), points, self.options)
-        return seen_of(self.quantity, scene, points, self.options, self.transmittance)
+            return sky_by_horizons(self.quantity, scene.without_crowns(), points, self.options)
+        return compute_through_crowns(self.quantity, scene, points, self.options, self.transmittance)
 
 
-def _bounded(found: list[Seen]) -> dict[str, np.ndarray]:
+def _average_bounds(found: list[Seen]) -> dict[str, np.ndarray]:
     """Return the mean of the results with upper and lower columns, and half of the difference as `far_error`."""
     upper, lower = (vars(seen) for seen in (found[0], found[-1]))
     names = ("value", "standard_error", "half_width")

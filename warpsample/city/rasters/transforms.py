@@ -35,7 +35,7 @@ def check_place(transform: Affine, crs: object, what: str) -> None:
     if transform == Affine.identity() and crs is None:
         raise ValueError(
             f"source: got {what}, which has no place on a map, want a raster with a transform; "
-            "(array, affine, None) says where it is"
+            "pass (array, affine, None) to state its position"
         )
 
 
@@ -49,7 +49,7 @@ def check_cells(transform: Affine, shape: tuple[int, int]) -> None:
     farthest, side = np.abs(corners).max(), np.hypot(numbers[[0, 1]], numbers[[3, 4]]).min()
     if not np.spacing(farthest) <= _APART * side:
         raise ValueError(
-            f"source: got coordinates up to {farthest:g} of cells that are {side:g} long, want some that float64 tells apart"
+            f"source: got coordinates up to {farthest:g} of cells {side:g} long, want some that float64 can distinguish"
         )
 
 
@@ -96,7 +96,7 @@ def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
 
 
 def coordinates_of(transform: Affine, shape: tuple[int, int]) -> dict[str, np.ndarray]:
-    """Return the coordinates of cell centres, bit for bit those of rioxarray; empty for a rotated raster."""
+    """Return the coordinates of cell centres, bit for bit as rioxarray computes them; empty for a rotated raster."""
     a, b, c, d, e, f = transform[:6]
     if b or d:
         return {}

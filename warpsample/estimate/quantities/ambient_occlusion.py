@@ -4,10 +4,16 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Share
 from warpsample.estimate.visibility import ambient_occlusion
 
+_ON_RASTERS = (
+    "cosine-weighted share of the directions w from the centre of each cell in which a ray hits nothing: 1/pi times the "
+    "integral of max(n.w, 0) over these directions; the normal n is {normal}"
+)
+
 RECORD = Quantity(
     name="ao",
     call=ambient_occlusion,
     title="ambient occlusion",
-    value="1 where it is open, 0 where it is closed in",
+    value="1 in the open, 0 where all directions are occluded",
     result=Share,
+    on_rasters={"horizontal": _ON_RASTERS, "surface": _ON_RASTERS},
 )

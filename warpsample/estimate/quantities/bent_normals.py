@@ -7,7 +7,7 @@ RECORD = Quantity(
     name="bent-normals",
     call=bent_normals,
     title="bent normals",
-    value="the mean direction in which it is open",
+    value="mean of the directions that are not occluded",
     channels="xyz",
     black=-1.0,
 )

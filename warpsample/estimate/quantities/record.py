@@ -23,7 +23,7 @@ _OF_INTERVALS = ("spread", "degrees_of_freedom")  # fields for `interval`, witho
 _NO_UNITS = ("", "mesh units")
 """Units that column names leave out: no unit, and the unit of the mesh."""
 
-_UNTOLD = ("active", "first_point", "progress", "workers")
+_NOT_RECORDED = ("active", "first_point", "progress", "workers")
 """Arguments that files do not record, because they change no value or are not options of the command line."""
 
 Numbers = Callable[[SurfacePoints, int], Any]
@@ -47,6 +47,8 @@ class Quantity:
         prepare: Function (mesh, number of all points, **arguments of the call except points and first_point) -> Numbers,
             which reads or computes data once for all parts of the points. Default: None, the call is used directly.
         in_stores: Whether Dask, Zarr stores and the accessor on meshes offer the quantity.
+        on_rasters: Definitions of the value in the cells of a raster, keyed by receiver, the default receiver first. The
+            text may contain {normal}. Empty: rasters do not offer the quantity.
         is_matrix: Whether a point has too many values for columns of a table.
         channels: One letter per component of a value with three components.
         black: Value shown as black in files with colours.
@@ -64,6 +66,7 @@ class Quantity:
     files: Mapping[str, str] = field(default_factory=dict)
     prepare: Callable[..., Numbers] | None = None
     in_stores: bool = True
+    on_rasters: Mapping[str, str] = field(default_factory=dict)
     is_matrix: bool = False
     channels: str = "rgb"
     black: float = 0.0
@@ -105,7 +108,7 @@ class Quantity:
 
     def told(self, options: Mapping[str, Any]) -> dict[str, Any]:
         """Return the options to record in an output file, given ones and defaults, keyed by command-line name."""
-        names = [OPTIONS.get(name, name) for name in self.parameters if name not in _UNTOLD]
+        names = [OPTIONS.get(name, name) for name in self.parameters if name not in _NOT_RECORDED]
         return {name: options.get(name, self.default(name)) for name in names}
 
     def numbers(self, mesh: Any, total: int, options: Mapping[str, Any]) -> Numbers:

@@ -66,10 +66,16 @@ def visible_sky(
     return estimate(plan, RaySum(above_plane(as_unit(up, "up")), reach=reach, result=Share))  # type: ignore[return-value]
 
 
+_ON_RASTERS = (
+    "share of the sky's solid angle that is visible from the centre of each cell: 1/(2 pi) times the solid angle of "
+    "the directions above the horizon in which a ray hits nothing; if each azimuth has one horizon h, 1 - mean of sin(h)"
+)
+
 RECORD = Quantity(
     name="visible-sky",
     call=visible_sky,
     title="visible sky",
-    value="the share of the sky's solid angle that it sees, every direction alike",
+    value="share of the sky's solid angle that is visible",
     result=Share,
+    on_rasters={"horizontal": _ON_RASTERS},
 )

@@ -11,7 +11,7 @@ BLUR = 2.0**-21
 
 
 def spherical(theta: np.ndarray, turns: np.ndarray) -> np.ndarray:
-    """Return unit vectors from the angle to +z in radians and the azimuth in turns."""
+    """Return unit vectors from the angle to +z in radians and the azimuth as a fraction of 2 pi."""
     sine, azimuth = np.sin(theta), TAU * turns
     return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), np.cos(theta)], axis=-1)
 

@@ -85,9 +85,7 @@ class Casting:
         rays.normals = normals.ctypes.data
         collector = Collector(len(self.mesh.faces), self.replicates, scene.has_glass)
         if self.skip and len(rows):
-            opens = self._opens(rays, tree, rows)
-            if scene.has_glass:
-                opens &= self._opens(rays, rays.glass.tree, rows)
+            opens = self._opens(rays, [tree, rays.glass.tree] if scene.has_glass else [tree], rows)
             collector.all_open(rows[opens], self.per_replicate)
             rows = rows[~opens]
         done = begin(len(rows), RAY_WORK * self.rays * len(rows))
@@ -102,13 +100,14 @@ class Casting:
         cast[rows] = True
         return collector.counts(), cast
 
-    def _opens(self, rays: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray) -> np.ndarray:
-        """Return the (B,) mask of the faces in `rows` that have nothing of a tree above their plane."""
-        opens = np.zeros(len(rows), np.uint8)
+    def _opens(self, rays: FaceRaysArgs, trees: list[AcceleratorArgs], rows: np.ndarray) -> np.ndarray:
+        """Return the (B,) mask of the faces in `rows` that have nothing of any tree above their plane."""
+        opens = np.zeros((len(trees), len(rows)), np.uint8)
         rays.rows = rows.ctypes.data
-        inputs = [rays, tree, opens.ctypes.data]
-        run(open_kernel(), len(rows), inputs, cpu(), workers=self.workers, work=RAY_WORK * len(rows))
-        return opens == 1
+        for tree, found in zip(trees, opens, strict=True):
+            inputs = [rays, tree, found.ctypes.data]
+            run(open_kernel(), len(rows), inputs, cpu(), workers=self.workers, work=RAY_WORK * len(rows))
+        return (opens == 1).all(axis=0)
 
     def _cast(
         self,

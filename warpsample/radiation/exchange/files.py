@@ -1,12 +1,12 @@
 """Files of view factors: .npz, which scipy.sparse.load_npz reads too, and the text formats of uDALES and View3D."""
 
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack
 from dataclasses import fields
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -14,11 +14,10 @@ from warpsample.estimate.result import Skipped
 from warpsample.host.arguments import check_file, naming_file, told
 from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_arrays
 from warpsample.radiation.exchange.closure import rows_of
-from warpsample.radiation.exchange.radiosity import check_rows
 from warpsample.radiation.exchange.row_factors import matrices_of
 
-if TYPE_CHECKING:
-    from warpsample.radiation.exchange.result import ViewFactors
+Factors = Mapping[str, Any]
+"""Fields of a `ViewFactors`, by name."""
 
 WANTS = "a name that ends in .npz or .vf, or begins with vfsparse.inp"
 _SPARSE, _SKY = "vfsparse.inp", "svf.inp"
@@ -51,20 +50,17 @@ def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
     return path
 
 
-def save(factors: "ViewFactors", path: Path) -> None:
-    """Write view factors to a checked path; all files are complete or absent.
+def save(factors: Factors, path: Path) -> None:
+    """Write the fields of view factors to a checked path; all files are complete or absent.
 
     Raises:
-        ValueError: a text format for factors with inactive faces.
         WriteError: a file cannot be written.
     """
-    writers: tuple[Callable[[ViewFactors, BinaryIO], None], ...] = (_write_npz,)
+    writers: tuple[Callable[[Factors, BinaryIO], None], ...] = (_write_npz,)
     if path.suffix == ".vf":
         writers = (_write_view3d,)
     elif path.suffix != ".npz":
         writers = (_write_sparse, _write_sky)
-    if path.suffix != ".npz":
-        check_rows(factors)
     with ExitStack() as files:
         streams = [files.enter_context(complete_or_absent(file)) for file in _files(path)]
         for stream, write in zip(streams, writers, strict=True):
@@ -135,9 +131,9 @@ def _files(path: Path) -> tuple[Path, ...]:
     return path, path.with_name(_SKY + path.name.removeprefix(_SPARSE))
 
 
-def _write_npz(factors: "ViewFactors", stream: BinaryIO) -> None:
+def _write_npz(factors: Factors, stream: BinaryIO) -> None:
     """Write all fields of view factors in NumPy's .npz format."""
-    matrix = factors.matrix
+    matrix = factors["matrix"]
     arrays = {
         "format": np.array(b"csr"),
         "_is_array": np.array(True),
@@ -145,17 +141,17 @@ def _write_npz(factors: "ViewFactors", stream: BinaryIO) -> None:
         "data": matrix.data,
         "indices": matrix.indices,
         "indptr": matrix.indptr,
-        "standard_error": factors.standard_error.data,
-        "skipped": np.array([getattr(factors.skipped, item.name) for item in fields(Skipped)]),
-        **{name: getattr(factors, name) for name in (*_VECTORS, *chain(*_OPTIONAL)) if getattr(factors, name) is not None},
+        "standard_error": factors["standard_error"].data,
+        "skipped": np.array([getattr(factors["skipped"], item.name) for item in fields(Skipped)]),
+        **{name: factors[name] for name in (*_VECTORS, *chain(*_OPTIONAL)) if factors[name] is not None},
     }
-    arrays |= {} if factors.names is None else {"names": np.array(factors.names, str)}
+    arrays |= {} if factors["names"] is None else {"names": np.array(factors["names"], str)}
     write_arrays(stream, arrays, zipfile.ZIP_DEFLATED)
 
 
-def _write_sparse(factors: "ViewFactors", stream: BinaryIO) -> None:
+def _write_sparse(factors: Factors, stream: BinaryIO) -> None:
     """Write lines "i j F", numbered from 1 and sorted; like uDALES, omit values that six decimals would print as 0."""
-    matrix = factors.matrix
+    matrix = factors["matrix"]
     row = rows_of(matrix.indptr)
     for first in range(0, matrix.nnz, _LINES):
         part = slice(first, first + _LINES)
@@ -164,21 +160,21 @@ def _write_sparse(factors: "ViewFactors", stream: BinaryIO) -> None:
         stream.write("".join(f"{i} {j} {f:.8f}\n" for i, j, f in zip(*columns, strict=True)).encode())
 
 
-def _write_sky(factors: "ViewFactors", stream: BinaryIO) -> None:
+def _write_sky(factors: Factors, stream: BinaryIO) -> None:
     """Write uDALES' sky view factors; rays that hit no face and are not absorbed count as sky."""
-    absorbed = 0.0 if factors.absorbed is None else factors.absorbed
-    rest = np.maximum(1.0 - factors.matrix.sum(axis=1) - absorbed, 0.0)
+    absorbed = 0.0 if factors["absorbed"] is None else factors["absorbed"]
+    rest = np.maximum(1.0 - factors["matrix"].sum(axis=1) - absorbed, 0.0)
     stream.write(b"# sky view factors\n")
     stream.write("".join(f"{share:.8f}\n" for share in rest.tolist()).encode())
 
 
-def _write_view3d(factors: "ViewFactors", stream: BinaryIO) -> None:
+def _write_view3d(factors: Factors, stream: BinaryIO) -> None:
     """Write View3D's text: a header of 30 characters, the areas, a dense row per line, and emittances of 1."""
-    size = factors.matrix.shape[0]
+    size = factors["matrix"].shape[0]
     stream.write(f"{f'View3D 3.5 0 0 0 {size}':<30}\n".encode())
-    stream.write(_line(f"{area:.9g}" for area in factors.areas.tolist()))
+    stream.write(_line(f"{area:.9g}" for area in factors["areas"].tolist()))
     for i in range(size):
-        row = factors.matrix[[i]].toarray()[0]
+        row = factors["matrix"][[i]].toarray()[0]
         stream.write(_line(f"{share:.8f}" if share else "0" for share in row.tolist()))
     stream.write(_line("1.000" for _ in range(size)))
 

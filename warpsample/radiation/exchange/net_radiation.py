@@ -15,7 +15,7 @@ from warpsample.host.tables import frame_of
 from warpsample.radiation.exchange.radiosity import radiosity_of
 
 if TYPE_CHECKING:
-    from warpsample.radiation.exchange.result import ViewFactors
+    from scipy.sparse import csr_array
 
 STEFAN_BOLTZMANN = 5.670374419e-8
 """Stefan-Boltzmann constant in W/(m² K⁴), exact to these digits since 2019."""
@@ -63,16 +63,24 @@ class NetRadiation(Summary):
         return frame_of(columns | {name: getattr(self, name).ravel() for name in ("flux", "power", "leaving")})
 
 
-def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, outside: Any) -> NetRadiation:
-    """Compute the net radiation of all surfaces; see `ViewFactors.net_radiation`."""
-    if factors.absorbed is not None:
-        raise ValueError(
-            "mesh: got view factors of a mesh with a transmittance, whose panes would radiate too; want opaque faces"
-        )
-    rows = len(factors.areas)
-    kelvin = _checked(_in_rows(factors, temperature, "temperature"), "temperature", 0.0, _HOTTEST)
-    share = _checked(_in_rows(factors, emissivity, "emissivity"), "emissivity", np.finfo(np.float64).tiny, 1.0)
-    if outside is None and (open := float(factors.outside.max(initial=0.0))) > _LEAK:
+def net_radiation_of(
+    matrix: "csr_array",
+    open_share: np.ndarray,
+    temperature: Any,
+    emissivity: Any,
+    outside: Any,
+    *,
+    areas: np.ndarray,
+    names: tuple[str, ...] | None,
+) -> NetRadiation:
+    """Compute the net radiation of all surfaces; see `ViewFactors.net_radiation`.
+
+    matrix, open_share, areas, names: `matrix`, `outside`, `areas` and `names` of the view factors.
+    """
+    rows = len(areas)
+    kelvin = _checked(_in_rows(names, temperature, "temperature"), "temperature", 0.0, _HOTTEST)
+    share = _checked(_in_rows(names, emissivity, "emissivity"), "emissivity", np.finfo(np.float64).tiny, 1.0)
+    if outside is None and (open := float(open_share.max(initial=0.0))) > _LEAK:
         raise ValueError(
             f"outside: got None, but a surface has a view factor of {open:.2g} to the outside, want the temperature "
             "there in kelvin; 0.0 if nothing radiates from there"
@@ -89,15 +97,15 @@ def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, 
         raise ValueError(f"outside: got shape {beyond.shape}, want one number{f' or {times}' if times else ''}")
     _warn_of_celsius(kelvin)
     emitted = np.broadcast_to(STEFAN_BOLTZMANN * np.square(np.square(kelvin)), (rows, *times)).reshape(rows, -1)
-    sky = np.outer(factors.outside, np.broadcast_to(STEFAN_BOLTZMANN * np.square(np.square(beyond)), times).ravel())
+    sky = np.outer(open_share, np.broadcast_to(STEFAN_BOLTZMANN * np.square(np.square(beyond)), times).ravel())
     part = np.broadcast_to(share, (rows,))[:, None]
-    leaving = radiosity_of(factors, part * emitted + (1.0 - part) * sky, 1.0 - part[:, 0])
-    flux = part * (emitted - factors.matrix @ leaving - sky)
-    found = (a.reshape(rows, *times) for a in (flux, flux * factors.areas[:, None], leaving))
-    return NetRadiation(*found, factors.names)
+    leaving = radiosity_of(matrix, part * emitted + (1.0 - part) * sky, 1.0 - part[:, 0])
+    flux = part * (emitted - matrix @ leaving - sky)
+    found = (a.reshape(rows, *times) for a in (flux, flux * areas[:, None], leaving))
+    return NetRadiation(*found, names)
 
 
-def _in_rows(factors: "ViewFactors", value: Any, argument: str) -> Any:
+def _in_rows(names: tuple[str, ...] | None, value: Any, argument: str) -> Any:
     """Return `value`; if it is a dictionary from names of surfaces, return an array with a row for each surface.
 
     Raises:
@@ -105,11 +113,11 @@ def _in_rows(factors: "ViewFactors", value: Any, argument: str) -> Any:
     """
     if not isinstance(value, Mapping):
         return value
-    if factors.names is None:
+    if names is None:
         raise ValueError(f"{argument}: got a dictionary where surfaces have no names, want numbers; `groups` names surfaces")
-    if set(value) != set(factors.names):
-        raise ValueError(f"{argument}: got a dictionary of {sorted(map(str, value))}, want {sorted(factors.names)}")
-    rows = [as_real(value[name], f"{argument}[{name!r}]") for name in factors.names]
+    if set(value) != set(names):
+        raise ValueError(f"{argument}: got a dictionary of {sorted(map(str, value))}, want {sorted(names)}")
+    rows = [as_real(value[name], f"{argument}[{name!r}]") for name in names]
     if len(shapes := {row.shape for row in rows if row.ndim}) > 1:
         raise ValueError(f"{argument}: got rows of shapes {sorted(shapes)}, want numbers, or (k,) for k times")
     return np.stack(np.broadcast_arrays(*rows))

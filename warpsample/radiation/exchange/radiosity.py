@@ -12,8 +12,6 @@ from warpsample.host.locks import imported
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-    from warpsample.radiation.exchange.result import ViewFactors
-
 _PRECISION = 1e-12
 _EXACT, _ROUNDING = 1e-15, 1e-13  # relative to the largest: rounding of sums of few and of many numbers
 _STEPS = 300  # reflections followed before equations are solved: enough if a tenth is absorbed each time
@@ -21,9 +19,9 @@ _ROUNDS, _PRODUCTS = 20, 40
 _MOST_TIMES = 1e9  # largest radiosity relative to the emission, else hardly anything is ever absorbed
 
 
-def radiosity_of(factors: "ViewFactors", emission: Any, reflectance: Any) -> np.ndarray:
-    """Return the solution of J = E + rho F J; see `ViewFactors.radiosity`."""
-    rows = len(factors.areas)
+def radiosity_of(matrix: "csr_array", emission: Any, reflectance: Any) -> np.ndarray:
+    """Return the solution of J = E + rho F J for the matrix F; see `ViewFactors.radiosity`."""
+    rows = matrix.shape[0]
     emitted = _finite(emission, "emission")
     if emitted.ndim not in (0, 1, 2) or (emitted.ndim and len(emitted) != rows):
         raise ValueError(f"emission: got shape {emitted.shape}, want ({rows},) or ({rows}, k), a row for each of the matrix")
@@ -32,31 +30,15 @@ def radiosity_of(factors: "ViewFactors", emission: Any, reflectance: Any) -> np.
         raise ValueError(f"reflectance: got shape {reflected.shape}, want one number or ({rows},)")
     if reflected.size and not (reflected.min() >= 0.0 and reflected.max() <= 1.0):
         raise ValueError(f"reflectance: got values from {reflected.min():g} to {reflected.max():g}, want 0 to 1")
-    check_rows(factors)
     share = np.broadcast_to(reflected, (rows,))
     columns = np.broadcast_to(emitted, (rows,)) if emitted.ndim == 0 else emitted
     with np.errstate(over="ignore"):
-        leaving = followed(factors.matrix, columns.reshape(rows, math.prod(columns.shape[1:])), share)
+        leaving = followed(matrix, columns.reshape(rows, math.prod(columns.shape[1:])), share)
     if not np.isfinite(leaving).all():
         raise ValueError(
             f"emission: got {told(emission)}, want smaller numbers: the sum of all reflections exceeds the range of float64"
         )
     return leaving.reshape(columns.shape)
-
-
-def check_rows(factors: "ViewFactors") -> None:
-    """Check that no row was left out by `active`; such rows must not count as black or as open to the sky.
-
-    Raises:
-        ValueError: a surface with area has an empty row.
-    """
-    absorbed = 0.0 if factors.absorbed is None else factors.absorbed
-    left_out = (factors.areas > 0.0) & (factors.matrix.sum(axis=1) + factors.outside + factors.behind + absorbed == 0.0)
-    if left_out.any():
-        raise ValueError(
-            f"active: got {np.count_nonzero(left_out)} rows without rays, want view factors of all faces; compute them "
-            "without active="
-        )
 
 
 def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.ndarray:

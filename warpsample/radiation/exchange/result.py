@@ -98,7 +98,8 @@ class ViewFactors(Summary):
             raise ValueError(
                 "reflectance: got None for view factors of a mesh without a reflectance, want numbers from 0 to 1"
             )
-        return radiosity_of(self, emission, self.reflectance if reflectance is None else reflectance)
+        self._check_rows()
+        return radiosity_of(self.matrix, emission, self.reflectance if reflectance is None else reflectance)
 
     def net_radiation(self, temperature: Any, emissivity: Any, *, outside: Any = None) -> NetRadiation:
         """Compute the net heat loss of each surface by thermal radiation: emission minus absorbed radiation.
@@ -128,7 +129,13 @@ class ViewFactors(Summary):
             >>> print(night.flux.shape, night.flux.max().round())  # W/m2, of faces under the whole sky
             (2080,) 85.0
         """
-        return net_radiation_of(self, temperature, emissivity, outside)
+        if self.absorbed is not None:
+            raise ValueError(
+                "mesh: got view factors of a mesh with a transmittance, whose panes would radiate too; want opaque faces"
+            )
+        self._check_rows()
+        how = {"areas": self.areas, "names": self.names}
+        return net_radiation_of(self.matrix, self.outside, temperature, emissivity, outside, **how)
 
     def to_frame(self) -> Any:
         """Return the arrays with one number per surface as a table, without the matrix.
@@ -166,7 +173,35 @@ class ViewFactors(Summary):
             >>> print((ws.ViewFactors.load(f"{folder}/factors.npz").matrix != v.matrix).nnz)
             0
         """
-        save(self, check_factors_file(path, "path"))
+        file = check_factors_file(path, "path")
+        if file.suffix != ".npz":
+            self._check_rows()
+        save(vars(self), file)
+
+    def row_sums(self) -> np.ndarray:
+        """Compute the sum of all shares of each surface: factors, outside, behind and absorbed.
+
+        Returns:
+            the sums, (N,) float64: 1 if every ray is counted, 0 for surfaces without rays.
+
+        Example:
+            >>> v = ws.view_factors(ws.load_mesh("courtyard"), 64)
+            >>> print(v.row_sums().min(), v.row_sums().max())
+            1.0 1.0
+        """
+        return self.matrix.sum(axis=1) + self.outside + self.behind + (0.0 if self.absorbed is None else self.absorbed)
+
+    def _check_rows(self) -> None:
+        """Check that no row was left out by `active`; such rows must not count as black or as open to the sky.
+
+        Raises:
+            ValueError: a surface with area has an empty row.
+        """
+        if (left_out := (self.areas > 0.0) & (self.row_sums() == 0.0)).any():
+            raise ValueError(
+                f"active: got {np.count_nonzero(left_out)} rows without rays, want view factors of all faces; compute them "
+                "without active="
+            )
 
     @staticmethod
     def load(path: str | Path) -> "ViewFactors":

@@ -8,7 +8,7 @@ import numpy as np
 from warpsample.host.arguments import check_file, naming_file
 from warpsample.host.files import read_array
 from warpsample.mesh.files import load_mesh
-from warpsample.radiation.exchange.files import check_factors_file, save
+from warpsample.radiation.exchange.files import check_factors_file
 from warpsample.radiation.exchange.result import ViewFactors
 from warpsample.radiation.exchange.view_factors import view_factors
 
@@ -27,7 +27,7 @@ def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dic
     """
     check_factors_file(output, "--output", mesh, groups)
     found = view_factors(load_mesh(mesh), groups=_groups(groups), progress=True, **options)
-    save(found, output)
+    found.save(output)
     return f"{output}: {summary(found)}"
 
 
@@ -46,8 +46,7 @@ def _groups(path: Path | None) -> Any:
 def summary(found: ViewFactors) -> str:
     """Return a sentence with the number of factors and rays, and the errors of closure and reciprocity."""
     there = found.areas > 0.0
-    absorbed = 0.0 if found.absorbed is None else found.absorbed
-    closure = np.abs(found.matrix.sum(axis=1) + found.outside + found.behind + absorbed - 1.0)[there]
+    closure = np.abs(found.row_sums() - 1.0)[there]
     exchange = found.matrix * found.areas[:, None]
     apart = np.abs(exchange - exchange.T).sum() / max(exchange.sum(), np.finfo(float).tiny)
     skipped = found.skipped

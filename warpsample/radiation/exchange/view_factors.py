@@ -117,7 +117,7 @@ def view_factors(
     del counts  # twice as many bytes as the factors
     if reciprocal:
         factors = reciprocal_factors(factors, surfaces)
-    found = _result(factors, surfaces, status, casting.rays * cast.astype(np.int64), casting.rays)
+    found = _result(factors, surfaces, status, cast, casting.rays)
     return replace(found, reflectance=surfaces.means(mesh.reflectance) if mesh.reflects else None, names=names)
 
 
@@ -130,8 +130,8 @@ def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
 
 
 def _result(factors: RowFactors, surfaces: Surfaces, status: np.ndarray, cast: np.ndarray, rays: int) -> ViewFactors:
-    """Build the result from row factors; `cast` (F,) is the number of rays cast, `rays` the number per face with rays."""
-    open_faces = int(np.count_nonzero(has_status(status, PointStatus.OK) & (cast == 0)))
+    """Build the result from row factors; `cast` (F,) are the faces that cast `rays` rays each."""
+    open_faces = int(np.count_nonzero((status == 0) & ~cast))
     matrix, standard_error = matrices_of(factors.value, np.sqrt(factors.variance), factors.indices, factors.indptr)
     others = {}
     for name, (value, variance) in factors.others.items():
@@ -140,7 +140,7 @@ def _result(factors: RowFactors, surfaces: Surfaces, status: np.ndarray, cast: n
         matrix=matrix,
         standard_error=standard_error,
         areas=surfaces.areas,
-        rays=surfaces.summed(cast),
+        rays=surfaces.summed(cast * np.int64(rays)),
         status=status,
         skipped=Skipped(int(np.count_nonzero(status)), open_faces, open_faces * rays),
         **others,

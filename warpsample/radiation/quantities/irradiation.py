@@ -8,7 +8,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.patches import patches_of
 from warpsample.radiation.reflection.reflections import reflections_of
-from warpsample.radiation.weather.afar import WeatherAfar
+from warpsample.radiation.weather.distant import WeatherLight
 from warpsample.radiation.weather.irradiation import Irradiation, irradiation, received
 from warpsample.radiation.weather.light import light_of
 from warpsample.tracing.options import RayOptions
@@ -24,9 +24,9 @@ def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | N
     """Compute the light and its reflections once; return a function that computes the irradiation of points."""
     parts = patches_of(mesh, refine)
     light = light_of(**{name: given[name] for name in _OF_THE_LIGHT})
-    afar = WeatherAfar(light, series=False)
+    distant = WeatherLight(light, series=False)
     how = RayOptions.of(0, seed=seed, workers=workers)
-    reflections = None if parts is None else reflections_of(parts, afar, count, how)
+    reflections = None if parts is None else reflections_of(parts, distant, count, how)
 
     def numbers(points: SurfacePoints, first: int) -> Irradiation:
         at = PlacedPoints.of(mesh, points)
@@ -36,15 +36,21 @@ def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | N
     return numbers
 
 
+_ON_RASTERS = (
+    "radiation from sun, sky and the ground outside the raster at the centre of each cell, summed over the hours of the "
+    "period, per m2 of a receiver; the normal of the receiver is {normal}; other cells reflect nothing"
+)
+
 RECORD = Quantity(
     name="irradiation",
     call=irradiation,
     title="irradiation",
-    value="what sun, sky, the ground beyond the mesh and reflections bring by a year's weather, and each of them",
+    value="radiation of a period from sun, sky, ground outside the mesh and reflections; also each of these parts",
     result=Irradiation,
     shared=("hours", "skipped"),
     unit="kWh/m2",
     files=WEATHER,
     prepare=_prepare,
     in_stores=False,
+    on_rasters={"surface": _ON_RASTERS, "horizontal": _ON_RASTERS},
 )

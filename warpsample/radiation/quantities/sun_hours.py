@@ -38,7 +38,7 @@ def sun_hours(
     first_point: int = 0,
     workers: int | None = None,
 ) -> SunHours:
-    """Count the hours of a period in which each point sees the sun; the sun is placed at mid-hour.
+    """Count the hours of a period during which each point sees the sun; the sun is placed at mid-hour.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
@@ -87,15 +87,21 @@ def _prepare(
     return numbers
 
 
+_ON_RASTERS = (
+    "number of hours of the period at whose middle the sun is visible: its centre is above the horizon, in front of the "
+    "receiver, and not hidden from the centre of the cell; the normal of the receiver is {normal}"
+)
+
 RECORD = Quantity(
     name="sun-hours",
     call=sun_hours,
     title="sun hours",
-    value="in how many hours of a year, or of a period, it sees the sun",
+    value="number of hours of a year, or of a period, in which the sun is visible",
     result=SunHours,
     shared=(),
     unit="h",
     files=WEATHER,
     prepare=_prepare,
     in_stores=False,
+    on_rasters={"surface": _ON_RASTERS, "horizontal": _ON_RASTERS},
 )

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 _BLOCK = 1 << 20  # rays in memory at a time
-_NOTHING, _AFAR = -1, -2  # codes instead of a patch: no light, and light outside the mesh
+_NOTHING, _DISTANT = -1, -2  # codes instead of a patch: no light, and light outside the mesh
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,12 +80,12 @@ class LobeRays:
 
 
 @dataclass(frozen=True, eq=False)
-class Met:
+class RayHits:
     """Hits of rays, ray by ray.
 
     Attributes:
         ray: (M,) int64, index of the ray, ascending.
-        column: (M,) int32, number of the patch, or _NOTHING or _AFAR.
+        column: (M,) int32, number of the patch, or _NOTHING or _DISTANT.
         share: (M,) float32, share of the light from there that arrives.
     """
 
@@ -98,36 +98,36 @@ def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | 
     """Return the shares of the lobes, as means over each `together` consecutive points."""
     mesh, csr_array = targets.patches.mesh, imported("scipy.sparse").csr_array
     reflects_and_transmits = mesh.transmits and bool((mesh.transmittance[targets.patches.face] > 0.0).any())
-    met = (_met_along if reflects_and_transmits else _met_first)(targets.patches, rays, workers)
-    column = np.where(rays.leaving(mesh.face_normals)[met.ray], met.column, _NOTHING)
+    hits = (_find_hits_along if reflects_and_transmits else _find_first_hits)(targets.patches, rays, workers)
+    column = np.where(rays.leaving(mesh.face_normals)[hits.ray], hits.column, _NOTHING)
     size = together * rays.directions.shape[1]
     first = np.arange(0, len(rays.way) + 1, size)
 
     def rows(chosen: np.ndarray, columns: np.ndarray, width: int) -> "csr_array":
-        ends = np.searchsorted(met.ray[chosen], first)
-        content = met.share[chosen] / float(size), columns, ends.astype(np.int32)
+        ends = np.searchsorted(hits.ray[chosen], first)
+        content = hits.share[chosen] / float(size), columns, ends.astype(np.int32)
         return csr_array(content, shape=(len(first) - 1, width))
 
     found = np.flatnonzero(column >= 0)
     between = rows(found, column[found], len(targets.patches))
     if targets.beyond is None:
         return Shares(between, None)
-    away = np.flatnonzero(column == _AFAR)
-    afar = rows(away, np.arange(len(away), dtype=np.int32), len(away))
-    return Shares(between, afar @ targets.beyond(rays.way[met.ray[away]]))
+    away = np.flatnonzero(column == _DISTANT)
+    distant = rows(away, np.arange(len(away), dtype=np.int32), len(away))
+    return Shares(between, distant @ targets.beyond(rays.way[hits.ray[away]]))
 
 
-def _met_first(patches: Patches, rays: LobeRays, workers: int | None) -> Met:
+def _find_first_hits(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
     """Return the first opaque hit of each ray."""
     hits = trace(patches.mesh, rays.points, rays.directions, workers=workers)
     face, distance = hits.face.ravel(), hits.distance.ravel()
-    column = patches.met(face, rays.way, distance, rays.start)
-    column[np.isinf(distance)] = _AFAR
+    column = patches.find_hit(face, rays.way, distance, rays.start)
+    column[np.isinf(distance)] = _DISTANT
     share = np.ones(len(face), np.float32) if hits.transmitted is None else hits.transmitted.ravel()
-    return Met(np.arange(len(face)), column, share)
+    return RayHits(np.arange(len(face)), column, share)
 
 
-def _met_along(patches: Patches, rays: LobeRays, workers: int | None) -> Met:
+def _find_hits_along(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
     """Return all hits of each ray until no light is left; transmitting faces attenuate the light of faces behind them."""
     hits = trace_all(patches.mesh, rays.points, rays.directions, workers=workers)
     number = np.diff(hits.first)
@@ -137,10 +137,12 @@ def _met_along(patches: Patches, rays: LobeRays, workers: int | None) -> Met:
         at = hits.first[np.flatnonzero(number > depth)] + depth
         share[at] = left[ray[at]]
         left[ray[at]] *= patches.mesh.transmittance[hits.face[at]]
-    column = patches.met(hits.face, rays.way[ray], hits.distance, lambda rows: rays.start(ray[rows]))
-    last = np.where(rays.way.any(axis=1), _AFAR, _NOTHING)
+    column = patches.find_hit(hits.face, rays.way[ray], hits.distance, lambda rows: rays.start(ray[rows]))
+    last = np.where(rays.way.any(axis=1), _DISTANT, _NOTHING)
     after = hits.first[1:]  # positions for the entries of light behind all faces of a ray
-    return Met(np.insert(ray, after, np.arange(len(number))), np.insert(column, after, last), np.insert(share, after, left))
+    return RayHits(
+        np.insert(ray, after, np.arange(len(number))), np.insert(column, after, last), np.insert(share, after, left)
+    )
 
 
 def lobes_seen(

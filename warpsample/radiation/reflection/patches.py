@@ -48,7 +48,7 @@ class Patches:
         """(N,) float64 reflectance of each patch's face."""
         return self.mesh.reflectance[self.face].astype(np.float64)
 
-    def met(
+    def find_hit(
         self, face: np.ndarray, directions: np.ndarray, distance: np.ndarray, start: Callable[[np.ndarray], np.ndarray]
     ) -> np.ndarray:
         """Return the (M,) int32 number of the patch that each of M rays hits, or -1 for no reflecting face.

@@ -61,7 +61,7 @@ class Probes:
         return values.reshape(self.beyond.shape[0], -1, columns).mean(axis=1, dtype=np.float64)
 
 
-class Afar(Protocol):
+class DistantLight(Protocol):
     """Distant light with T columns: colours, or hours.
 
     Attributes:
@@ -73,7 +73,7 @@ class Afar(Protocol):
     def targets(self, patches: Patches, workers: int) -> Targets:
         """Return the targets for rays of the patches; `workers` is the number of threads."""
 
-    def falling(self, probes: Probes, columns: slice) -> np.ndarray:
+    def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
         """Return the float64 irradiance of N patches by some columns of the light, one row per patch."""
 
 
@@ -113,14 +113,14 @@ class Reflections:
         for number, leaving in enumerate(self.leaving):
             seed = _seed("lobes", number, options.seed)
             for rows, seen in lobes_seen(Targets(self.patches), points, count, seed=seed, **drawn):
-                apart = _together(seen.patches, shape[1]) @ leaving - mean[rows]
+                apart = _merge_entries(seen.patches, shape[1]) @ leaving - mean[rows]
                 mean[rows] += apart / (number + 1)
                 squares[rows] += np.square(apart) * (number / (number + 1))
         error = np.sqrt(squares) / sqrt(REPLICATES * (REPLICATES - 1))
         return Reflected(mean, error, REPLICATES * count)
 
 
-def kept_on(mesh: Mesh, key: Hashable, find: Callable[[], Reflections]) -> Reflections:
+def cached_reflections(mesh: Mesh, key: Hashable, find: Callable[[], Reflections]) -> Reflections:
     """Return the reflections cached on a mesh if their key is `key`; else compute and cache them.
 
     For calls over many parts of the points. Threads with the same mesh wait for the first computation.
@@ -133,20 +133,20 @@ def kept_on(mesh: Mesh, key: Hashable, find: Callable[[], Reflections]) -> Refle
         return found
 
 
-def reflections_of(patches: Patches, afar: Afar, count: int, options: RayOptions) -> Reflections:
+def reflections_of(patches: Patches, distant: DistantLight, count: int, options: RayOptions) -> Reflections:
     """Compute the light that patches reflect; `count` is the number of rays per point of the call.
 
     Raises:
         ValueError: faces that reflect all light and lose none.
         MemoryError: patches and columns need more memory than is free.
     """
-    size = len(patches) * (4 * REPLICATES * afar.size + _BYTES_OF_RAY * (count // (_FEWER * REPLICATES)))
-    what = f"the light of {len(patches):,} sides or parts of faces in {afar.size:,} columns, by {count:,} rays"
+    size = len(patches) * (4 * REPLICATES * distant.size + _BYTES_OF_RAY * (count // (_FEWER * REPLICATES)))
+    what = f"the light of {len(patches):,} sides or parts of faces in {distant.size:,} columns, by {count:,} rays"
     check_memory(size, what, "pass a shorter period, a smaller count, or a larger refine=")
     runs = []
     for number in range(REPLICATES):
         own = RayOptions.of(0, seed=_seed("reflections", number, options.seed), workers=options.workers)
-        runs.append(_leaving(patches, afar, count, own))
+        runs.append(_compute_radiosity(patches, distant, count, own))
     return Reflections(patches, tuple(runs))
 
 
@@ -155,29 +155,29 @@ def _seed(purpose: str, number: int, seed: int) -> int:
     return seed_for(f"{purpose} {number}", seed)
 
 
-def _together(seen: "csr_array", columns: int) -> "csr_array":
+def _merge_entries(seen: "csr_array", columns: int) -> "csr_array":
     """Sum the entries of the same patch in each row, if this saves time for the number of columns; return the matrix."""
     if columns >= _MANY:
         seen.sum_duplicates()
     return seen
 
 
-def _leaving(patches: Patches, afar: Afar, count: int, options: RayOptions) -> np.ndarray:
+def _compute_radiosity(patches: Patches, distant: DistantLight, count: int, options: RayOptions) -> np.ndarray:
     """Compute the radiosity of each patch, (N, T) float32, in one run."""
     number = len(patches)
     if number == 0:
-        return np.zeros((0, afar.size), np.float32)
+        return np.zeros((0, distant.size), np.float32)
     places = min(-(-_FEWEST_PLACES // number), _MOST_PLACES)
     rays = -(-max(count // (_FEWER * REPLICATES), _FEWEST_RAYS // number, _LEAST_RAYS) // places)
     points, share = patches.places(places, options.seed), patches.reflectance
     how = {"seed": options.seed, "together": places, "workers": options.workers}
-    found = [seen for _, seen in lobes_seen(afar.targets(patches, options.workers), points, rays, **how)]
+    found = [seen for _, seen in lobes_seen(distant.targets(patches, options.workers), points, rays, **how)]
     stacked = imported("scipy.sparse").vstack
-    between = _together(stacked([seen.patches for seen in found], format="csr"), afar.size)
+    between = _merge_entries(stacked([seen.patches for seen in found], format="csr"), distant.size)
     beyond = stacked([seen.beyond for seen in found], format="csr")
     probes = Probes(PlacedPoints.of(patches.mesh, points), beyond, options)
-    leaving = np.empty((number, afar.size), np.float32)
-    for first in range(0, afar.size, _TOGETHER):
-        columns = slice(first, min(first + _TOGETHER, afar.size))
-        leaving[:, columns] = followed(between, share[:, None] * afar.falling(probes, columns), share)
+    leaving = np.empty((number, distant.size), np.float32)
+    for first in range(0, distant.size, _TOGETHER):
+        columns = slice(first, min(first + _TOGETHER, distant.size))
+        leaving[:, columns] = followed(between, share[:, None] * distant.irradiance_of(probes, columns), share)
     return leaving

@@ -79,7 +79,7 @@ def patch_at(table: wp.uint64, k: wp.int32) -> Patch:
 
 
 @wp.func
-def _turned(x: wp.float64, nz: wp.float64, level: wp.float64) -> wp.float64:
+def _horizon_integral(x: wp.float64, nz: wp.float64, level: wp.float64) -> wp.float64:
     """Return the antiderivative of the integral along the horizon at azimuth x, measured from the normal's.
 
     Half of: h'(x) a(x), plus the angle by which the horizon turns about the normal.
@@ -98,7 +98,7 @@ def _below_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.floa
     total = HALF * nz * patch.sin_low * patch.sin_low * wp.min(x, w_low)
     total += level * patch.along_low * wp.sin(wp.min(x, w_low))
     if x > w_low and w_high > w_low:
-        total += _turned(wp.min(x, w_high), nz, level) - _turned(w_low, nz, level)
+        total += _horizon_integral(wp.min(x, w_high), nz, level) - _horizon_integral(w_low, nz, level)
     if x > w_high:
         total += HALF * nz * patch.sin_high * patch.sin_high * (x - w_high)
         total += level * patch.along_high * (wp.sin(x) - wp.sin(w_high))

@@ -26,7 +26,7 @@ from warpsample.host.picture import read_picture
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.lobes_seen import Targets
 from warpsample.radiation.reflection.patches import Patches, patches_of
-from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, kept_on, reflections_of
+from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, cached_reflections, reflections_of
 from warpsample.tracing.placed_points import PlacedPoints
 
 if TYPE_CHECKING:
@@ -108,16 +108,16 @@ def irradiance(
     if isinstance(radiance, wp.Function):
         with naming_function("radiance"):
             integrand = integrand_of(radiance, argument="radiance", device=plan.options.memory.device)
-            light = _Shining(RaySum(integrand, unit=pi, result=Irradiance), integrand.channels)
+            light = _RadianceLight(RaySum(integrand, unit=pi, result=Irradiance), integrand.channels)
             found = light.at(plan)
     else:
-        light = _shining_picture(_picture(radiance), axis)
+        light = _picture_light(_picture(radiance), axis)
         found = light.at(plan)
     return found if patches is None else _with_reflected(found, _reflected(patches, light, plan))
 
 
 @dataclass(frozen=True, eq=False)
-class _Shining:
+class _RadianceLight:
     """Distant light whose radiance is a function of the direction.
 
     Attributes:
@@ -150,20 +150,20 @@ class _Shining:
 
         return Targets(patches, beyond)
 
-    def falling(self, probes: Probes, columns: slice) -> np.ndarray:
+    def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
         """Return the irradiance of patches by this light, from rays of the patches."""
         return pi * probes.beyond.toarray()[:, columns]
 
 
-def _shining_picture(picture: np.ndarray, up: tuple[float, ...]) -> _Shining:
+def _picture_light(picture: np.ndarray, up: tuple[float, ...]) -> _RadianceLight:
     """Return the distant light of a picture, (H, W) or (H, W, 3); `up` is the direction of row 0."""
     pixels = picture if picture.ndim == 3 else picture[..., None]
     pixels = np.ascontiguousarray(np.broadcast_to(pixels, (*picture.shape[:2], 3)))
     known_by = f"{sha256(pixels.tobytes()).hexdigest()} {pixels.shape} {up}"
-    return _Shining(RaySum(seen_in(pixels, up), unit=pi, result=Irradiance), picture[0, 0].size, known_by)
+    return _RadianceLight(RaySum(seen_in(pixels, up), unit=pi, result=Irradiance), picture[0, 0].size, known_by)
 
 
-def _reflected(patches: Patches, light: _Shining, plan: Plan) -> Reflected:
+def _reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> Reflected:
     """Return the light that the points of a plan receive from patches.
 
     The radiosity of the patches is cached on the mesh.
@@ -172,7 +172,7 @@ def _reflected(patches: Patches, light: _Shining, plan: Plan) -> Reflected:
         return Reflected(*np.zeros((2, 0, light.size)), 0)
     light_of = light.known_by or light.summed.integrand.function
     key = light_of, light.size, patches.cuts.tobytes(), plan.count, plan.options.seed
-    found = kept_on(patches.mesh, key, lambda: reflections_of(patches, light, plan.count, plan.options))
+    found = cached_reflections(patches.mesh, key, lambda: reflections_of(patches, light, plan.count, plan.options))
     return found.at(plan.at.points, plan.count, plan.options)
 
 

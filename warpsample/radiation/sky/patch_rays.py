@@ -6,7 +6,7 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import float_at
 from warpsample.maths.numerics import ONE, TWO, ZERO, greater, lesser
 from warpsample.radiation.sky.form_factors import FAINT, Patch, highest
-from warpsample.radiation.sky.spreading import LEAST, Slope, column_at, cube_root, slope_of, turned_by, weight_of
+from warpsample.radiation.sky.spreading import LEAST, Slope, azimuth_at, column_at, cube_root, slope_of, weight_of
 from warpsample.sequences.fibonacci import fibonacci_sample
 from warpsample.sequences.hashing import ONE_WORD, select_key, stream_key
 from warpsample.tracing.placement import Placement
@@ -61,7 +61,7 @@ SkyRowsArgs = type(SkyRows().__ctype__())
 
 
 @wp.func
-def _spread(
+def _write_directions(
     sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, per_replicate: wp.int32, at: wp.int32, length: wp.int32
 ):
     """Write directions and weights of `length` rays of a patch, from the at-th ray on.
@@ -92,7 +92,7 @@ def _spread(
         height = cube_root(cubes + more * u[0] + _LEAST_CUBE)
         share = wp.where(even, u[0], lesser(greater((height - slope.start) * inverse, 0.0), 1.0))
         root = slope.start + steeper * share
-        cs = turned_by(slope, share)
+        cs = azimuth_at(slope, share)
         column = column_at(slope, cs)
         a = column[2]
         b = column[3]
@@ -114,7 +114,7 @@ def _spread(
 
 
 @wp.func
-def _weighing_anything(point: ShadingPoint, length: wp.int32) -> wp.uint64:
+def _rays_with_weight(point: ShadingPoint, length: wp.int32) -> wp.uint64:
     """Return the set of a chunk's rays with a weight above 0."""
     rays = NO_RAYS
     for i in range(length):
@@ -160,10 +160,10 @@ def patch_sum(glass: bool) -> wp.Function:
         slope = slope_of(n, patch)
         for at in range(0, 2 * per_replicate, CHUNK):
             length = wp.min(CHUNK, 2 * per_replicate - at)
-            _spread(sky, point, slope, k, per_replicate, at, whole_vectors(length))
+            _write_directions(sky, point, slope, k, per_replicate, at, whole_vectors(length))
             move_rays_near(point, length)
             _prepare(tree, point, local, length)
-            rays = _weighing_anything(point, length)
+            rays = _rays_with_weight(point, length)
             blocked = _blocked(tree, point, local, rays, length)
             cast += set_size(rays)
             for i in range(length):

@@ -30,7 +30,7 @@ class PreparedSky:
 
 
 @lru_cache(maxsize=8)
-def prepared(sky: SkyPatches) -> PreparedSky:
+def prepare_sky(sky: SkyPatches) -> PreparedSky:
     """Return the kernel's arrays of a sky.
 
     The arrays are cached by the object `sky`; `sky_patches` returns the same object for equal arguments.

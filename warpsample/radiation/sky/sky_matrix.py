@@ -17,7 +17,7 @@ from warpsample.radiation.sky.folding import fold_rows
 from warpsample.radiation.sky.kernel import sky_kernel
 from warpsample.radiation.sky.patch_rays import SkyRowsArgs
 from warpsample.radiation.sky.patches import SkyPatches, sky_patches
-from warpsample.radiation.sky.prepared import prepared
+from warpsample.radiation.sky.prepared import prepare_sky
 from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.placed_points import PlacedPoints
@@ -158,7 +158,7 @@ class _Rows:
         )
 
     def _order(self) -> np.ndarray | None:
-        """Return the order in which points are processed, (P,) int64; None for the order of the rows."""
+        """Return the order of processing, (P,) int64 numbers of points; None for the order of the rows."""
         if not len(self.status):
             return None
         return self.plan.at.order(self.placement, self.plan.count, self.plan.options.workers)
@@ -169,7 +169,7 @@ class _Rows:
         if not points:
             return
         self.placement.order = 0 if order is None else order.ctypes.data
-        sky = prepared(self.sky)
+        sky = prepare_sky(self.sky)
         own = {"normals": plan.at.normal, "value": value, "error": error, "tally": self.tally, "status": self.status}
         rows = SkyRowsArgs(
             placement=self.placement,

@@ -22,7 +22,7 @@ _UPRIGHT = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def _azimuths(n: wp.vec3d, patch: Patch):
-    """Return (first, width), in turns, of the azimuths at which part of a patch is above the horizon.
+    """Return (first, width), as fractions of 2 pi, of the azimuths at which part of a patch is above the horizon.
 
     If these azimuths form two intervals, return the whole width of the patch.
     """
@@ -46,7 +46,7 @@ class Slope:
     """Parameters for sampling a patch: the normal in the patches' frame, the edges, and the columns' weights.
 
     top, bottom: drops of the upper and lower edge; near the zenith a drop keeps digits that the height loses. first, width:
-    azimuths, in turns. start, end: square roots of the weights of the first and last column, relative to the greater.
+    azimuths over 2 pi. start, end: square roots of the weights of the first and last column, relative to the greater.
     """
 
     nx: wp.float32
@@ -61,7 +61,7 @@ class Slope:
 
 
 @wp.func
-def turned_by(slope: Slope, share: wp.float32) -> wp.vec2:
+def azimuth_at(slope: Slope, share: wp.float32) -> wp.vec2:
     """Return (cosine, sine) of the azimuth at a fraction of the patch's width."""
     turn = slope.first + slope.width * share
     return sincos_turns(wp.where(turn < 1.0, turn, turn - 1.0))
@@ -106,9 +106,9 @@ def slope_of(n: wp.vec3d, patch: Patch) -> Slope:
     first, width = _azimuths(n, patch)
     slope.first = first
     slope.width = width
-    start = wp.sqrt(weight_of(column_at(slope, turned_by(slope, 0.0))))
-    end = wp.sqrt(weight_of(column_at(slope, turned_by(slope, 1.0))))
-    middle = wp.sqrt(weight_of(column_at(slope, turned_by(slope, 0.5))))
+    start = wp.sqrt(weight_of(column_at(slope, azimuth_at(slope, 0.0))))
+    end = wp.sqrt(weight_of(column_at(slope, azimuth_at(slope, 1.0))))
+    middle = wp.sqrt(weight_of(column_at(slope, azimuth_at(slope, 0.5))))
     most = wp.max(start, end)
     # Uniform columns if the two weights agree, or if the middle is not on the line between them.
     alike = wp.abs(end - start) <= _ALIKE * most

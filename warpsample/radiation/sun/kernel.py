@@ -8,14 +8,14 @@ import warp as wp
 from warpsample.host.locks import once
 from warpsample.maths.memory import set_byte, set_float, set_int
 from warpsample.maths.numerics import ONE, ZERO
-from warpsample.radiation.sun.proofs import DARK, LIT, MET, darkened, opened, prover
+from warpsample.radiation.sun.proofs import DARK, LIT, UNKNOWN, is_darkened, open_tree, prover
 from warpsample.radiation.sun.rays import (
     DISC_RAYS,
     GROUP_BYTES,
     LEAST_COSINE,
     aim_at_disc,
     aim_at_group,
-    blocked,
+    is_blocked,
     sun_number,
     sun_of,
 )
@@ -62,24 +62,24 @@ def _keeper(shares: bool) -> wp.Function:
 
 
 @once
-def _left_of(glass: bool) -> wp.Function:
+def _build_transmission(glass: bool) -> wp.Function:
     """Build the Warp function that returns the transmitted share of an unblocked ray."""
 
     @wp.func
-    def left(suns: Suns, view: View, k: wp.int32) -> wp.float32:
+    def transmitted(suns: Suns, view: View, k: wp.int32) -> wp.float32:
         """Return the share of light that transmitting faces leave of the k-th prepared ray; 1 if `glass` is false."""
         share = wp.float32(1.0)
         if wp.static(glass):
             share = glass_transmittance(suns.glass, view.point, k)
         return share
 
-    return left
+    return transmitted
 
 
 @once
 def _points_looker(glass: bool) -> wp.Function:
     """Build the Warp function that tests the suns of a group as points, without discs."""
-    keep, left = _keeper(glass), _left_of(glass)
+    keep, transmitted = _keeper(glass), _build_transmission(glass)
 
     @wp.func
     def look_at_points(
@@ -100,10 +100,10 @@ def _points_looker(glass: bool) -> wp.Function:
                         aim_at_group(suns, seen, view, group)
                         aimed = 1
                     cast = word(view, CAST)
-                    if not blocked(suns, whole, seen, view, k, cosine):
-                        keep(suns, view, column, left(suns, view, k), cosine)
+                    if not is_blocked(suns, whole, seen, view, k, cosine):
+                        keep(suns, view, column, transmitted(suns, view, k), cosine)
                     elif shaft != wp.uint64(0) and cast != word(view, CAST):  # blocked by a new triangle
-                        state = wp.where(darkened(view, shaft), DARK, state)
+                        state = wp.where(is_darkened(view, shaft), DARK, state)
             k += 1
 
     return look_at_points
@@ -112,7 +112,7 @@ def _points_looker(glass: bool) -> wp.Function:
 @once
 def _disc_share(glass: bool) -> wp.Function:
     """Build the Warp function that casts rays to a sun's disc and returns the lit share."""
-    left = _left_of(glass)
+    transmitted = _build_transmission(glass)
 
     @wp.func
     def share_of(
@@ -131,10 +131,10 @@ def _disc_share(glass: bool) -> wp.Function:
             if cosine <= ZERO:
                 dark += 1
             elif state != LIT or cosine < LEAST_COSINE:
-                if blocked(suns, whole, seen, view, k, cosine):
+                if is_blocked(suns, whole, seen, view, k, cosine):
                     dark += 1
                 elif wp.static(glass):
-                    lost += 1.0 - left(suns, view, k)
+                    lost += 1.0 - transmitted(suns, view, k)
             k += 1
         return (wp.float32(DISC_RAYS - dark) - lost) / wp.float32(DISC_RAYS)
 
@@ -158,7 +158,7 @@ def _discs_looker(glass: bool) -> wp.Function:
             if cosine > ZERO:
                 column = sun_number(suns, group, k)
                 own = state
-                if state == MET and view.skips and shaft != wp.uint64(0):
+                if state == UNKNOWN and view.skips and shaft != wp.uint64(0):
                     own = proven(suns, seen, view, suns.disc_shafts + wp.uint64(group * GROUP + k) * GROUP_BYTES)
                 if own == LIT and cosine > suns.sine + _WHOLE:
                     add(view, PROVEN, 1)
@@ -178,19 +178,19 @@ def _looker(disc: bool, glass: bool) -> wp.Function:
     @wp.func
     def look_all(suns: Suns, accelerator: Accelerator, view: View):
         """Traverse the tree of suns; skip the nodes below a node that is proven lit or dark."""
-        view, seen = opened(suns, accelerator, view)
+        view, seen = open_tree(suns, accelerator, view)
         node = wp.int32(0)
         while node < suns.nodes:
             span = wp.array(ptr=suns.spans + wp.uint64(node) * wp.uint64(16), shape=(4,), dtype=wp.int32)
-            state = wp.int32(MET)
+            state = wp.int32(UNKNOWN)
             shaft = wp.uint64(0)
             if view.skips and span[3] != 0:
                 shaft = suns.shafts + wp.uint64(node) * GROUP_BYTES
                 state = proven(suns, seen, view, shaft)
-            if state == LIT or (state == MET and span[1] == span[0] + 1):
+            if state == LIT or (state == UNKNOWN and span[1] == span[0] + 1):
                 for group in range(span[0], span[1]):
                     look(suns, accelerator, seen, view, group, shaft, state)
-            node = wp.where(state == MET, node + 1, span[2])
+            node = wp.where(state == UNKNOWN, node + 1, span[2])
 
     return look_all
 

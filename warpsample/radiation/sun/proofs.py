@@ -12,10 +12,10 @@ from warpsample.tracing.sight.frontier import open_around
 from warpsample.tracing.sight.search import EMPTY, search_shaft
 from warpsample.tracing.sight.shafts import CORNERS, aim_at, corner_of, triangles_in
 
-MET: wp.int32 = wp.constant(wp.int32(0))
+UNKNOWN: wp.int32 = wp.constant(wp.int32(0))
 LIT: wp.int32 = wp.constant(wp.int32(1))
 DARK: wp.int32 = wp.constant(wp.int32(2))
-"""States of a shaft. MET: undecided. LIT: no ray hits anything. DARK: each ray is blocked or below the horizon."""
+"""States of a shaft. UNKNOWN: undecided. LIT: no ray hits anything. DARK: each ray is blocked or below the horizon."""
 
 _AVERTED = wp.constant(wp.float32(-(2.0**-18)))
 
@@ -25,7 +25,7 @@ COVER_MARGIN: wp.float32 = wp.constant(wp.float32(2.0**-19))
 
 
 @wp.func
-def opened(suns: Suns, tree: Accelerator, view: View):
+def open_tree(suns: Suns, tree: Accelerator, view: View):
     """Return the point and the tree as its rays see it.
 
     If rays may be skipped, the tree is opened around the point.
@@ -47,7 +47,7 @@ def highest(vectors: wp.uint64, n: wp.vec3) -> wp.float32:
 
 
 @wp.func
-def darkened(view: View, vectors: wp.uint64) -> wp.bool:
+def is_darkened(view: View, vectors: wp.uint64) -> wp.bool:
     """Return whether one of the point's remembered triangles blocks all rays of a shaft."""
     known = known_triangles(view)
     if known == 0:
@@ -58,7 +58,7 @@ def darkened(view: View, vectors: wp.uint64) -> wp.bool:
 
 
 @wp.func
-def _met(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
+def _may_be_hit(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
     """Return whether a ray of a shaft may hit something."""
     if seen.starts == 0 and view.local == 0:
         return False
@@ -71,22 +71,22 @@ def _met(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
 
 @once
 def prover(glass: bool) -> wp.Function:
-    """Build the Warp function that classifies a shaft as MET, LIT or DARK; `glass` is for meshes with transmitting faces."""
+    """Build the Warp function that classifies a shaft as UNKNOWN, LIT or DARK; `glass` is for translucent faces."""
 
     @wp.func
-    def proven(suns: Suns, seen: Accelerator, view: View, vectors: wp.uint64) -> wp.int32:
-        """Return the state of a shaft: MET, LIT or DARK.
+    def classify_shaft(suns: Suns, seen: Accelerator, view: View, vectors: wp.uint64) -> wp.int32:
+        """Return the state of a shaft: UNKNOWN, LIT or DARK.
 
         Rays of a LIT shaft with a cosine below `LEAST_COSINE` must be traced all the same.
         """
         if highest(vectors, view.point.n) < _AVERTED:
             return DARK
-        if darkened(view, vectors):
+        if is_darkened(view, vectors):
             return DARK
-        state = wp.where(_met(seen, view, vectors), MET, LIT)
+        state = wp.where(_may_be_hit(seen, view, vectors), UNKNOWN, LIT)
         if wp.static(glass) and state == LIT:
             aim_at(vectors, view.point)
-            state = wp.where(search_shaft(suns.glass.tree, view.point, 0).state == EMPTY, LIT, MET)
+            state = wp.where(search_shaft(suns.glass.tree, view.point, 0).state == EMPTY, LIT, UNKNOWN)
         return state
 
-    return proven
+    return classify_shaft

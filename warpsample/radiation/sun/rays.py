@@ -85,7 +85,7 @@ def _remember(suns: Suns, view: View, face: wp.int32):
 
 
 @wp.func
-def blocked(suns: Suns, whole: Accelerator, seen: Accelerator, view: View, k: wp.int32, cosine: wp.float64) -> wp.bool:
+def is_blocked(suns: Suns, whole: Accelerator, seen: Accelerator, view: View, k: wp.int32, cosine: wp.float64) -> wp.bool:
     """Return whether the k-th prepared ray hits anything; `cosine` is between the ray and the normal.
 
     The point's remembered triangles are tested first.

@@ -45,7 +45,7 @@ class SunTree:
 
         Trees of the last four sets of suns are cached, because calls for further points mostly have the same suns.
         """
-        return _kept(directions.tobytes(), disc) if len(directions) <= _MOST_KEPT else cls.built(directions, disc)
+        return _cached_tree(directions.tobytes(), disc) if len(directions) <= _MOST_KEPT else cls.built(directions, disc)
 
     @classmethod
     def built(cls, directions: np.ndarray, disc: float) -> "SunTree":
@@ -76,7 +76,7 @@ class SunTree:
 
 
 @lru_cache(maxsize=4)
-def _kept(directions: bytes, disc: float) -> SunTree:
+def _cached_tree(directions: bytes, disc: float) -> SunTree:
     """Return the cached tree for the bytes of (T, 3) float32 directions, or build the tree."""
     return SunTree.built(np.frombuffer(directions, np.float32).reshape(-1, 3), disc)
 

@@ -21,7 +21,7 @@ YEAR = [(month, day, hour) for month in range(1, 13) for day in range(1, _DAYS[m
 """(month, day, hour 1 to 24) of the 8,760 rows of a file."""
 
 
-def checked_text(path: Path) -> str:
+def check_text(path: Path) -> str:
     """Return the text of an EPW file with the fields that are read: place, dates, hours and radiation.
 
     Rows have 35 fields; unused fields are empty, because pvlib fails on many contents. It shifts the columns of longer rows,

@@ -18,7 +18,7 @@ from warpsample.radiation.reflection.patches import patches_of
 from warpsample.radiation.reflection.reflections import Reflected, Reflections, reflections_of
 from warpsample.radiation.sky.result import SkySkipped
 from warpsample.radiation.sky.sky_matrix import sky_seen
-from warpsample.radiation.weather.afar import WeatherAfar, direct_light, summed
+from warpsample.radiation.weather.distant import WeatherLight, direct_light, sum_hours
 from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.placed_points import PlacedPoints
@@ -134,8 +134,8 @@ def irradiation(
     series = check_flag(series, "series")
     parts = patches_of(at.mesh, refine)
     light = light_of(weather, period=period, ground_albedo=ground_albedo, patches=patches, up=up, north=north)
-    afar = WeatherAfar(light, series)
-    reflections = None if parts is None else reflections_of(parts, afar, plan.count, plan.options)
+    distant = WeatherLight(light, series)
+    reflections = None if parts is None else reflections_of(parts, distant, plan.count, plan.options)
     return received(plan, light, series, reflections)
 
 
@@ -145,10 +145,10 @@ def received(plan: Plan, light: Light, series: bool, reflections: Reflections | 
     if series:
         size = _BYTES * len(plan.at) * hours
         check_memory(size, f"{hours:,} hours of {len(plan.at):,} points", "pass fewer points, or a shorter period")
-    sky = sky_seen(plan, light.sky, light.radiance if series else summed(light.radiance))
+    sky = sky_seen(plan, light.sky, light.radiance if series else sum_hours(light.radiance))
     options = replace(plan.options, seed=seed_for("ground", plan.options.seed))
     ground = sky_seen(replace(plan, options=options), light.below, np.ones(len(light.below)))
-    bright = light.ground if series else summed(light.ground)
+    bright = light.ground if series else sum_hours(light.ground)
     found = {
         "direct": (direct_light(plan.at, plan.options, light, series), light.sun_rows),
         "diffuse": (np.pi * sky.value, light.sky_rows),

@@ -17,7 +17,7 @@ from warpsample.host.extras import missing
 from warpsample.host.known import digest_of
 from warpsample.host.locks import imported
 from warpsample.host.summary import Summary
-from warpsample.radiation.weather.epw import YEAR, checked_text, radiation
+from warpsample.radiation.weather.epw import YEAR, check_text, radiation
 
 _NIGHT = -10.0  # degrees: if the sun is lower at mid-hour, it is below the horizon for the whole hour
 _PERIOD = re.compile(r"(\d\d)-(\d\d)(?:T(\d\d))?")
@@ -78,7 +78,7 @@ def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
     path = check_file(weather, "weather", "an EPW weather file")
     pvlib = _pvlib()
     with naming_file("weather", path, "an EPW weather file"):
-        return _year(pvlib, checked_text(path)).chosen(chosen)
+        return _year(pvlib, check_text(path)).chosen(chosen)
 
 
 @lru_cache(maxsize=2)
@@ -141,7 +141,7 @@ def hours_of(period: Any) -> np.ndarray:
 
 
 def _hour(match: re.Match[str], default: int) -> int:
-    """Return the number of hours of the year before a matched time; raise a ValueError if there is no such day or hour."""
+    """Return the number of hours of the year before a matched time; raise a ValueError for an invalid day or hour."""
     month, day = int(match[1]), int(match[2])
     hour = default if match[3] is None else int(match[3])
     if hour > 24:

@@ -22,7 +22,7 @@ _SUNS = 512  # from twice this number on, the sample positions of a replicate te
 
 
 @dataclass(frozen=True, eq=False)
-class WeatherAfar:
+class WeatherLight:
     """Distant light of a period: one column with the sum in kWh/m², or a column in W/m² for each hour with light.
 
     Attributes:
@@ -49,11 +49,11 @@ class WeatherAfar:
 
         return Targets(patches, beyond)
 
-    def falling(self, probes: Probes, columns: slice) -> np.ndarray:
+    def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
         """Return the irradiance of patches: sky and ground from the patches' rays, the sun at their sample positions."""
         light = self.light
         if not self.series:
-            bright = summed(np.concatenate([np.pi * light.radiance, light.ground[None]]))
+            bright = sum_hours(np.concatenate([np.pi * light.radiance, light.ground[None]]))
             direct = direct_light(probes.at, probes.options, _fewer_suns(light, probes.options.seed), False)
             return (probes.beyond @ bright)[:, None] + probes.means(direct, 1)
         light = light.only(columns)
@@ -77,7 +77,7 @@ def _fewer_suns(light: Light, seed: int) -> Light:
     return replace(light, sun=light.sun[drawn], direct=sizes * light.direct[drawn])
 
 
-def summed(hourly: np.ndarray) -> np.ndarray:
+def sum_hours(hourly: np.ndarray) -> np.ndarray:
     """Return the sum over hours, the last axis, of W/m² as kWh/m²."""
     return hourly.sum(axis=-1) / 1000.0
 

@@ -1,4 +1,4 @@
-"""Pictures of meshes that a scene has in several places: one for places with the same numbers."""
+"""Pictures of meshes that a scene has in several places: one picture for places with equal values."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.output.texture_images import Filled
+from warpsample.output.textures.images import Filled
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.jobs import TextureJob
 from warpsample.texture.notes import join_names
@@ -96,14 +96,14 @@ def _differ(known: Filled, other: Filled) -> bool:
 
 
 def _sums(filled: Filled) -> tuple[np.ndarray, np.ndarray]:
-    """Return the (2, H, W, C) values and errors of the texels that a place covers, 0 elsewhere; and these, (H, W, 1)."""
+    """Return (2, H, W, C) values and errors, 0 outside the texels that a place covers, and (H, W, 1) the covered texels."""
     covered = filled.job.points.covered[..., None]
     both = np.stack([filled.value, filled.error]).astype(np.float64)
     return np.where(covered, both.reshape(2, *covered.shape[:2], -1), 0.0), covered.astype(np.int64)
 
 
 def place_pictures(file: GlbFile, pictures: list[list[Picture]]) -> list[list[list[Primitive]]]:
-    """Give places their own copies of meshes in a .glb where they show other pictures than the first place.
+    """Copy meshes in a .glb for places whose pictures differ from the picture of the first place.
 
     Args:
         file: to be edited.
@@ -128,7 +128,7 @@ def place_pictures(file: GlbFile, pictures: list[list[Picture]]) -> list[list[li
 
 
 def _mesh_for(file: GlbFile, one: Primitive, shown: dict[int, int], known: dict[Any, int]) -> int:
-    """Return the mesh of a node whose primitives show these pictures: the first ones, or a copy is made and placed."""
+    """Return the number of the mesh that shows some pictures at a node; copy and place the mesh if needed."""
     key = one.mesh, tuple(sorted(shown.items()))
     if key not in known:
         known[key] = file.copy_mesh(one.mesh) if any(shown.values()) else one.mesh

@@ -20,7 +20,7 @@ PADDING = 4
 
 _MOST_SIDE = 1 << 14
 _DIAGONAL = 1000.0  # diagonal of the scaled mesh for xatlas, which drops faces with an area below 1e-7
-_PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh import charting; charting.main({size}, {padding})"
+_PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.texture.uv import charting; charting.main({size}, {padding})"
 
 
 def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.ndarray]:

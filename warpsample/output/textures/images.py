@@ -1,4 +1,4 @@
-"""The images of numbers at the texels of a mesh, or of what is beneath them of a finer one."""
+"""Images of a quantity at the texels of a mesh, or at the points of a finer mesh beneath the texels."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -12,9 +12,10 @@ from warpsample.estimate.quantities.thickness import Thickness
 from warpsample.estimate.result import ExactResult
 from warpsample.host.engine import check_workers
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.output.bake import numbers_by_parts
+from warpsample.output.bake import compute_parts, part_size
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import quantity_of
+from warpsample.output.run_record import RunRecord
 from warpsample.texture.high import HighMesh
 from warpsample.texture.inside import Closed, Enclosed
 from warpsample.texture.jobs import SCENES, TextureJob
@@ -25,19 +26,19 @@ from warpsample.texture.tangents import Frames
 
 @dataclass(frozen=True, eq=False)
 class Filled:
-    """The images of a job, and what was done for it.
+    """Images of a job, and counts of filled points.
 
     Attributes:
-        job: whose they are.
-        value: (H, W) or (H, W, C) float32.
-        error: its standard errors.
-        mean: of the numbers at the points.
-        inside: number of points inside closed bodies that are filled.
-        enclosed: number of points inside closed bodies that keep their numbers.
-        missed: how many met nothing of a finer mesh.
-        lost: how many had no number for another reason.
-        rays: how many were cast for the numbers.
-        inside_rays: how many were cast to find points inside closed bodies.
+        job: Texture that the images belong to.
+        value: (H, W) or (H, W, C) float32 values.
+        error: Standard errors of the same shape.
+        mean: Mean of the values at the points.
+        inside: Number of points inside closed bodies that are filled.
+        enclosed: Number of points inside closed bodies that keep their values.
+        missed: Number of points without a hit on a finer mesh.
+        lost: Number of points without a value for another reason.
+        rays: Number of rays for the values.
+        inside_rays: Number of rays to find points inside closed bodies.
     """
 
     job: TextureJob
@@ -52,27 +53,30 @@ class Filled:
     inside_rays: int
 
 
-def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, high: HighMesh | None) -> Filled:
-    """The images of one job, computed by parts of its points, of which nothing but their numbers is kept."""
+def fill_texture(
+    job: TextureJob, *, run: BakeRun, how: TextureOptions, closed: Closed, high: HighMesh | None, record: RunRecord
+) -> Filled:
+    """Compute the images of one job, part by part; only the values of a part are kept."""
     quantity, points, options = quantity_of(run.quantity), job.points, dict(run.options)
     if how.samples > 1 and quantity.takes("samples"):
         options["samples"] = max(2, (options.get("samples") or quantity.default("samples")) // how.samples)
     numbers = quantity.numbers(points.mesh if high is None else high.mesh, len(points), options)
     workers = check_workers(options.get("workers"))
     missed, bodies = np.zeros(len(points), np.bool_), Enclosed(closed, points)
-    looks, told = how.inside == "fill" and quantity.result is not ExactResult, _teller(job, run, quantity)
+    looks, convert = how.inside == "fill" and quantity.result is not ExactResult, _converter(job, run, quantity)
 
     def of_part(part: SurfacePoints, first: int) -> Any:
+        """Compute the values of some texels."""
         rows, places = slice(first, first + len(part)), part
         if high is not None:
             places, missed[rows] = high.project(part, points.mesh, workers)
         if looks:
             bodies.add(first, part, places, workers)
         found = numbers(places, 0)  # the points have ids
-        return replace(found, value=told(found.value, points.face[rows], part.barycentric))
+        return replace(found, value=convert(found.value, points.face[rows], part.barycentric))
 
     kept, rays, bad = [], 0, 0
-    for part in numbers_by_parts(points, replace(run, options=options), quantity, of_part):
+    for part in compute_parts(points, of_part, part_size(quantity, options), record):
         kept.append((np.where(part.status == 0, part.value.T, np.nan).T, part.standard_error))
         rays, bad = rays + int(part.rays.sum(dtype=np.int64)), bad + int(np.count_nonzero(part.status))
     value, error = (np.concatenate(arrays) for arrays in zip(*kept, strict=True))
@@ -86,7 +90,7 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
 
 
 def _images(job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray) -> tuple[Any, Any, float]:
-    """Return the images of values at points and of their errors, and the mean; NaN is a point without a number."""
+    """Return the images of values and standard errors at points, and the mean; NaN marks points without a value."""
     error[np.isnan(value)] = np.nan
     known = np.isfinite(value)
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
@@ -95,8 +99,10 @@ def _images(job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.n
     return image, errors, mean
 
 
-def _teller(job: TextureJob, run: BakeRun, quantity: Quantity) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
-    """What turns values (P,) or (P, 3), on faces by weights of their corners, into what a picture of them tells."""
+def _converter(
+    job: TextureJob, run: BakeRun, quantity: Quantity
+) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
+    """Return the function that converts (values, faces, weights of corners) to the values of the picture."""
     if slot_for_quantity(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
         return Frames.of(run.mesh, job.points.mesh, job.points.corners, job.rows).to_components
     if quantity.result is Thickness and job.group:

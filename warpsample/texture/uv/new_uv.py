@@ -9,7 +9,7 @@ from warpsample.host.json_tree import Part
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.primitives import Primitive
-from warpsample.texture.unwrapping import PADDING, MeshCharts, unwrap_meshes
+from warpsample.texture.uv.unwrapping import PADDING, MeshCharts, unwrap_meshes
 
 
 def charts_for(group: list[Primitive], mesh: Mesh, size: int) -> list[MeshCharts]:

@@ -1,0 +1,105 @@
+"""`warpsample info`: tables that describe a mesh, a CityJSON file or a raster of heights."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from warpsample.city.cityjson.city import load_city
+from warpsample.host.extras import missing
+from warpsample.host.locks import imported
+from warpsample.mesh.files import load_mesh
+from warpsample.mesh.mesh import Mesh
+from warpsample.output.bake_table import CITY, RASTER, kind_of
+from warpsample.output.by_parts import list_parts
+
+Row = tuple[str, str, str]
+"""Name, value and remark."""
+
+_MOST_PARTS = 20
+
+
+def describe_source(path: Path) -> list[Row]:
+    """Return the rows of the table of a mesh, a CityJSON file or a raster.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: a file that cannot be read.
+        ModuleNotFoundError: a package for rasters is not installed; the message names the extra.
+    """
+    kind = kind_of(path, path, None)
+    if kind == RASTER:
+        return list(_describe_raster(path))
+    if kind == CITY:
+        return list(_describe_city(path))
+    mesh = load_mesh(path)
+    rows = list(_describe_mesh(mesh))
+    if path.suffix.lower() == ".stl":
+        corners = 3 * len(mesh.faces) - len(mesh.vertices)
+        rows.insert(1, ("merged corners", f"{corners:,}", "an .stl repeats them"))
+    return [*rows, *_describe_parts(mesh)]
+
+
+def _describe_mesh(mesh: Mesh, unit: str = "square units") -> Iterator[Row]:
+    """Yield the counts, the area, the extent and the defects of a mesh."""
+    report = mesh.report
+    yield "vertices", f"{report.vertices:,}", ""
+    yield "faces", f"{report.faces:,}", "triangles"
+    yield "area", f"{report.area:.6g}", unit
+    for axis, low, high in zip("xyz", report.lower, report.upper, strict=True):
+        yield f"{axis} from, to", f"{low:.6g}, {high:.6g}", ""
+    yield "degenerate faces", f"{report.degenerate_faces:,}", "no area, no points on them"
+    yield "duplicate faces", f"{report.duplicate_faces:,}", "same vertices as another face"
+    yield "unused vertices", f"{report.unreferenced_vertices:,}", "in no face"
+    yield "boundary edges", f"{report.boundary_edges:,}", "one face only"
+    yield "non-manifold edges", f"{report.nonmanifold_edges:,}", "more than two faces"
+    yield "inconsistent edges", f"{report.inconsistent_edges:,}", "faces with opposite orientation"
+
+
+def _describe_parts(mesh: Mesh) -> Iterator[Row]:
+    """Yield the named parts of a mesh, with the number of faces and the area of each."""
+    if mesh.part is None:
+        return
+    parts = list_parts(mesh)
+    yield "named parts", f"{len(mesh.parts):,}", "bake --by part gives a mean for each"
+    rows = zip(parts["part"].tolist(), parts["faces"].tolist(), parts["area"].tolist(), strict=True)
+    for name, faces, area in list(rows)[:_MOST_PARTS]:
+        yield f"part {name}", f"{faces:,}", f"faces, {area:.6g} square units"
+    if len(mesh.parts) > _MOST_PARTS:
+        yield "further parts", f"{len(mesh.parts) - _MOST_PARTS:,}", "not listed"
+
+
+def _describe_city(path: Path) -> Iterator[Row]:
+    """Yield the surfaces of a CityJSON file by type, and the size of the mesh in metres."""
+    city = load_city(path)
+    columns = city.surfaces.columns
+    kinds, area = columns["type"].astype(str), columns["area"]
+    yield "surfaces", f"{len(kinds):,}", "at the highest level of detail of each object"
+    for kind in np.unique(kinds):
+        yield f"type {kind}", f"{np.count_nonzero(kinds == kind):,}", f"surfaces, {area[kinds == kind].sum():.6g} m2"
+    yield from _describe_mesh(city.mesh, "m2")
+
+
+def _describe_raster(path: Path) -> Iterator[Row]:
+    """Yield the cells, the reference system and the heights of a raster."""
+    try:
+        reader = imported("warpsample.city.rasters.reading").reader_of(path)
+    except ModuleNotFoundError as error:
+        raise missing(f"a raster needs {error.name}", error.name, "city") from error
+    rows, columns = reader.shape
+    corners = [reader.transform * corner for corner in ((0, rows), (columns, 0))]
+    yield "cells", f"{rows:,} x {columns:,}", "rows and columns"
+    yield "cell size", f"{abs(reader.transform.a):.6g} x {abs(reader.transform.e):.6g}", "map units"
+    for axis, low, high in zip("xy", *corners, strict=True):
+        yield f"{axis} from, to", f"{min(low, high):.10g}, {max(low, high):.10g}", "map units"
+    yield "reference system", "none" if reader.crs is None else reader.crs.name, ""
+    valid, low, high = 0, np.inf, -np.inf
+    for first in range(0, rows, _ROWS):
+        heights = reader.read(slice(first, first + _ROWS), slice(None))
+        known = heights[np.isfinite(heights)]
+        valid, low, high = valid + known.size, known.min(initial=low), known.max(initial=high)
+    if valid:
+        yield "heights from, to", f"{low:.6g}, {high:.6g}", "map units"
+    yield "cells without data", f"{rows * columns - valid:,}", ""
+
+
+_ROWS = 512  # rows of a raster that are read at a time

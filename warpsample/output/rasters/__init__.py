@@ -1,0 +1,1 @@
+"""Values in the cells of rasters of heights: `warpsample bake dsm.tif`."""

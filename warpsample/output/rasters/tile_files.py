@@ -1,0 +1,144 @@
+"""Folder of the tiles of a raster, one .npz file per tile, next to an output that is not complete yet."""
+
+import json
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile
+
+import numpy as np
+
+from warpsample.city.rasters.tiles import RasterRun
+from warpsample.host.arguments import told
+from warpsample.host.engine import check_space
+from warpsample.host.files import WriteError, complete_or_absent, read_arrays, write_arrays, write_bytes
+from warpsample.host.interrupts import uninterrupted
+from warpsample.output.data_beside import locked_folder
+from warpsample.output.rasters.bake import RasterJob, Tiles, read_unchanging, summarize_tile
+
+ABOUT, DIGESTS = "about.json", "digests.npz"
+"""Files with the attributes of the run, and with the digests of the blocks of its input rasters."""
+
+
+class TileFiles:
+    """Tiles of a run in the hidden folder `.NAME.tiles` next to the output NAME.
+
+    Attributes:
+        path: Path of the folder.
+        resume: Whether to continue an existing folder.
+    """
+
+    def __init__(self, output: Path, resume: bool) -> None:
+        """Choose the folder for an output."""
+        self.path = output.absolute().with_name(f".{output.name}.tiles")
+        self.resume = resume
+
+    @contextmanager
+    def locked(self) -> Iterator[None]:
+        """Create and lock the folder within a `with` statement; remove the folder at the end if it has no run.
+
+        Raises:
+            ValueError: the folder exists and is not to be resumed, or holds other files.
+            WriteError: another process is writing the tiles, or the folder cannot be created.
+        """
+        if self.path.exists():
+            self._check_folder()
+        try:
+            self.path.mkdir(exist_ok=True)
+        except OSError as error:
+            raise WriteError(f"{self.path} cannot be written: {error.strerror or error}") from error
+        try:
+            with locked_folder(self.path):
+                yield
+        finally:
+            if self.path.is_dir() and not any(self.path.iterdir()):
+                self.path.rmdir()
+
+    def _check_folder(self) -> None:
+        """Raise a ValueError for an existing folder with other files, or that is not to be resumed."""
+        files = list(self.path.iterdir()) if self.path.is_dir() else [self.path]
+        if files and not (self.path / ABOUT).is_file():
+            raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another name of the output")
+        if files and not self.resume:
+            raise ValueError(
+                f"--output: got {str(self.path)!r}, which is there already, want a new name, or to resume it (--resume)"
+            )
+
+    def begin(self, run: RasterRun, about: dict[str, Any]) -> np.ndarray:
+        """Write the attributes of a run, or check the attributes in the folder; return the mask of complete tiles.
+
+        Raises:
+            ValueError: the folder is of another run; the message names the difference.
+            WriteError: the folder cannot be written, or the disk has too little space.
+        """
+        about = json.loads(json.dumps(about))
+        if (self.path / ABOUT).exists():
+            kept = self.about()
+            for name in dict.fromkeys((*about, *kept)):
+                if kept.get(name) != about.get(name):
+                    was, now = told(kept.get(name)), told(about.get(name))
+                    raise ValueError(f"--output: got {str(self.path)!r} of {name} {was}, want one of {name} {now}")
+        whole = np.array([self._is_whole(index, run) for index in range(run.grid[0] * run.grid[1])])
+        cells = run.reader.shape[0] * run.reader.shape[1]
+        check_space(self.path, int(cells * (1.0 - whole.mean())) * 4 * len(run.names), f"{cells:,} cells")
+        write_bytes(self.path / ABOUT, json.dumps(about).encode())
+        return whole
+
+    def _is_whole(self, index: int, run: RasterRun) -> bool:
+        """Return whether the file of a tile can be read and holds all arrays of a run."""
+        try:
+            return self._file(index).exists() and set(read_arrays(self._file(index))) == set(run.names)
+        except (OSError, ValueError, KeyError, EOFError, BadZipFile):
+            return False
+
+    def _file(self, index: int) -> Path:
+        """Return the path of a tile."""
+        return tile_file(self.path, index)
+
+    def compute(self, job: RasterJob, digests: Mapping[str, np.ndarray], tiles: list[int]) -> Iterator[np.void]:
+        """Compute and write tiles one after the other, each with all threads, and yield a SUMMARY for each."""
+        write_digests(self.path, digests)
+        own = read_unchanging(job, self.about(), self.path, digests)
+        spans = list(own.spans())
+        for index in tiles:
+            arrays = own.numbers(spans[index])
+            put_tile_file(self.path, index, own, arrays)
+            yield summarize_tile(arrays)
+
+    def tiles(self, run: RasterRun) -> Tiles:
+        """Yield the spans and arrays of all tiles."""
+        for index, span in enumerate(run.spans()):
+            yield span, read_arrays(self._file(index))
+
+    def about(self) -> dict[str, Any]:
+        """Return the attributes of the run."""
+        return read_about(self.path)
+
+    def remove(self) -> None:
+        """Remove the folder."""
+        uninterrupted(partial(shutil.rmtree, self.path))
+
+
+def tile_file(folder: Path, index: int) -> Path:
+    """Return the path of a tile in a folder."""
+    return folder / f"tile-{index}.npz"
+
+
+def read_about(folder: Path) -> dict[str, Any]:
+    """Return the attributes in a folder."""
+    return json.loads((folder / ABOUT).read_bytes())
+
+
+def write_digests(folder: Path, digests: Mapping[str, np.ndarray]) -> None:
+    """Write the digests of input rasters into a folder."""
+    with complete_or_absent(folder / DIGESTS) as stream:
+        write_arrays(stream, digests)
+
+
+def put_tile_file(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.ndarray]) -> None:
+    """Write a tile into a folder; the file appears complete."""
+    with complete_or_absent(tile_file(folder, index)) as stream:
+        write_arrays(stream, {name: arrays[name] for name in run.names})

@@ -1,0 +1,116 @@
+"""Source of a run of `warpsample bake`: the checked arguments, the mesh or city, and the points to compute at."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from warpsample.city import rasters
+from warpsample.city.cityjson.city import City, load_city
+from warpsample.city.cityjson.context import GROUND_PLANE
+from warpsample.city.cityjson.placing import spread_points
+from warpsample.estimate.quantities.record import Quantity
+from warpsample.host.device_memory import Memory
+from warpsample.host.files import check_output
+from warpsample.mesh.files import SUFFIXES, load_mesh
+from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints, face_centers
+from warpsample.output.bake_rules import check_table, is_by_parts
+from warpsample.output.bake_table import CITY
+from warpsample.output.baked import BakeRun, check_glb
+from warpsample.output.faces_option import with_optics
+from warpsample.output.kept_glb import describe_kept, keeps
+from warpsample.output.places import check_places, points_on
+from warpsample.output.quantities import quantity_of
+from warpsample.output.report import check_report
+from warpsample.plotting.rendering import check_rendering
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """Source of a run, as read and checked.
+
+    Attributes:
+        run: Arguments of the command.
+        quantity: Quantity to compute.
+        mesh: Mesh, with the transmittance and reflectance of its faces.
+        city: City of which the mesh is the surface, or None.
+        points: Points to compute at.
+        notes: Sentences on the parts of a .glb that the output replaces.
+    """
+
+    run: BakeRun
+    quantity: Quantity
+    mesh: Mesh
+    city: City | None
+    points: SurfacePoints
+    notes: tuple[str, ...] = ()
+
+
+def read_source(run: BakeRun) -> Source:
+    """Check all arguments of a run, read the mesh or the CityJSON, and place the points.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: a file or an option that cannot be used; the message names the option.
+    """
+    quantity = quantity_of(run.quantity)
+    _check(run, quantity)
+    city = None
+    if run.kind == CITY:
+        city = load_city(run.mesh, lod=run.lod, split=run.split, context=_read_context(run.context))
+    mesh = with_optics(load_mesh(run.mesh) if city is None else city.mesh, **run.optics)
+    notes = _check_glb(run, mesh)
+    return Source(run, quantity, mesh, city, _place_points(run, mesh, city), tuple(notes))
+
+
+def _check(run: BakeRun, quantity: Quantity) -> None:
+    """Check all arguments of a run before any file is read."""
+    check_table(run)
+    check_places(run.points, run.at)
+    if run.output.suffix == ".png":
+        check_rendering()
+    check_report(run.report, run.mesh, run.output)
+    Memory.of(run.options.get("device"))
+    check_output(run.output, "--output", *input_files(run, quantity))
+
+
+def input_files(run: BakeRun, quantity: Quantity) -> list[Path]:
+    """Return the files that a run reads."""
+    files = [run.options.get(option) for option in quantity.files]
+    files += [Path(run.context)] if run.context else []
+    return [Path(file) for file in (run.mesh, *files_beside(run.mesh), *files) if file is not None]
+
+
+def _read_context(name: str | None) -> Any:
+    """Read the terrain around a city: none, a plane, a mesh file in the city's unit, or a raster of heights."""
+    if name in (None, GROUND_PLANE):
+        return name
+    is_raster = Path(name).suffix.lower() not in (*SUFFIXES, "")
+    return rasters.surface(name) if is_raster else load_mesh(name)
+
+
+def _check_glb(run: BakeRun, mesh: Mesh) -> list[str]:
+    """Check that a .glb can hold the values, and return sentences on the parts that it replaces."""
+    if run.kind != CITY and keeps(run.mesh, run.output, run.at):
+        return describe_kept(run.mesh)
+    if run.output.suffix == ".glb":
+        check_glb(run, mesh)
+    return []
+
+
+def _place_points(run: BakeRun, mesh: Mesh, city: City | None) -> SurfacePoints:
+    """Return the points of a run: vertices, face centres, random points, or points spread over all parts.
+
+    Raises:
+        ValueError: means over parts of a mesh without named parts.
+    """
+    if not is_by_parts(run):
+        return points_on(mesh, run.points, run.at, run.options["seed"])
+    if mesh.part is None:
+        raise ValueError(f"--by: got {run.by} for {str(run.mesh)!r}, whose faces have no named parts")
+    areas = np.where(mesh.part >= 0, mesh.face_areas, 0.0) if city is None else city.receiving
+    if run.at == "faces":
+        return face_centers(mesh).take(areas > 0.0)
+    return spread_points(mesh, areas, run.points, run.options["seed"])

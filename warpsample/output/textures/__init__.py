@@ -1,0 +1,1 @@
+"""Values at the texels of meshes: `warpsample bake --texture`."""

@@ -1,0 +1,139 @@
+"""`warpsample bake --texture`: compute a quantity at the texels of a mesh, and write a glTF file or an image."""
+
+import json
+from collections.abc import Iterator
+from dataclasses import fields
+from functools import partial
+from typing import Any, BinaryIO
+
+import numpy as np
+
+from warpsample.host.files import complete_or_absent, write_arrays
+from warpsample.mesh.files.beside import files_beside
+from warpsample.output.baked import BakeRun
+from warpsample.output.data_beside import write_with_data
+from warpsample.output.quantities import quantity_of
+from warpsample.output.run_record import RunRecord
+from warpsample.output.textures.images import Filled, fill_texture
+from warpsample.output.textures.instances import Picture, describe_places, pictures_of, place_pictures
+from warpsample.output.textures.source import DATA, TextureSource
+from warpsample.texture.glb_file import GlbFile
+from warpsample.texture.inside import Closed
+from warpsample.texture.jobs import describe_flaws
+from warpsample.texture.materials import THICKNESS, Slot, add_texture, slot_for_quantity
+from warpsample.texture.pictures import encode_exr, encode_png
+from warpsample.texture.primitives import Primitive
+from warpsample.texture.sets import TextureOptions
+
+
+def bake_texture(source: TextureSource, record: RunRecord) -> str:
+    """Compute a checked run with `--texture` and write its output, complete or not at all.
+
+    Args:
+        source: Source of the run, as `read_texture_source` returns it.
+        record: Record of the run.
+
+    Returns:
+        a report for the terminal, in lines.
+
+    Raises:
+        KeyboardInterrupt: the run is interrupted; the message states how many points are done.
+        WriteError: the file cannot be written.
+    """
+    found = _compute(source, record)
+    notes = _write(source, found)
+    width, height = source.how.size
+    lines = [f"{source.run.output}: {record.title} in {_count(found)} of {width} x {height} texels"]
+    for row in found:
+        lines += [line for picture in row for line in _describe_picture(picture.filled)]
+        lines += describe_places(row)
+    further = sum(picture.rays[1] for row in found for picture in row)
+    lines += [*source.coarse, *([f"{further:,} further rays cast to find points inside closed bodies"] if further else [])]
+    return "\n  ".join([*lines, *record.describe(), *source.notes, *notes])
+
+
+def _compute(source: TextureSource, record: RunRecord) -> list[list[Picture]]:
+    """Compute the pictures of all textures."""
+    closed = Closed(source.traced)
+    fill = partial(fill_texture, run=source.run, how=source.how, closed=closed, high=source.high, record=record)
+    points = sum(len(job.points) * (1 + max((len(one.others) for one in job.group), default=0)) for job in source.jobs)
+    with record.count(points, f"{source.run.output} is as it was before"):
+        return [pictures_of(job, fill, source.how) for job in source.jobs]
+
+
+def _write(source: TextureSource, found: list[list[Picture]]) -> list[str]:
+    """Write the pictures into a glTF file or an image, and return sentences on replaced textures."""
+    if source.file is not None:
+        return _write_scene(source.file, source, found)
+    with complete_or_absent(source.run.output) as stream:
+        _write_image(stream, source.run, source.how, found[0][0].filled)
+    return []
+
+
+def _write_scene(file: GlbFile, source: TextureSource, found: list[list[Picture]]) -> list[str]:
+    """Write a .glb, or a .gltf and the data next to it, with all pictures; return sentences on replaced textures."""
+    run, notes = source.run, list[str]()
+    slot = slot_for_quantity(run.quantity)
+    for row, groups in zip(found, place_pictures(file, found), strict=True):
+        for picture, group in reversed(list(zip(row, groups, strict=True))):  # copies are of unchanged materials
+            notes += _add_picture(file, picture.filled, group, slot, source.how)
+    notes = list(dict.fromkeys(notes))
+    if run.output.suffix == ".glb":
+        with complete_or_absent(run.output) as stream:
+            file.write(stream)
+        return notes
+    ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": files_beside}
+    data = write_with_data(run.output, DATA, **ways, inputs=source.inputs)
+    if data.stem != run.output.stem:
+        notes.append(f"its data are in {data.name}: {run.output.with_suffix(DATA).name} belongs to another file")
+    return notes
+
+
+def _add_picture(file: GlbFile, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions) -> Iterator[str]:
+    """Store the picture of a job in a glTF file, and return sentences on replaced pictures.
+
+    Lengths become fractions of the longest length, in units of the primitives.
+    """
+    info: dict[str, Any] = {"texCoord": one.job.set} if one.job.set else {}
+    info |= {"strength": how.strength} if how.strength != 1.0 else {}
+    longest = float(one.value.max()) if slot is THICKNESS else 1.0
+    more = {"thicknessFactor": longest} if slot is THICKNESS else {}
+    png = encode_png(one.value / (longest or 1.0), how.depth)
+    return add_texture(file, group, png, slot, info=info, more=more)
+
+
+def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Filled) -> None:
+    """Write an image; an .npz also holds the texture coordinates and the arguments."""
+    if run.output.suffix == ".png":
+        stream.write(encode_png(found.value, how.depth))
+    elif run.output.suffix == ".exr":
+        stream.write(encode_exr({"": found.value, "standard_error": found.error}))
+    else:
+        texture = {f"texture_{item.name}": str(getattr(how, item.name)) for item in fields(how)}
+        options = {name: str(value) for name, value in quantity_of(run.quantity).told(run.options).items()}
+        uv = found.job.points.corners / np.array(how.size)
+        arrays = {"value": found.value, "standard_error": found.error, "covered": found.job.points.covered, "uv": uv}
+        write_arrays(stream, {**arrays, "run": np.array(json.dumps(run.recorded | options | texture))})
+
+
+def _count(found: list[list[Picture]]) -> str:
+    """Return the number of pictures as text."""
+    count = sum(map(len, found))
+    return "one picture" if count == 1 else f"{count} pictures"
+
+
+def _describe_picture(found: Filled) -> Iterator[str]:
+    """Yield sentences on a picture: mean, standard error, flaws of the coordinates, and filled points."""
+    job, report = found.job, found.job.points.report
+    known = np.sqrt(np.mean(np.square(found.error[job.points.covered], dtype=np.float64)))
+    numbers = "none with a value" if np.isnan(found.mean) else f"mean {found.mean:.4f}; standard error {known:.2g}"
+    yield f"{job.name!r}, {job.coordinates}: {report.covered:,} texels, {numbers}"
+    yield from describe_flaws(job)
+    if found.inside:
+        yield f"{found.inside:,} points inside closed bodies, filled from their charts"
+    if found.enclosed:
+        yield f"{found.enclosed:,} points inside closed bodies keep their values, because their whole charts are inside"
+    if found.missed:
+        yield f"{found.missed:,} points without a hit on the finer mesh within the cage, filled from their charts"
+    if found.lost:
+        yield f"{found.lost:,} points without a value, filled from their charts"

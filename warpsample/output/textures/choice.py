@@ -1,0 +1,44 @@
+"""Options of `warpsample bake --texture`, converted from the command line."""
+
+import re
+
+from warpsample.host.arguments import check_file, check_integer, check_number
+from warpsample.output.baked import BakeRun
+from warpsample.texture.image import check_gutter
+from warpsample.texture.sets import TextureOptions
+from warpsample.texture.texture_points import check_samples, check_size
+
+
+def texture_options(run: BakeRun) -> TextureOptions:
+    """Check and return the options for textures of a run.
+
+    Raises:
+        ValueError: an option that cannot be used; the message names the option.
+        FileNotFoundError: the finer mesh does not exist.
+    """
+    given = dict(run.more)
+    samples = check_samples(given.pop("supersample", 1), "--supersample")
+    size = given.pop("texture")
+    parts = re.fullmatch(r"([0-9]{1,9})(?:x([0-9]{1,9}))?", size)
+    if not parts:
+        raise ValueError(f"--texture: got {size!r}, want a size in texels, such as 1024 or 1024x512")
+    both = check_size((int(parts[1]), int(parts[2] or parts[1])), samples, "--texture")
+    if "gutter" in given:
+        given["gutter"] = _parse_gutter(given["gutter"])
+    if "strength" in given:
+        check_number(given["strength"], "--strength", 0.0, 1.0)
+    if "depth" in given:
+        given["depth"] = check_integer(int(given["depth"]), "--depth", 8, 16)
+    if "high" in given:
+        check_file(given["high"], "--high", "a mesh file")
+        check_number(given["cage"], "--cage", 1e-30, 1e30)
+    if run.quantity == "normals":
+        given.setdefault("normals", "smooth")  # a normal map contains smooth normals
+    return TextureOptions(both, samples=samples, **given)
+
+
+def _parse_gutter(value: str) -> str | int:
+    """Return a gutter as a number of texels, or "all"; raise a ValueError for other text."""
+    gutter = int(value) if value.isascii() and value.isdecimal() and len(value) < 10 else value
+    check_gutter(gutter, "--gutter")
+    return gutter

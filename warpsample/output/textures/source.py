@@ -1,0 +1,124 @@
+"""Source of a run with `--texture`: the checked arguments, the meshes, and the textures to compute."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from warpsample.host.device_memory import Memory
+from warpsample.host.files import check_output
+from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.mesh import Mesh
+from warpsample.output.bake_rules import check_table
+from warpsample.output.baked import BakeRun
+from warpsample.output.data_beside import check_data_beside
+from warpsample.output.faces_option import with_optics
+from warpsample.output.quantities import quantity_of
+from warpsample.output.source import input_files
+from warpsample.output.textures.choice import texture_options
+from warpsample.texture.glb_file import GlbFile, convert_read_errors
+from warpsample.texture.high import HighMesh
+from warpsample.texture.jobs import TextureJob, is_flat, plan_jobs
+from warpsample.texture.materials import slot_for_quantity
+from warpsample.texture.notes import (
+    describe_coarse_texels,
+    describe_light,
+    describe_materials,
+    describe_missing_files,
+    join_names,
+)
+from warpsample.texture.pictures import check_library
+from warpsample.texture.primitives import group_by_material, list_primitives
+from warpsample.texture.sets import TextureOptions
+
+DATA = ".bin"
+"""Suffix of the data next to a .gltf."""
+
+_WITHOUT_LIGHT = ("normals", "position", "thickness")  # quantities that do not depend on light
+
+
+@dataclass(frozen=True, eq=False)
+class TextureSource:
+    """Source of a run with `--texture`, as read and checked.
+
+    Attributes:
+        run: Arguments of the command.
+        how: Options of the texture.
+        jobs: Textures to compute.
+        file: glTF file to write the textures into, or None for an image.
+        high: Finer mesh, or None.
+        traced: Mesh that the rays are traced against.
+        notes: Sentences on the file.
+        inputs: Files that the run reads.
+        coarse: Sentences on texels that are too small for the rays.
+    """
+
+    run: BakeRun
+    how: TextureOptions
+    jobs: list[TextureJob]
+    file: GlbFile | None
+    high: HighMesh | None
+    traced: Mesh
+    notes: list[str]
+    inputs: list[Path]
+    coarse: list[str]
+
+
+def read_texture_source(run: BakeRun) -> TextureSource:
+    """Check all arguments of a run, read the meshes, and plan the textures.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: a file or an option that cannot be used; the message names the option.
+    """
+    check_table(run)
+    how = texture_options(run)
+    _check(run, how)
+    mesh = with_optics(load_mesh(run.mesh), **run.optics)
+    jobs, file = plan_jobs(run.mesh, mesh, how, run.output.suffix, slot_for_quantity(run.quantity))
+    high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
+    notes = [] if file is None else _check_scene(file, run, how, jobs)
+    traced = mesh if high is None else high.mesh
+    return TextureSource(run, how, jobs, file, high, traced, notes, _inputs(run, how), _coarse(jobs, traced, how))
+
+
+def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[str]:
+    """Return sentences on jobs with texels too small for the rays; with `--strict` raise a ValueError instead."""
+    lines = [(job, describe_coarse_texels(job.points, traced)) for job in jobs]
+    found = [f"{job.name!r}: {line}" for job, line in lines if line is not None]
+    if how.strict and found:
+        raise ValueError(f"--strict: got {'; '.join(found)}")
+    return found
+
+
+def _check_scene(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[TextureJob]) -> list[str]:
+    """Check a .glb or .gltf before anything is computed, and return sentences on its materials and missing files."""
+    with convert_read_errors(run.mesh):
+        if run.output.suffix == ".gltf":
+            file.check_no_trailing_bytes()
+        group = [one for job in jobs for one in job.group]
+        notes = list(describe_materials(file.part, group, slot_for_quantity(run.quantity).name))
+        placed = list_primitives(file.part, file.data)
+        if how.high is None and run.quantity not in _WITHOUT_LIGHT:  # a finer mesh has none of these materials
+            notes += describe_light(file.part, placed, jobs[0].points.mesh.transmittance)
+        groups = group_by_material(placed)
+        several = join_names(one.name for job in jobs for one in job.group if one.others)
+        flat = join_names(one.name for group in groups if is_flat(jobs[0].points.mesh, group) for one in group)
+    if several and how.strict and how.instances == "mean":
+        raise ValueError(f"--strict: got --instances mean for {several} in several places, want split")
+    if flat:
+        notes.append(f"without an area, and so left without a picture: {flat}")
+    return [*notes, *describe_missing_files(run.mesh, file.tree, run.output)]
+
+
+def _inputs(run: BakeRun, how: TextureOptions) -> list[Path]:
+    """Return the files that a run reads."""
+    high = [] if how.high is None else [how.high, *files_beside(how.high)]
+    return [*input_files(run, quantity_of(run.quantity)), *high]
+
+
+def _check(run: BakeRun, how: TextureOptions) -> None:
+    """Check the library of the output's format, the device and the paths, before any file is read."""
+    check_library(run.output.suffix)
+    Memory.of(run.options.get("device"))
+    check_output(run.output, "--output", *_inputs(run, how))
+    if run.output.suffix == ".gltf":
+        check_data_beside(run.output, DATA, "--output")

@@ -1,0 +1,1 @@
+"""Texture coordinates: charts of given ones, and new ones by xatlas."""
