@@ -10,8 +10,8 @@
   kernel argument. `offset_origin(tree, position, normal)` moves a ray's origin off the face.
 - `Lobe` is the type of the second argument of functions passed to `warpsample.integrate`.
 - `frame_about(n)` returns an orthonormal frame whose z axis is the unit normal n. `frame_along(n, tangent)` returns a
-  frame with x along a tangent, and whether the tangent can be used. `to_world` and `to_local` convert directions between a frame and
-  world coordinates.
+  frame with x along a tangent, and whether the tangent can be used. `to_world` and `to_local` convert directions between a
+  frame and world coordinates.
 """
 
 from warpsample.distributions.beckmann import beckmann_to_square, square_to_beckmann, square_to_beckmann_pdf

@@ -58,7 +58,7 @@ class Distribution(Parameterised):
         density: formula of the pdf, for tables.
         measure: unit of the pdf: "per steradian", "per unit area" or "per radian".
         support: name of the set where the pdf is above 0, such as "hemisphere".
-        parameters: names of the fields that kernels receive as float32: none, a scalar, or a scalar and a vector.
+        parameters: names of the fields that kernels receive as float32, at most four: scalars, vectors and matrices.
         bounds: smallest and largest value of the scalar; None for no check.
         shown: range of the scalar for logarithmic sliders, above 0; None for no slider.
         width: number of components of w: 3, or 2 in the plane.
