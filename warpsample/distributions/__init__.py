@@ -138,6 +138,8 @@ def as_distribution(value: Any, arrays: Arrays | None = None) -> Distribution:
         >>> print(ws.distributions.as_distribution("beckmann(alpha=0.1)"))
         Beckmann(alpha=0.1)
     """
+    if arrays is not None and not callable(arrays):
+        raise TypeError(f"arrays: got {told(arrays)}, want a function (name) -> array, or None")
     if isinstance(value, Distribution):
         return value
     if not isinstance(value, str):

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from numbers import Real
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 import warp as wp
@@ -75,6 +75,11 @@ def offset_sphere_to_square(w: wp.vec3, rho: wp.float32) -> wp.vec2:
     return wp.vec2(clamp_uniform(wp.float32(u)), turns_of(w[0], w[1]))
 
 
+def _is_checked(rho: Any) -> bool:
+    """Return whether rho is an array of float32 by point, which `Distribution` has checked and copied."""
+    return isinstance(rho, np.ndarray) and rho.dtype == np.float32
+
+
 @dataclass(frozen=True)
 class OffsetSphere(Distribution):
     """Direction of the normal plus a random point on a sphere of radius ρ.
@@ -108,7 +113,7 @@ class OffsetSphere(Distribution):
     @property
     def maps(self) -> Maps:
         """Functions (`wp.func`) of the distribution, for use in kernels."""
-        ambiguous = bool((self.rho < 1.0).any()) if isinstance(self.rho, np.ndarray) else self.support == "cone"
+        ambiguous = bool((self.rho < 1.0).any()) if _is_checked(self.rho) else self.support == "cone"
         invert = None if ambiguous else offset_sphere_to_square
         return Maps(square_to_offset_sphere, square_to_offset_sphere_pdf, invert)
 

@@ -10,6 +10,7 @@ import warp as wp
 from warpsample.distributions.by_point.parameterised import Parameterised, Range
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise, elementwise_by_point
 from warpsample.distributions.parameters import about_normal_of, bind_parameters, build_about, build_about_frame
+from warpsample.host.arguments import check_flag
 from warpsample.host.arrays import Array, Floats, as_real, as_square
 from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_workers, run
@@ -234,16 +235,12 @@ class Distribution(Parameterised):
             Function
         """
         maps = self.maps
+        tangents = check_flag(tangents, "tangents")
         if maps.about is not None:
             return about_normal_of(maps.about) if tangents else maps.about
         count = len(self.parameters)
         build = build_about_frame if tangents else build_about
         return build(bind_parameters(maps.sample, wp.vec2, count), bind_parameters(maps.pdf, wp.vec3, count))
-
-    def redraw(self, tangents: bool = False) -> wp.Function | None:
-        """Return `Maps.redraw`, with the first argument of `about`; None if `about` is precise everywhere."""
-        found = self.maps.redraw
-        return about_normal_of(found) if tangents and found is not None else found
 
     def _apply(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
         """Apply a wp.func of the distribution to each vector of `width` components; return an array like x."""

@@ -123,7 +123,7 @@ class VisibleNormals(Distribution):
     def __post_init__(self) -> None:
         """Check the roughness and the view, and normalise the view."""
         super().__post_init__()
-        if getattr(self.view, "ndim", 1) == 1:
+        if not (isinstance(self.view, np.ndarray) and self.view.ndim == 2):
             object.__setattr__(self, "view", as_view(self.view, "view"))
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:

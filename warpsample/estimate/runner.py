@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.distributions.parameters import redraw_of
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.lobes import LobesArgs
 from warpsample.estimate.plan import Plan, RaySum
@@ -140,7 +141,7 @@ class Runner:
         return Slots(
             sequence=self.options.sequence,
             about=plan.distribution.about(tangents),
-            redraw=plan.distribution.redraw(tangents),
+            redraw=redraw_of(maps, tangents),
             redraw_below=maps.redraw_below,
             upward=plan.distribution == POLAR_COSINE,
             weigh=integrand.function,

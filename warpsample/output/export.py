@@ -20,10 +20,10 @@ from warpsample.host.files import check_output, complete_or_absent, new_archive,
 from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.points.arrays import carry_to_points, read_array
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.output.places import check_places, points_on
-from warpsample.output.point_arrays import carry_to_points, read_array
 from warpsample.output.run_record import RunRecord
 from warpsample.sequences import get as get_sequence
 from warpsample.sequences.record import STREAMS

@@ -14,11 +14,11 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Estimate
 from warpsample.host.arguments import check_choice, check_integer, check_scale, told
 from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.mesh.points.arrays import arrays_of, carry_to_points
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints, vertex_points
 from warpsample.output.export import CLOUD_SCALE
 from warpsample.output.places import PLACES
-from warpsample.output.point_arrays import arrays_of, carry_to_points
 from warpsample.output.quantities import quantities
 
 At = Literal["vertices", "faces"]

@@ -38,8 +38,11 @@ class Parameterised:
         """Check that the scalar is within its bounds, and store it as a float; copy parameters that are given by point."""
         for i, name in enumerate(self.parameters):
             value = getattr(self, name)
-            if is_array(value) and (rows := as_rows(value, name, self._dimensions(i))) is not None:
+            rows = as_rows(value, name, self._dimensions(i)) if is_array(value) else None
+            if rows is not None:
                 object.__setattr__(self, name, self._copy_rows(name, rows))
+            elif isinstance(value, np.ndarray) and value.ndim:  # a constant vector: arrays in fields are by point
+                object.__setattr__(self, name, tuple(value.tolist()))
             elif self.bounds is not None and (i == 0 or isinstance(value, Real)):
                 object.__setattr__(self, name, check_number(value, name, *self.bounds))
         self._check_lengths()
@@ -55,7 +58,7 @@ class Parameterised:
 
     def _check_lengths(self) -> None:
         """Raise ValueError if two parameters by point have different numbers of rows."""
-        tables = self.by_point
+        tables = {name: table for name, table in self.by_point.items() if table.ndim}
         for name, table in tables.items():
             first = next(iter(tables))
             if len(table) != len(tables[first]):

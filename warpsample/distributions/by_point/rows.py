@@ -20,7 +20,7 @@ def is_array(value: Any) -> bool:
     """Return whether a value is an array of some library or a list, and so may have one row for each point."""
     if isinstance(value, Real | str | tuple):
         return False
-    return isinstance(value, list) or any(hasattr(value, name) for name in _EXPORTS)
+    return (isinstance(value, list) and bool(value)) or any(hasattr(value, name) for name in _EXPORTS)
 
 
 def as_rows(value: Any, argument: str, dimensions: int) -> np.ndarray | None:

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import warpsample as ws
+from warpsample.mesh.points.arrays import carry_to_points, read_array
 from warpsample.output.export import DirectionsRun, export
 from warpsample.output.mesh_writers import write_ply
-from warpsample.output.point_arrays import carry_to_points, read_array
 
 pv = pytest.importorskip("pyvista")
 
