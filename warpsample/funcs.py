@@ -9,8 +9,9 @@
   `transmitted` the fraction of light that the mesh transmits along the ray. `Tree` is the type of `warpsample.tree(mesh)`, a
   kernel argument. `offset_origin(tree, position, normal)` moves a ray's origin off the face.
 - `Lobe` is the type of the second argument of functions passed to `warpsample.integrate`.
-- `frame_about(n)` returns an orthonormal frame whose z axis is the unit normal n. `to_world` and `to_local` convert
-  directions between the frame and world coordinates.
+- `frame_about(n)` returns an orthonormal frame whose z axis is the unit normal n. `frame_along(n, tangent)` returns a
+  frame with x along a tangent, and whether the tangent can be used. `to_world` and `to_local` convert directions between a
+  frame and world coordinates.
 """
 
 from warpsample.distributions.cosine_hemisphere import (
@@ -101,7 +102,7 @@ from warpsample.distributions.von_mises_fisher import (
     von_mises_fisher_to_square,
 )
 from warpsample.estimate.integrand import Lobe
-from warpsample.maths.frames import frame_about, to_local, to_world
+from warpsample.maths.frames import frame_about, frame_along, to_local, to_world
 from warpsample.sequences.fibonacci import fibonacci
 from warpsample.sequences.independent import independent
 from warpsample.sequences.philox import philox
@@ -123,6 +124,7 @@ __all__ = [
     "cosine_hemisphere_to_square_concentric",
     "fibonacci",
     "frame_about",
+    "frame_along",
     "ggx_to_square",
     "henyey_greenstein_to_square",
     "independent",

@@ -11,7 +11,14 @@ from warpsample.directions.samples import (
     select_accessors,
 )
 from warpsample.directions.variates import LANES
-from warpsample.distributions.by_point import Layout, column_loader, column_writer, repeat_number, row_check, row_loader
+from warpsample.distributions.by_point.tables import (
+    Layout,
+    column_loader,
+    column_writer,
+    repeat_number,
+    row_check,
+    row_loader,
+)
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_along
@@ -132,8 +139,10 @@ def _repeat_normals(
 def _build_frame_writer(one_sample: bool) -> wp.Function:
     """Build the wp.func that writes x and y of the frame of each pair of a block, six columns, from the tangents.
 
-    The function returns 1 if a tangent cannot be used, else 0.
+    With several samples, the frames of the points are written behind the columns first. The function returns 1 if a tangent
+    cannot be used, else 0.
     """
+    own = 0 if one_sample else 24 * _STRIDE  # bytes
 
     @wp.func
     def write(
@@ -147,30 +156,27 @@ def _build_frame_writer(one_sample: bool) -> wp.Function:
         frames: wp.array[wp.float32],
     ):
         t = wp.array(ptr=tangents + wp.uint64(point) * wp.uint64(16), shape=(4 * points,), dtype=wp.float32)
+        each = wp.array(ptr=frames.ptr + wp.uint64(own), shape=(6 * _STRIDE,), dtype=wp.float32)
         rare = wp.int32(0)
-        if wp.static(one_sample):
-            j = wp.int32(0)
-            while j < points:
-                n = wp.vec3(units[j], units[_STRIDE + j], units[2 * _STRIDE + j])
-                frame, usable = frame_along(n, wp.vec4(t[4 * j], t[4 * j + 1], t[4 * j + 2], t[4 * j + 3]))
-                frames[j] = frame[0, 0]
-                frames[_STRIDE + j] = frame[1, 0]
-                frames[2 * _STRIDE + j] = frame[2, 0]
-                frames[3 * _STRIDE + j] = frame[0, 1]
-                frames[4 * _STRIDE + j] = frame[1, 1]
-                frames[5 * _STRIDE + j] = frame[2, 1]
-                rare = rare | wp.where(usable == 0, 1, 0)
-                j += 1
-        else:
+        j = wp.int32(0)
+        while j < points:
+            n = wp.vec3(units[j], units[_STRIDE + j], units[2 * _STRIDE + j])
+            frame, usable = frame_along(n, wp.vec4(t[4 * j], t[4 * j + 1], t[4 * j + 2], t[4 * j + 3]))
+            each[j] = frame[0, 0]
+            each[_STRIDE + j] = frame[1, 0]
+            each[2 * _STRIDE + j] = frame[2, 0]
+            each[3 * _STRIDE + j] = frame[0, 1]
+            each[4 * _STRIDE + j] = frame[1, 1]
+            each[5 * _STRIDE + j] = frame[2, 1]
+            rare = rare | wp.where(usable == 0, 1, 0)
+            j += 1
+        if wp.static(not one_sample):
             for p in range(points):
-                n = wp.vec3(units[p], units[_STRIDE + p], units[2 * _STRIDE + p])
-                frame, usable = frame_along(n, wp.vec4(t[4 * p], t[4 * p + 1], t[4 * p + 2], t[4 * p + 3]))
-                rare = rare | wp.where(usable == 0, 1, 0)
                 first = wp.max(p * count - start, 0)
                 end = wp.min((p + 1) * count - start, length)
                 for c in range(6):
                     column = wp.array(ptr=frames.ptr + wp.uint64(4 * _STRIDE * c), shape=(_STRIDE,), dtype=wp.float32)
-                    repeat_number(frame[c % 3, c / 3], first, end, column)
+                    repeat_number(each[c * _STRIDE + p], first, end, column)
         return rare
 
     return write
@@ -226,8 +232,9 @@ def direction_blocks(
     write_units, fill = build_unit_writer(masked, _STRIDE, False), _build_block_variates(sequence, one_sample)
     own = 2 * FLAT_BLOCK + (3 if one_sample else 6) * _STRIDE
     repeated_at = 4 * (own - 3 * _STRIDE)  # bytes; for one sample per point, the address of the unit normals
-    frames_at, columns_at = 4 * own, 4 * (own + 6 * _STRIDE * tangents)
-    floats = own + (6 * tangents + len(layout)) * _STRIDE
+    frame_floats = (6 if one_sample else 12) * _STRIDE * tangents
+    frames_at, columns_at = 4 * own, 4 * (own + frame_floats)
+    floats = own + frame_floats + len(layout) * _STRIDE
 
     @wp.func
     def fill_block(samples: Samples, first: wp.int64, buffer: wp.uint64):

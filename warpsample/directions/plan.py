@@ -13,6 +13,7 @@ from warpsample.directions.rows import MOST_ROWS, direction_rows
 from warpsample.directions.samples import SamplesArgs
 from warpsample.directions.variates import CHUNK
 from warpsample.distributions.elementwise import FLAT_BLOCK
+from warpsample.distributions.parameters import redraw_of
 from warpsample.distributions.record import Distribution
 from warpsample.host.arrays import Array
 from warpsample.host.device_memory import at_home
@@ -91,7 +92,7 @@ class DirectionPlan:
         not user-defined ids, because the keys of a block must differ in one word only.
         """
         lobe, tangents = self.distribution, self.tangents is not None
-        how = {"redraw": lobe.redraw(tangents), "redraw_below": lobe.maps.redraw_below, "with_pdf": self.pdf}
+        how = {"redraw": redraw_of(lobe.maps, tangents), "redraw_below": lobe.maps.redraw_below, "with_pdf": self.pdf}
         how |= {"masked": masked, "layout": lobe.layout, "tangents": tangents}
         build = partial(_build_kernel, self.sequence, lobe.about(tangents), **how)
         if not at_home(device):

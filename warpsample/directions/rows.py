@@ -11,7 +11,7 @@ from warpsample.directions.samples import (
     select_accessors,
 )
 from warpsample.directions.variates import LANES, fill_variates
-from warpsample.distributions.by_point import Layout, row_check, row_loader
+from warpsample.distributions.by_point.tables import Layout, row_check, row_loader
 from warpsample.distributions.parameters import Parameters
 from warpsample.host.locks import once
 from warpsample.maths.memory import address_at

@@ -141,7 +141,8 @@ def sample_directions(
             wp.array on its device. Arrays of other libraries (PyTorch, JAX, CuPy) are not copied: they count as NumPy arrays
             in the CPU's memory, and as wp.arrays on CUDA. A zero or non-finite normal gives zero vectors and a status.
         count: Number of directions per point, n, 1 to 2^31 - 1.
-        distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
+        distribution: Distribution of the directions, or its name. Its parameters may be arrays with one row for each point;
+            a row out of range gives zero vectors and a status. Default: CosineHemisphere(method="polar").
         sequence: Sequence of the points of the square, a name in `warpsample.sequences.names()`. Default: "sobol".
         seed: Random seed, an integer of 64 bits. Default: 0.
         first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
@@ -154,7 +155,8 @@ def sample_directions(
         progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
-        vectors (P, n, 3) of unit length in world coordinates, pdf (P, n) if `pdf` is True, and a status per point.
+        vectors (P, n, 3) of unit length in world coordinates, pdf (P, n) if `pdf` is True, and a status per point. Tangents
+        of SurfacePoints set the x axes of the frames.
 
     Raises:
         TypeError, ValueError: an argument is invalid; the message names the argument and the expected values.

@@ -79,7 +79,7 @@ class Samples:
         normals, vectors, pdf: addresses of (P, 3), (P, count, 3) and (P, count) float32.
         status, active: addresses of (P,) uint8; `active` is 0 without a mask.
         parameters: parameters of the distribution; 0 where they are by point.
-        tables: address of the addresses of the parameters by point, see `distributions.by_point`, or 0.
+        tables: address of the addresses of the parameters by point, see `distributions.by_point.tables`, or 0.
         row: row of the first point in these tables.
         tangents: address of (P, 4) float32, tangents with the sign of the bitangent last, or 0.
     """

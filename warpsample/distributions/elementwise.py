@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.distributions.by_point import LANES, Layout, column_loader, column_writer, row_check
+from warpsample.distributions.by_point.tables import LANES, Layout, column_loader, column_writer, row_check
 from warpsample.distributions.parameters import Parameters
 from warpsample.host.locks import once
 

@@ -221,3 +221,8 @@ def about_normal_of(about: wp.Function) -> wp.Function:
         return about(wp.vec3(frame[0, 2], frame[1, 2], frame[2, 2]), u, parameters)
 
     return about_frame
+
+
+def redraw_of(maps: Any, tangents: bool) -> wp.Function | None:
+    """Return `Maps.redraw`, with the first argument of `Distribution.about`; None if `about` is precise everywhere."""
+    return about_normal_of(maps.redraw) if tangents and maps.redraw is not None else maps.redraw

@@ -7,9 +7,10 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 import warp as wp
 
+from warpsample.distributions.by_point.parameterised import Parameterised, Range
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise, elementwise_by_point
-from warpsample.distributions.parameterised import Parameterised, Range
 from warpsample.distributions.parameters import about_normal_of, bind_parameters, build_about, build_about_frame
+from warpsample.host.arguments import check_flag
 from warpsample.host.arrays import Array, Floats, as_real, as_square
 from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_workers, run
@@ -58,7 +59,7 @@ class Distribution(Parameterised):
         density: formula of the pdf, for tables.
         measure: unit of the pdf: "per steradian", "per unit area" or "per radian".
         support: name of the set where the pdf is above 0, such as "hemisphere".
-        parameters: names of the fields that kernels receive as float32: none, a scalar, or a scalar and a vector.
+        parameters: names of the fields that kernels receive as float32, at most four: scalars, vectors and matrices.
         bounds: smallest and largest value of the scalar; None for no check.
         shown: range of the scalar for logarithmic sliders, above 0; None for no slider.
         width: number of components of w: 3, or 2 in the plane.
@@ -237,16 +238,12 @@ class Distribution(Parameterised):
             Function
         """
         maps = self.maps
+        tangents = check_flag(tangents, "tangents")
         if maps.about is not None:
             return about_normal_of(maps.about) if tangents else maps.about
         count = len(self.parameters)
         build = build_about_frame if tangents else build_about
         return build(bind_parameters(maps.sample, wp.vec2, count), bind_parameters(maps.pdf, wp.vec3, count))
-
-    def redraw(self, tangents: bool = False) -> wp.Function | None:
-        """Return `Maps.redraw`, with the first argument of `about`; None if `about` is precise everywhere."""
-        found = self.maps.redraw
-        return about_normal_of(found) if tangents and found is not None else found
 
     def _apply(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
         """Apply a wp.func of the distribution to each vector of `width` components; return an array like x."""
@@ -256,7 +253,7 @@ class Distribution(Parameterised):
         target = new_vectors(source, source.shape, out_width)
         bound = bind_parameters(func, _VECTORS[width], len(self.parameters))
         if source.count:
-            (self._apply_by_point if self.by_point else self._apply_constant)(bound, source, target, width, out_width)
+            (self._apply_by_point if self.by_point else self._apply_constant)(bound, source, target)
         return target.owner
 
     def _check_rows_of(self, source: Vectors, argument: str) -> None:
@@ -266,17 +263,17 @@ class Distribution(Parameterised):
             wants = f"({len(table)}, {source.width}) or ({len(table)}, n, {source.width}), as {name} has {len(table):,} rows"
             raise ValueError(f"{argument}: got shape {(*source.shape, source.width)}, want {wants}")
 
-    def _apply_constant(self, bound: wp.Function, source: Vectors, target: Vectors, width: int, out_width: int) -> None:
+    def _apply_constant(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
         """Apply a function of (vector, Parameters) with constant parameters."""
         block = FLAT_BLOCK if source.device.is_cpu else 1
         inputs = [source.count, block, source.address, target.address, self.kernel_parameters()]
-        kernel = elementwise(bound, width, out_width)
+        kernel = elementwise(bound, source.width, target.width)
         run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
 
-    def _apply_by_point(self, bound: wp.Function, source: Vectors, target: Vectors, width: int, out_width: int) -> None:
+    def _apply_by_point(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
         """Apply a function of (vector, Parameters) with parameters by point."""
         block, count = FLAT_BLOCK if source.device.is_cpu else 1, source.count // source.shape[0]
-        kernel = elementwise_by_point(bound, width, out_width, self.layout, block)
+        kernel = elementwise_by_point(bound, source.width, target.width, self.layout, block)
         with Memory.of(None, source.owner).loan() as loan:
             inputs = [source.count, count, source.address, target.address, self.lend_tables(loan), self.kernel_parameters()]
             run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)

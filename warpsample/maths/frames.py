@@ -56,7 +56,10 @@ def frame_along(n: wp.vec3, tangent: wp.vec4):
     x1 = fma(-along, n[1], unit[1])
     x2 = fma(-along, n[2], unit[2])
     square = fma(x0, x0, fma(x1, x1, x2 * x2))
-    usable = wp.abs(unit[3]) < 0.1 and square > _LEAST_SINE_SQUARED and wp.abs(tangent[3]) > 0.0
+    # Masks instead of `and`, whose branches would prevent vectorisation.
+    has_sign = wp.where(wp.abs(tangent[3]) > 0.0, 1, 0)
+    mask = wp.where(wp.abs(unit[3]) < 0.1, has_sign, 0) & wp.where(square > _LEAST_SINE_SQUARED, 1, 0)
+    usable = mask != 0
     inverse = 1.0 / wp.sqrt(wp.where(usable, square, 1.0))
     x0 = x0 * inverse
     x1 = x1 * inverse
@@ -73,4 +76,4 @@ def frame_along(n: wp.vec3, tangent: wp.vec4):
         wp.where(usable, x[1], other[1, 0]), wp.where(usable, y1, other[1, 1]), n[1],
         wp.where(usable, x[2], other[2, 0]), wp.where(usable, y2, other[2, 1]), n[2],
     )  # fmt: skip
-    return frame, wp.where(usable, 1, 0)
+    return frame, mask

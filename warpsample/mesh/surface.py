@@ -12,6 +12,7 @@ from warpsample.host.summary import Summary
 from warpsample.mesh.frames import as_tangents, turn_vectors
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.polydata import cloud
+from warpsample.mesh.tangents import vertex_tangents
 
 if TYPE_CHECKING:
     from pyvista import PolyData
@@ -213,19 +214,24 @@ def face_centers(mesh: Any) -> SurfacePoints:
     return SurfacePoints(position, mesh.face_normals.copy(), np.arange(len(position), dtype=np.int32), thirds)
 
 
-def vertex_points(mesh: Any) -> SurfacePoints:
+def vertex_points(mesh: Any, *, uv: Any = None) -> SurfacePoints:
     """Return every vertex with its area-weighted unit normal, row i for vertex i.
 
     The normal is zero for vertices without a face and where normals cancel.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
+        uv: (F, 3, 2) texture coordinates of face corners, as from `load_uv`, which give tangents by MikkTSpace. A vertex has
+            the sign of the first of its faces, and the mean tangent of its faces with that sign. Default: None, no tangents.
 
     Returns:
-        SurfacePoints with position (V, 3) float64, normal (V, 3) float32 of unit length or zero, and face -1.
+        SurfacePoints with position (V, 3) float64, normal (V, 3) float32 of unit length or zero, and face -1; with `uv` also
+        with a tangent, which is zero for vertices whose faces have no coordinates.
 
     Raises:
-        TypeError, ValueError: The argument is not a triangle mesh; the message names the argument.
+        TypeError, ValueError: An argument is invalid; the message names the argument.
+
+    Source: Mikkelsen2008 for tangents.
 
     Example:
         >>> points = ws.vertex_points(ws.load_mesh("courtyard"))
@@ -233,7 +239,21 @@ def vertex_points(mesh: Any) -> SurfacePoints:
         (1089, 3) 1.0
     """
     mesh = as_mesh(mesh)
-    return SurfacePoints(mesh.vertices.copy(), mesh.vertex_normals.copy())
+    tangent = None if uv is None else vertex_tangents(mesh, check_uv(uv, len(mesh.faces)))
+    return SurfacePoints(mesh.vertices.copy(), mesh.vertex_normals.copy(), tangent=tangent)
+
+
+def check_uv(uv: Any, faces: int) -> np.ndarray:
+    """Return checked texture coordinates of face corners as (F, 3, 2) float64.
+
+    Raises:
+        TypeError, ValueError: the coordinates are no array of F x 3 x 2 real numbers.
+    """
+    wants = f"({faces}, 3, 2) real numbers, u and v of each corner of a face"
+    found = as_real(uv, "uv", wants)
+    if found.shape != (faces, 3, 2):
+        raise ValueError(f"uv: got shape {found.shape}, want {wants}")
+    return found.astype(np.float64)
 
 
 def _check_face(value: Any) -> np.ndarray:

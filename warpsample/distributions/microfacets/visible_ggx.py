@@ -6,10 +6,10 @@ from typing import Any, ClassVar
 import numpy as np
 import warp as wp
 
+from warpsample.distributions.by_point.rows import copy_views
 from warpsample.distributions.microfacets.base import Microfacets
 from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.host.arrays import as_view
-from warpsample.host.rows_by_point import copy_views
 from warpsample.maths.angles import turns_of
 from warpsample.maths.anisotropy import contracted, mean_and_stretch, stretched, stretched_to_unit
 from warpsample.maths.numerics import INV_PI, ZERO, clamp_uniform, fma, polish, root, sincos_turns
@@ -158,7 +158,7 @@ class VisibleNormals(Microfacets):
     def __post_init__(self) -> None:
         """Check the roughness and the view, and normalise the view."""
         super().__post_init__()
-        if getattr(self.view, "ndim", 1) == 1:
+        if not (isinstance(self.view, np.ndarray) and self.view.ndim == 2):
             object.__setattr__(self, "view", as_view(self.view, "view"))
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:

@@ -83,7 +83,7 @@ def row_loader(layout: Layout) -> wp.Function:
 
         @wp.func
         def load(parameters: Parameters, tables: wp.uint64, row: wp.int64):
-            """Return the constants."""
+            """Return the constants unchanged."""
             return parameters
 
         return load
@@ -130,7 +130,7 @@ def column_loader(layout: Layout, stride: int) -> wp.Function:
 
         @wp.func
         def load(parameters: Parameters, columns: wp.array[wp.float32], j: wp.int32):
-            """Return the constants."""
+            """Return the constants unchanged."""
             return parameters
 
         return load
@@ -173,7 +173,7 @@ def column_writer(layout: Layout, stride: int) -> wp.Function:
             length: wp.int32,
             columns: wp.uint64,
         ):
-            """Write nothing."""
+            """Return 0: constants need no columns."""
             return wp.int32(0)
 
         return write

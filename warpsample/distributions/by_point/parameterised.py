@@ -1,17 +1,18 @@
 """Parameters of a distribution: constants, or arrays with one row for each point."""
 
 from dataclasses import fields
+from numbers import Real
 from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 from typing_extensions import Self
 
-from warpsample.distributions.by_point import Layout, layout_of, lend_tables, tables_in, without_tables
+from warpsample.distributions.by_point.rows import as_rows, copy_rows, is_array
+from warpsample.distributions.by_point.tables import Layout, layout_of, lend_tables, tables_in, without_tables
 from warpsample.distributions.parameters import SIZES, pack_parameters, parameter_types
 from warpsample.host.arguments import check_number
 from warpsample.host.device_memory import Loan
 from warpsample.host.known import digest_of
-from warpsample.host.rows_by_point import as_rows, copy_rows
 
 Range: TypeAlias = tuple[float, float] | None
 
@@ -35,14 +36,20 @@ class Parameterised:
 
     def __post_init__(self) -> None:
         """Check that the scalar is within its bounds, and store it as a float; copy parameters that are given by point."""
-        for name, kind in zip(self.parameters, parameter_types(self.maps.sample), strict=False):
+        for i, name in enumerate(self.parameters):
             value = getattr(self, name)
-            rows = as_rows(value, name, _DIMENSIONS[SIZES[kind]])
+            rows = as_rows(value, name, self._dimensions(i)) if is_array(value) else None
             if rows is not None:
                 object.__setattr__(self, name, self._copy_rows(name, rows))
-            elif self.bounds is not None and SIZES[kind] == 1:
+            elif isinstance(value, np.ndarray) and value.ndim:  # a constant vector: arrays in fields are by point
+                object.__setattr__(self, name, tuple(value.tolist()))
+            elif self.bounds is not None and (i == 0 or isinstance(value, Real)):
                 object.__setattr__(self, name, check_number(value, name, *self.bounds))
         self._check_lengths()
+
+    def _dimensions(self, i: int) -> int:
+        """Return the number of dimensions of a constant for parameter i."""
+        return _DIMENSIONS[SIZES[parameter_types(self.maps.sample)[i]]]
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:  # noqa: ARG002  (subclasses use the name)
         """Return a parameter by point as a read-only float32 copy, with NaN in the rows that are out of range."""
@@ -51,7 +58,7 @@ class Parameterised:
 
     def _check_lengths(self) -> None:
         """Raise ValueError if two parameters by point have different numbers of rows."""
-        tables = self.by_point
+        tables = {name: table for name, table in self.by_point.items() if table.ndim}
         for name, table in tables.items():
             first = next(iter(tables))
             if len(table) != len(tables[first]):

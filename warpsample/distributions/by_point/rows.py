@@ -16,15 +16,20 @@ _EXPORTS = ("__array__", "__array_interface__", "__dlpack__", "__cuda_array_inte
 _WANTS = {0: "a number, or (P,) numbers, one for each point", 1: "a vector, or (P, 3) vectors, one for each point"}
 
 
+def is_array(value: Any) -> bool:
+    """Return whether a value is an array of some library or a list, and so may have one row for each point."""
+    if isinstance(value, Real | str | tuple):
+        return False
+    return (isinstance(value, list) and bool(value)) or any(hasattr(value, name) for name in _EXPORTS)
+
+
 def as_rows(value: Any, argument: str, dimensions: int) -> np.ndarray | None:
-    """Return a value as an array with one row for each point, or None for a constant of `dimensions` dimensions.
+    """Return an array with one row for each point, or None for a constant of `dimensions` dimensions.
 
     Raises:
         TypeError: the value is an array, but not of real numbers.
         ValueError: the value has too many dimensions.
     """
-    if isinstance(value, Real | str | tuple) or not (isinstance(value, list) or any(hasattr(value, e) for e in _EXPORTS)):
-        return None
     wants = _WANTS.get(dimensions, "a matrix, or (P, 3, 3) matrices, one for each point")
     array = as_real(value, argument, wants)
     if array.ndim <= dimensions:
