@@ -44,6 +44,8 @@ _LOBES = (
     "Beckmann",
     "CosineHemisphere",
     "GGX",
+    "HenyeyGreenstein",
+    "LinearlyTransformedCosine",
     "OffsetBall",
     "OffsetCircle",
     "OffsetDisk",

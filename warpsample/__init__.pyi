@@ -10,20 +10,24 @@ from warpsample.directions.sample import (
     sample_directions as sample_directions,
     sample_square as sample_square,
 )
-from warpsample.distributions.beckmann import Beckmann as Beckmann
+from warpsample.distributions.microfacets.beckmann import Beckmann as Beckmann
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere as CosineHemisphere
-from warpsample.distributions.ggx import GGX as GGX
+from warpsample.distributions.microfacets.ggx import GGX as GGX
 from warpsample.distributions.offset_ball import OffsetBall as OffsetBall
 from warpsample.distributions.offset_circle import OffsetCircle as OffsetCircle
 from warpsample.distributions.offset_disk import OffsetDisk as OffsetDisk
 from warpsample.distributions.offset_sphere import OffsetSphere as OffsetSphere
 from warpsample.distributions.power_cosine import PowerCosine as PowerCosine
+from warpsample.distributions.scattering.henyey_greenstein import HenyeyGreenstein as HenyeyGreenstein
+from warpsample.distributions.scattering.linearly_transformed_cosine import (
+    LinearlyTransformedCosine as LinearlyTransformedCosine,
+)
 from warpsample.distributions.uniform_cone import UniformCone as UniformCone
 from warpsample.distributions.uniform_disk import UniformDisk as UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere as UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere as UniformSphere
-from warpsample.distributions.visible_beckmann import VisibleBeckmann as VisibleBeckmann
-from warpsample.distributions.visible_ggx import VisibleGGX as VisibleGGX
+from warpsample.distributions.microfacets.visible_beckmann import VisibleBeckmann as VisibleBeckmann
+from warpsample.distributions.microfacets.visible_ggx import VisibleGGX as VisibleGGX
 from warpsample.distributions.von_mises_fisher import VonMisesFisher as VonMisesFisher
 from warpsample.estimate.integrate import integrate as integrate
 from warpsample.estimate.intervals import Interval as Interval

@@ -9,11 +9,11 @@
   `transmitted` the fraction of light that the mesh transmits along the ray. `Tree` is the type of `warpsample.tree(mesh)`, a
   kernel argument. `offset_origin(tree, position, normal)` moves a ray's origin off the face.
 - `Lobe` is the type of the second argument of functions passed to `warpsample.integrate`.
-- `frame_about(n)` returns an orthonormal frame whose z axis is the unit normal n. `to_world` and `to_local` convert
-  directions between the frame and world coordinates.
+- `frame_about(n)` returns an orthonormal frame whose z axis is the unit normal n. `frame_along(n, tangent)` returns a
+  frame with x along a tangent, and whether the tangent can be used. `to_world` and `to_local` convert directions between a
+  frame and world coordinates.
 """
 
-from warpsample.distributions.beckmann import beckmann_to_square, square_to_beckmann, square_to_beckmann_pdf
 from warpsample.distributions.cosine_hemisphere import (
     cosine_hemisphere_to_square,
     cosine_hemisphere_to_square_concentric,
@@ -23,7 +23,38 @@ from warpsample.distributions.cosine_hemisphere import (
     square_to_cosine_hemisphere_offset,
     square_to_cosine_hemisphere_pdf,
 )
-from warpsample.distributions.ggx import ggx_to_square, square_to_ggx, square_to_ggx_pdf
+from warpsample.distributions.microfacets.beckmann import (
+    anisotropic_beckmann_to_square,
+    beckmann_to_square,
+    square_to_anisotropic_beckmann,
+    square_to_anisotropic_beckmann_pdf,
+    square_to_beckmann,
+    square_to_beckmann_pdf,
+)
+from warpsample.distributions.microfacets.ggx import (
+    anisotropic_ggx_to_square,
+    ggx_to_square,
+    square_to_anisotropic_ggx,
+    square_to_anisotropic_ggx_pdf,
+    square_to_ggx,
+    square_to_ggx_pdf,
+)
+from warpsample.distributions.microfacets.visible_beckmann import (
+    anisotropic_visible_beckmann_to_square,
+    square_to_anisotropic_visible_beckmann,
+    square_to_anisotropic_visible_beckmann_pdf,
+    square_to_visible_beckmann,
+    square_to_visible_beckmann_pdf,
+    visible_beckmann_to_square,
+)
+from warpsample.distributions.microfacets.visible_ggx import (
+    anisotropic_visible_ggx_to_square,
+    square_to_anisotropic_visible_ggx,
+    square_to_anisotropic_visible_ggx_pdf,
+    square_to_visible_ggx,
+    square_to_visible_ggx_pdf,
+    visible_ggx_to_square,
+)
 from warpsample.distributions.offset_ball import offset_ball_to_square, square_to_offset_ball, square_to_offset_ball_pdf
 from warpsample.distributions.offset_circle import (
     offset_circle_to_square,
@@ -37,6 +68,16 @@ from warpsample.distributions.offset_sphere import (
     square_to_offset_sphere_pdf,
 )
 from warpsample.distributions.power_cosine import power_cosine_to_square, square_to_power_cosine, square_to_power_cosine_pdf
+from warpsample.distributions.scattering.henyey_greenstein import (
+    henyey_greenstein_to_square,
+    square_to_henyey_greenstein,
+    square_to_henyey_greenstein_pdf,
+)
+from warpsample.distributions.scattering.linearly_transformed_cosine import (
+    linearly_transformed_cosine_to_square,
+    square_to_linearly_transformed_cosine,
+    square_to_linearly_transformed_cosine_pdf,
+)
 from warpsample.distributions.uniform_cone import square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square
 from warpsample.distributions.uniform_disk import (
     square_to_uniform_disk,
@@ -55,19 +96,13 @@ from warpsample.distributions.uniform_sphere import (
     square_to_uniform_sphere_pdf,
     uniform_sphere_to_square,
 )
-from warpsample.distributions.visible_beckmann import (
-    square_to_visible_beckmann,
-    square_to_visible_beckmann_pdf,
-    visible_beckmann_to_square,
-)
-from warpsample.distributions.visible_ggx import square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square
 from warpsample.distributions.von_mises_fisher import (
     square_to_von_mises_fisher,
     square_to_von_mises_fisher_pdf,
     von_mises_fisher_to_square,
 )
 from warpsample.estimate.integrand import Lobe
-from warpsample.maths.frames import frame_about, to_local, to_world
+from warpsample.maths.frames import frame_about, frame_along, to_local, to_world
 from warpsample.sequences.fibonacci import fibonacci
 from warpsample.sequences.independent import independent
 from warpsample.sequences.philox import philox
@@ -79,14 +114,21 @@ from warpsample.tracing.own_rays import Tree, any_hit, nearest_hit, offset_origi
 __all__ = [
     "Lobe",
     "Tree",
+    "anisotropic_beckmann_to_square",
+    "anisotropic_ggx_to_square",
+    "anisotropic_visible_beckmann_to_square",
+    "anisotropic_visible_ggx_to_square",
     "any_hit",
     "beckmann_to_square",
     "cosine_hemisphere_to_square",
     "cosine_hemisphere_to_square_concentric",
     "fibonacci",
     "frame_about",
+    "frame_along",
     "ggx_to_square",
+    "henyey_greenstein_to_square",
     "independent",
+    "linearly_transformed_cosine_to_square",
     "nearest_hit",
     "offset_ball_to_square",
     "offset_circle_to_square",
@@ -96,6 +138,14 @@ __all__ = [
     "power_cosine_to_square",
     "r2",
     "sobol",
+    "square_to_anisotropic_beckmann",
+    "square_to_anisotropic_beckmann_pdf",
+    "square_to_anisotropic_ggx",
+    "square_to_anisotropic_ggx_pdf",
+    "square_to_anisotropic_visible_beckmann",
+    "square_to_anisotropic_visible_beckmann_pdf",
+    "square_to_anisotropic_visible_ggx",
+    "square_to_anisotropic_visible_ggx_pdf",
     "square_to_beckmann",
     "square_to_beckmann_pdf",
     "square_to_cosine_hemisphere",
@@ -105,6 +155,10 @@ __all__ = [
     "square_to_cosine_hemisphere_pdf",
     "square_to_ggx",
     "square_to_ggx_pdf",
+    "square_to_henyey_greenstein",
+    "square_to_henyey_greenstein_pdf",
+    "square_to_linearly_transformed_cosine",
+    "square_to_linearly_transformed_cosine_pdf",
     "square_to_offset_ball",
     "square_to_offset_ball_pdf",
     "square_to_offset_circle",

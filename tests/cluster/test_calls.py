@@ -15,7 +15,7 @@ import weights_of_tests as functions
 from docstrings import failures, flaws, sections
 
 import warpsample as ws
-from warpsample import cluster
+from warpsample import cluster, funcs
 
 dask = pytest.importorskip("dask")
 pytest.importorskip("xarray")
@@ -277,3 +277,36 @@ def test_a_call_says_what_it_takes_and_shows_it(name):
     call = getattr(cluster, name)
     assert flaws(call) == []
     assert failures(name, sections(call)["Example"]) == ""
+
+
+def test_lobes_by_point_and_tangents_are_cut_with_the_points():
+    mesh, rng = ws.load_mesh("courtyard"), np.random.default_rng(4)
+    points = ws.sample_surface(mesh, 500, seed=3).with_tangents(rng.normal(size=(500, 4)))
+    view = rng.normal(size=(500, 3))
+    view[:, 2] = abs(view[:, 2])
+    alpha = rng.uniform(0.1, 1.0, 500)
+    lobe = ws.VisibleGGX(alpha, view=view)
+    whole = ws.sample_directions(points, 4, distribution=lobe, pdf=True)
+    lazy = cluster.sample_directions(points, 4, distribution=lobe, pdf=True, chunk=130)
+    found = lazy.compute()
+    for name in ("vectors", "pdf", "status"):
+        assert np.array_equal(found[name], getattr(whole, name)), name
+    assert np.array_equal(found.tangent, points.tangent)
+    # The identity of a run contains the numbers of the arrays.
+    again = cluster.sample_directions(points, 4, distribution=ws.VisibleGGX(alpha.copy(), view=view), pdf=True, chunk=130)
+    alpha[400] *= 1.01
+    other = cluster.sample_directions(points, 4, distribution=ws.VisibleGGX(alpha, view=view), pdf=True, chunk=130)
+    assert again.attrs == lazy.attrs
+    assert again.vectors.data.name == lazy.vectors.data.name
+    assert other.attrs != lazy.attrs
+    assert other.vectors.data.name != lazy.vectors.data.name
+    with pytest.raises(ValueError, match="distribution.alpha: got 500 rows, want 9"):
+        cluster.sample_directions(points.take(slice(9)), 4, distribution=lobe)
+
+
+def test_integrals_over_lobes_by_point_have_the_same_bits():
+    points = ws.sample_surface(ws.load_mesh("courtyard"), 300, seed=3)
+    lobe = ws.GGX(np.linspace(0.1, 1.0, 300))
+    found = cluster.integrate(points, funcs.square_to_cosine_hemisphere_pdf, 16, distribution=lobe, chunk=110).compute()
+    whole = ws.integrate(points, funcs.square_to_cosine_hemisphere_pdf, 16, distribution=lobe)
+    assert np.array_equal(found.value, whole.value)

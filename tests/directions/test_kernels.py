@@ -47,6 +47,19 @@ for name, case in CASES:
 for count in (1, 3, 64) if FIRST else ():
     announce("pdf and active", count)
     ws.sample_directions(normals, count, pdf=True, active=[True, False])
+points = ws.SurfacePoints(np.zeros((2, 3)), normals)
+by_point = (ws.GGX(np.full(2, 0.3)), ws.VisibleGGX(np.full(2, 0.3), view=normals))
+for lobe in by_point if FIRST else ():
+    for count in (1, 3, 64):
+        announce("by point", lobe, count)
+        ws.sample_directions(points, count, distribution=lobe)
+    announce("sample by point", lobe)
+    w = lobe.sample(np.full((2, 3, 2), 0.5, np.float32))
+    announce("pdf by point", lobe)
+    lobe.pdf(w)
+for count in (1, 3, 64) if FIRST else ():
+    announce("tangents", count)
+    ws.sample_directions(points.with_tangents(np.eye(3)[:2]), count)
 for name in ws.sequences.names() if FIRST else ():
     announce("square", name)
     ws.sample_square(name, 1, 1)

@@ -6,7 +6,7 @@ import warp as wp
 from scipy import special
 
 import warpsample as ws
-from warpsample.distributions.visible_beckmann import gaussian_slope, slope_along_view
+from warpsample.distributions.microfacets.visible_beckmann import gaussian_slope, slope_along_view
 from warpsample.maths.error_function import erfc_double, erfc_inverse_roughly
 from warpsample.maths.exponentials import logarithm
 

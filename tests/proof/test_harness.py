@@ -10,6 +10,8 @@ from significance import ALPHA
 import warpsample as ws
 from warpsample.proof import defects, laws, rays, routes, run, stress, twins, verify
 from warpsample.proof.twins.sequences import expected
+from warpsample.proof.wrong_lobes import WRONG_LOBES
+from warpsample.proof.wrong_microfacets import WRONG_MICROFACETS
 from warpsample.statistics.charts import SPHERE, chart_of
 from warpsample.statistics.histogram import histogram_test, joined_test
 
@@ -36,6 +38,31 @@ CAUGHT_BY = {
     "pdf not 0 below the surface": {"outside", "mass"},
     "inverse with a swapped pair": {"round trip"},
     "inverse that is NaN at the pole": {"round trip"},
+    "Henyey-Greenstein of −g": {"direction", "cells", "mean stretch"},
+    "Henyey-Greenstein uniform below 1e-3": {"direction", "sine", "density"},
+    "Henyey-Greenstein uniform for g < 0": {"direction", "density", "angle"},
+    "Henyey-Greenstein by the usual quotient": {"direction", "sine", "cells"},
+    "Henyey-Greenstein of the power 1": {"density", "cells", "mean stretch"},
+    "cosine transformed by the inverse": {"direction", "density", "cells", "mean stretch"},
+    "cosine transformed by the transpose": {"direction", "density", "cells", "mean stretch"},
+    "transformed cosine with a signed determinant": {"finite", "density", "mass"},
+    "transformed cosine of the power 2": {"density", "mass", "mean stretch"},
+    "transformed cosine not normalised": {"unit length"},
+    "GGX with swapped roughnesses": {"direction", "cells", "mean stretch"},
+    "GGX with the mean roughness in the norm": {"density", "mass", "mean stretch"},
+    "GGX with an unstretched azimuth": {"direction", "cells", "mean stretch"},
+    "anisotropic GGX density by 1 − z²": {"density", "mass", "mean stretch"},
+    "GGX density without alpha_y": {"density", "cells", "mean stretch"},
+    "Beckmann with swapped roughnesses": {"direction", "cells", "mean stretch"},
+    "Beckmann with the mean roughness in the norm": {"density", "mass", "mean stretch"},
+    "Beckmann density without alpha_y": {"density", "cells", "mean stretch"},
+    "visible GGX with an unstretched view": {"direction", "cells", "mean stretch"},
+    "visible GGX with a cap from 0": {"direction", "cells", "mean stretch"},
+    "visible GGX with the area of the mean roughness": {"density", "mass", "mean stretch"},
+    "visible GGX with the area of alpha": {"density", "mass", "mean stretch"},
+    "visible GGX with alpha clamped at 1e-3": {"direction", "cells"},
+    "visible Beckmann with swapped roughnesses": {"direction", "cells", "mean stretch"},
+    "visible Beckmann with the density of alpha": {"density", "cells", "mean stretch"},
     "u on 16 bits": {"tails", "repeats"},
     "u on 12 bits": {"tails", "repeats"},
     "Warp's own generator": {"repeats"},
@@ -63,6 +90,11 @@ LONG += (
     "raw words as a key",
     "ids of 32 bits",
 )  # of many points, as one more
+LONG += tuple(  # of masses in cells of two dimensions; a few of them are quick enough
+    name
+    for name in (*WRONG_LOBES, *WRONG_MICROFACETS)
+    if "Henyey" not in name and name not in ("GGX with an unstretched azimuth", "cosine transformed by the inverse")
+)
 
 
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in CAUGHT_BY])
@@ -82,13 +114,13 @@ def test_the_correct_sampler_passes_where_the_defects_are_planted():
 
 def test_a_density_of_another_mass_is_an_error_and_not_a_chance_rejection():
     evidence = verify.Evidence(verify.Subject("right", RIGHT, RIGHT), every=64)
-    wrong = defects.Wrong(pdf=lambda w: RIGHT.pdf(w) * np.float32(1.005))
+    wrong = defects.Wrong(RIGHT, pdf=lambda w: RIGHT.pdf(w) * np.float32(1.005))
     with pytest.raises(ValueError, match="pdf: its integral converges to 1.00500, want 1"):
         laws.cells_p_value(wrong, evidence.first_directions, evidence.edges)
 
 
 def test_an_integral_that_does_not_converge_is_an_error():
-    noise = defects.Wrong(pdf=lambda w: np.sin(1e6 * w[..., 2].astype(np.float64)).astype(np.float32) ** 2)
+    noise = defects.Wrong(RIGHT, pdf=lambda w: np.sin(1e6 * w[..., 2].astype(np.float64)).astype(np.float32) ** 2)
     with pytest.raises(ValueError, match="pdf: its integral still moves by .* of itself at 256 nodes a cell"):
         laws.cell_masses(noise, np.array([0.0, 1.5, np.pi]), 4)
 

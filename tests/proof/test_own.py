@@ -128,7 +128,7 @@ def test_an_interrupt_prints_what_is_done(call, monkeypatch):
     monkeypatch.setattr(run, "run", half)
     status, out, err = call("verify", "--only", "ggx")
     assert status == 130
-    assert err == "interrupted after 1 of 4 parts; the tables contain only these parts\n"
+    assert err == "interrupted after 1 of 7 parts; the tables contain only these parts\n"
     assert re.search(r"finite +Done +1 +0 +≤ 0 +holds", out)
     assert "1 verdicts, 0 broken" in out
 

@@ -63,7 +63,7 @@ def test_a_planted_defect_gives_status_1(call):
 def test_an_unknown_defect_lists_the_known_ones(call):
     status, out, err = call("--plant", "typo")
     assert (status, out) == (2, "")
-    assert err.startswith("error: --plant: got 'typo', want one of Beckmann of α² for α, ")
+    assert err.startswith("error: --plant: got 'typo', want one of Beckmann density without alpha_y, ")
 
 
 @pytest.mark.slow

@@ -7,6 +7,7 @@ import numpy as np
 import warp as wp
 
 import warpsample as ws
+from warpsample.distributions.parameters import parameter_types
 from warpsample.maths.frames import frame_about, to_local, to_world
 
 # Without it this module takes twice as long to compile; the adjoints are the same arithmetic.
@@ -19,11 +20,15 @@ LAST = 1.0 - CELL
 VIEWS = ((0.0, 0.0, 1.0), (0.6, -0.64, 0.48), (1.0, 0.0, 0.0), (-0.8, 0.0, 0.6), (1e-4, 0.0, 1.0))
 CASES = [
     *(kind(alpha) for kind in (ws.GGX, ws.Beckmann) for alpha in (1e-3, 0.05, 0.3, 1.0)),
+    *(kind(*alphas) for kind in (ws.GGX, ws.Beckmann) for alphas in ((0.3, 0.05), (1e-3, 1e-2), (1.0, 0.2))),
     *map(ws.PowerCosine, (0.0, 1.0, 2.5, 100.0, 1e6)),
     *map(ws.VonMisesFisher, (1e-6, 0.5, 8.0, 20.0, 1000.0, 1e6)),
+    *map(ws.HenyeyGreenstein, (0.0, 1e-4, 0.7, -0.7, -0.99, 0.9999)),
     *map(ws.OffsetSphere, (1e-3, 0.5, 1.0, 1.5, 100.0)),
     *(ws.UniformCone(one_minus_cos=c) for c in (1.999, 1.0, 0.25, 1e-5)),
+    *(kind(0.3, view, 0.1) for kind in (ws.VisibleGGX, ws.VisibleBeckmann) for view in VIEWS),
     *(kind(alpha, view) for kind in (ws.VisibleGGX, ws.VisibleBeckmann) for alpha in (1e-3, 0.3, 1.0) for view in VIEWS),
+    *ws.LinearlyTransformedCosine.cases(),
     *map(ws.CosineHemisphere, ("polar", "concentric", "inversion", "offset")),
     *map(ws.UniformDisk, ("polar", "concentric")),
     *(ws.UniformSphere(), ws.UniformHemisphere(), ws.OffsetBall(), ws.OffsetDisk(), ws.OffsetCircle()),
@@ -44,28 +49,43 @@ def all_cases():
     return list(dict.fromkeys([*CASES, *more]))
 
 
-def make(func, argument, result, parameters):
+def make(func, argument, result):
     """A user's kernel: one call for each row, with every parameter an array."""
-    if parameters == 0:
+    kinds = [wp.float32 if kind is float else kind for kind in parameter_types(func)]
+    first, second, third = (*kinds, wp.float32, wp.float32, wp.float32)[:3]
+    if not kinds:
 
         @wp.kernel
-        def call(x: wp.array[argument], p: wp.array[wp.float32], view: wp.array[wp.vec3], out: wp.array[result]):
+        def call(x: wp.array[argument], out: wp.array[result]):
             i = wp.tid()
             out[i] = func(x[i])
 
-    elif parameters == 1:
+    elif len(kinds) == 1:
 
         @wp.kernel
-        def call(x: wp.array[argument], p: wp.array[wp.float32], view: wp.array[wp.vec3], out: wp.array[result]):
+        def call(x: wp.array[argument], p: wp.array[first], out: wp.array[result]):
             i = wp.tid()
             out[i] = func(x[i], p[i])
+
+    elif len(kinds) == 2:
+
+        @wp.kernel
+        def call(x: wp.array[argument], p: wp.array[first], q: wp.array[second], out: wp.array[result]):
+            i = wp.tid()
+            out[i] = func(x[i], p[i], q[i])
 
     else:
 
         @wp.kernel
-        def call(x: wp.array[argument], p: wp.array[wp.float32], view: wp.array[wp.vec3], out: wp.array[result]):
+        def call(
+            x: wp.array[argument],
+            p: wp.array[first],
+            q: wp.array[second],
+            r: wp.array[third],
+            out: wp.array[result],
+        ):
             i = wp.tid()
-            out[i] = func(x[i], p[i], view[i])
+            out[i] = func(x[i], p[i], q[i], r[i])
 
     return call
 
@@ -79,7 +99,7 @@ def kernels():
         widths = ((2, case.width), (case.width, 1), (case.width, 2))
         for func, (width, out_width) in zip(funcs, widths, strict=True):
             if func is not None and func not in made:
-                made[func] = make(func, VECTORS[width], VECTORS[out_width], len(case.parameters))
+                made[func] = make(func, VECTORS[width], VECTORS[out_width])
     return made
 
 
@@ -94,7 +114,7 @@ def framed(n: wp.array[wp.vec3], w: wp.array[wp.vec3], out: wp.array[wp.vec3], b
 def vectors(x):
     """An array on the CPU that asks for a gradient."""
     x = np.ascontiguousarray(x, np.float32)
-    kind = VECTORS[x.shape[1] if x.ndim == 2 else 1]
+    kind = wp.mat33 if x.ndim == 3 else VECTORS[x.shape[1] if x.ndim == 2 else 1]
     return wp.array(x, dtype=kind, device="cpu", requires_grad=True)
 
 
@@ -119,24 +139,19 @@ def by_tape(kernel, inputs, output):
 
 
 def of_case(case, func, x, out_width):
-    """The Jacobians of a function of a case at the rows x: by x, by its scalar, by its view."""
-    scalar, view = parameters(case)
-    inputs = (x, np.full(len(x), scalar), np.tile(view, (len(x), 1)))
+    """The Jacobians of a function of a case at the rows x: by x, and by each parameter, with its components in a row."""
+    inputs = (x, *(np.repeat(value[None], len(x), axis=0) for value in parameters(case).values()))
     return by_tape(kernels()[func], inputs, [np.zeros((len(x), out_width))])[0]
 
 
 def parameters(case):
-    """(scalar, view) of a case as a kernel takes them, in float64."""
-    scalar = getattr(case, case.parameters[0]) if case.parameters else 0.0
-    return float(np.float32(scalar)), np.array(getattr(case, "view", (0.0, 0.0, 1.0)), np.float32).astype(np.float64)
+    """The parameters of a case as a kernel takes them, in float64, by name."""
+    return {name: np.array(getattr(case, name), np.float32).astype(np.float64) for name in case.parameters}
 
 
-def like(case, scalar=None, view=None):
+def like(case, **changed):
     """What the twins read of a case, with other parameters, also beyond their bounds."""
-    own = parameters(case)
-    values = (own[0] if scalar is None else scalar, own[1] if view is None else view)
-    known = dict(zip(case.parameters, values, strict=False))
-    return SimpleNamespace(name=case.name, method=getattr(case, "method", None), **known)
+    return SimpleNamespace(name=case.name, method=getattr(case, "method", None), **parameters(case) | changed)
 
 
 def slope(f, step):

@@ -82,7 +82,19 @@ def directions_command(
     ] = None,
     at: At = None,
     samples: Annotated[int, typer.Option(help="Number of directions per point.")] = 64,
-    distribution: Annotated[str, typer.Option(help=DISTRIBUTION_HELP)] = "cosine_hemisphere",
+    distribution: Annotated[
+        str,
+        typer.Option(
+            help=f"{DISTRIBUTION_HELP} 'ggx(alpha=@roughness)' takes a parameter of each point from the array of that name."
+        ),
+    ] = "cosine_hemisphere",
+    arrays: Annotated[
+        Path | None,
+        option(
+            "File with the arrays that --distribution names: .ply, .vtp or .npz, with one row for each vertex, face or"
+            " point. Numbers of vertices are interpolated. Default: the mesh file."
+        ),
+    ] = None,
     sequence: Annotated[str, typer.Option(help=f"Sampling sequence: {', '.join(sequences.names())}.")] = "sobol",
     seed: Annotated[int, typer.Option(help="Seed of the random points and directions.")] = 0,
     workers: Workers = None,
@@ -92,7 +104,7 @@ def directions_command(
 
     points = 10_000 if points is None and at is None else points
     with working(f"reading {mesh}, sampling, writing {output}; a kernel is compiled when it is first used, for about 2 s"):
-        summary = export(DirectionsRun(mesh, output, points, samples, distribution, sequence, seed, at), workers)
+        summary = export(DirectionsRun(mesh, output, points, samples, distribution, sequence, seed, at, arrays), workers)
     print(f"{output}: {summary}")
 
 

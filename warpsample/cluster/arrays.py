@@ -21,11 +21,16 @@ POINT_ARRAYS: dict[str, Any] = {
 }
 """(dtype, shape of a row) of each field of points made by workers."""
 
-GIVEN_ARRAYS: dict[str, Any] = {**POINT_ARRAYS, "id": (np.dtype(np.uint64), ()), "raised": (np.dtype(bool), ())}
+GIVEN_ARRAYS: dict[str, Any] = {
+    **POINT_ARRAYS,
+    "id": (np.dtype(np.uint64), ()),
+    "raised": (np.dtype(bool), ()),
+    "tangent": (np.dtype(np.float32), (4,)),
+}
 """(dtype, shape of a row) of each field of points given by the caller."""
 
-_SAMPLES = {"pdf", "distance", "face", "vectors"}
-"""Names of arrays with the samples of a point along the second dimension."""
+_SECOND = {**dict.fromkeys(("pdf", "distance", "face", "vectors"), "sample"), "tangent": "component"}
+"""Name of the second dimension, by array, where the name is neither "axis" nor "channel"."""
 
 
 def dataset_of(job: Job) -> xr.Dataset:
@@ -96,5 +101,5 @@ def _with_dimensions(arrays: dict[str, Array]) -> dict[str, tuple[tuple[str, ...
 
 def dimensions(name: str, count: int) -> tuple[str, ...]:
     """Return the names of the first `count` dimensions of an array."""
-    second = "sample" if name in _SAMPLES else "axis" if name in POINT_ARRAYS else "channel"
+    second = _SECOND.get(name, "axis" if name in POINT_ARRAYS else "channel")
     return ("point", second, "axis")[:count]

@@ -8,6 +8,7 @@ import numpy as np
 
 from warpsample.cluster.named import Named
 from warpsample.directions.sample import sample_directions
+from warpsample.distributions.record import Distribution
 from warpsample.estimate.integrate import integrate
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
@@ -24,13 +25,17 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
 """Functions that can be computed in chunks, by name."""
 
 
+BY_POINT = "distribution."
+"""Beginning of the names of rows that are parameters of the distribution, given by point."""
+
+
 @dataclass(frozen=True)
 class Call:
     """Small description of a call, the same for all chunks and sent with every task.
 
     Attributes:
         name: Name of the call, a key of FUNCTIONS.
-        options: Small arguments, by name.
+        options: Small arguments, by name; of a distribution by point without the rows of its parameters.
         shared: Names of the large arguments; a worker keeps one copy of each for all tasks.
         rows: Names of the arguments that are arrays with a row per point.
         at: Name of the argument that is a SurfacePoints; None if no argument is.
@@ -97,7 +102,7 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
     """
     arguments = {name: value.taken() if isinstance(value, Named) else value for name, value in call.options.items()}
     arguments |= zip(call.shared, shared, strict=True)
-    arguments |= zip(call.rows, rows, strict=True)
+    arguments |= _with_rows(arguments, dict(zip(call.rows, rows, strict=True)))
     if call.at:
         arguments[call.at] = points
     if call.name == "sample_directions":
@@ -107,3 +112,13 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
         arguments["first_point"] = call.first_point + start
     found = FUNCTIONS[call.name](**arguments)
     return {item.name: getattr(found, item.name) for item in fields(found)}
+
+
+def _with_rows(arguments: dict[str, Any], rows: dict[str, Any]) -> dict[str, Any]:
+    """Return the arguments with one row for each point; rows of parameters become parts of the distribution."""
+    tables = {name.removeprefix(BY_POINT): array for name, array in rows.items() if name.startswith(BY_POINT)}
+    found = {name: array for name, array in rows.items() if not name.startswith(BY_POINT)}
+    distribution = arguments.get("distribution")
+    if tables and isinstance(distribution, Distribution):
+        found["distribution"] = distribution.with_tables(tables)
+    return found

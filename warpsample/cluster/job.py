@@ -12,7 +12,7 @@ import warp as wp
 from dask.array import Array, from_array
 from dask.base import tokenize
 
-from warpsample.cluster.chunks import FUNCTIONS, Call, numbers
+from warpsample.cluster.chunks import BY_POINT, FUNCTIONS, Call, numbers
 from warpsample.cluster.named import Named, named
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.source.content import WHAT, function_content
@@ -125,6 +125,7 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
     total = total if place else len(next(iter(rows.values())))
     if taken.pop("active", None) is not None:
         rows["active"] = check_active(bound.arguments["active"], total).view(np.bool_)
+    rows |= _rows_of_parameters(taken)
     for argument, array in rows.items():
         if len(array) != total:
             raise ValueError(f"{argument}: got {len(array):,} rows, want {total:,}, one for each point")
@@ -162,7 +163,7 @@ def _place(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, di
             points on.
     """
     if isinstance(points, SurfacePoints):
-        given = {name: getattr(points, name) for name in ("position", "normal", "face", "id", "raised")}
+        given = {name: getattr(points, name) for name in ("position", "normal", "face", "id", "raised", "tangent")}
         return "given", len(points), {name: array for name, array in given.items() if array is not None}
     named = isinstance(points, str)
     if at == "points" and not named and mesh is not None and not _whole(points):
@@ -200,6 +201,15 @@ def _rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
                 taken.pop(name)
                 rows[name] = array
     return rows
+
+
+def _rows_of_parameters(taken: dict[str, Any]) -> dict[str, np.ndarray]:
+    """Remove the parameters by point from the distribution of a call, and return them by name."""
+    distribution = taken.get("distribution")
+    if not isinstance(distribution, Distribution) or not distribution.by_point:
+        return {}
+    taken["distribution"] = distribution.take(slice(0, 0))
+    return {f"{BY_POINT}{name}": table for name, table in distribution.by_point.items()}
 
 
 def _cut(array: Any, chunk: int) -> Array:

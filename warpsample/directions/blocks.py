@@ -2,10 +2,26 @@
 
 import warp as wp
 
-from warpsample.directions.samples import Samples, build_unit_writer, normal_status, select_accessors
+from warpsample.directions.samples import (
+    INVALID_PARAMETER,
+    Samples,
+    build_orienter,
+    build_unit_writer,
+    normal_status,
+    select_accessors,
+)
 from warpsample.directions.variates import LANES
+from warpsample.distributions.by_point.tables import (
+    Layout,
+    column_loader,
+    column_writer,
+    repeat_number,
+    row_check,
+    row_loader,
+)
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.host.locks import once
+from warpsample.maths.frames import frame_along
 from warpsample.maths.numerics import normalize
 from warpsample.sequences.record import Sequence
 
@@ -15,7 +31,15 @@ _STRIDE = FLAT_BLOCK + LANES
 
 @once
 def _build_mender(
-    sequence: Sequence, about: wp.Function, *, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, masked: bool
+    sequence: Sequence,
+    about: wp.Function,
+    *,
+    redraw: wp.Function | None,
+    redraw_below: float,
+    with_pdf: bool,
+    masked: bool,
+    layout: Layout,
+    tangents: bool,
 ) -> wp.Function:
     """Build the wp.func that corrects the rare pairs of a block that the vectorised loop cannot handle.
 
@@ -23,6 +47,7 @@ def _build_mender(
     """
     (store, weigh), redraws = select_accessors(with_pdf, masked), redraw is not None
     key_of, sample_of = sequence.key, sequence.sample
+    load, check, orient = row_loader(layout), row_check(layout), build_orienter(tangents)
 
     @wp.func
     def mend(
@@ -39,16 +64,20 @@ def _build_mender(
             q = (start + i) / samples.count
             normal = wp.vec3(normals[3 * q], normals[3 * q + 1], normals[3 * q + 2])
             code = normal_status(normal, weigh(active, q))
+            parameters = load(samples.parameters, samples.tables, samples.row + point + wp.int64(q))
+            if code == 0 and check(parameters) != 0:
+                code = INVALID_PARAMETER
             if code != 0:
                 status = wp.array(ptr=samples.status + wp.uint64(point) + wp.uint64(q), shape=(1,), dtype=wp.uint8)
                 status[0] = wp.uint8(code)
                 store(vectors, pdf, i, wp.vec4(0.0))
-            elif wp.static(redraws):
-                n = normalize(normal)
-                key = key_of(samples.run, samples.first_point + wp.uint32(point) + wp.uint32(q))
-                u = sample_of(key, wp.uint32(start + i - q * samples.count), wp.uint32(samples.count))
-                if about(n, u, samples.parameters)[3] < redraw_below:
-                    store(vectors, pdf, i, redraw(n, u, samples.parameters))
+            elif wp.static(redraws or tangents):
+                n = orient(samples, point + wp.int64(q), normalize(normal))
+                if wp.static(redraws):
+                    key = key_of(samples.run, samples.first_point + wp.uint32(point) + wp.uint32(q))
+                    u = sample_of(key, wp.uint32(start + i - q * samples.count), wp.uint32(samples.count))
+                    if about(n, u, parameters)[3] < redraw_below:
+                        store(vectors, pdf, i, redraw(n, u, parameters))
 
     return mend
 
@@ -107,6 +136,77 @@ def _repeat_normals(
 
 
 @once
+def _build_frame_writer(one_sample: bool) -> wp.Function:
+    """Build the wp.func that writes x and y of the frame of each pair of a block, six columns, from the tangents.
+
+    With several samples, the frames of the points are written behind the columns first. The function returns 1 if a tangent
+    cannot be used, else 0.
+    """
+    own = 0 if one_sample else 24 * _STRIDE  # bytes
+
+    @wp.func
+    def write(
+        tangents: wp.uint64,
+        point: wp.int64,
+        units: wp.array[wp.float32],
+        points: wp.int32,
+        count: wp.int32,
+        start: wp.int32,
+        length: wp.int32,
+        frames: wp.array[wp.float32],
+    ):
+        t = wp.array(ptr=tangents + wp.uint64(point) * wp.uint64(16), shape=(4 * points,), dtype=wp.float32)
+        each = wp.array(ptr=frames.ptr + wp.uint64(own), shape=(6 * _STRIDE,), dtype=wp.float32)
+        rare = wp.int32(0)
+        j = wp.int32(0)
+        while j < points:
+            n = wp.vec3(units[j], units[_STRIDE + j], units[2 * _STRIDE + j])
+            frame, usable = frame_along(n, wp.vec4(t[4 * j], t[4 * j + 1], t[4 * j + 2], t[4 * j + 3]))
+            each[j] = frame[0, 0]
+            each[_STRIDE + j] = frame[1, 0]
+            each[2 * _STRIDE + j] = frame[2, 0]
+            each[3 * _STRIDE + j] = frame[0, 1]
+            each[4 * _STRIDE + j] = frame[1, 1]
+            each[5 * _STRIDE + j] = frame[2, 1]
+            rare = rare | wp.where(usable == 0, 1, 0)
+            j += 1
+        if wp.static(not one_sample):
+            for p in range(points):
+                first = wp.max(p * count - start, 0)
+                end = wp.min((p + 1) * count - start, length)
+                for c in range(6):
+                    column = wp.array(ptr=frames.ptr + wp.uint64(4 * _STRIDE * c), shape=(_STRIDE,), dtype=wp.float32)
+                    repeat_number(each[c * _STRIDE + p], first, end, column)
+        return rare
+
+    return write
+
+
+@once
+def _build_frame_reader(tangents: bool) -> wp.Function:
+    """Build the wp.func that returns the first argument of `Distribution.about` for pair j of a block."""
+    if not tangents:
+
+        @wp.func
+        def orient(frames: wp.array[wp.float32], n: wp.vec3, j: wp.int32):
+            """Return the unit normal."""
+            return n
+
+    else:
+
+        @wp.func
+        def orient(frames: wp.array[wp.float32], n: wp.vec3, j: wp.int32):
+            """Return the frame."""
+            return wp.mat33(
+                frames[j], frames[3 * _STRIDE + j], n[0],
+                frames[_STRIDE + j], frames[4 * _STRIDE + j], n[1],
+                frames[2 * _STRIDE + j], frames[5 * _STRIDE + j], n[2],
+            )  # fmt: skip
+
+    return orient
+
+
+@once
 def direction_blocks(
     sequence: Sequence,
     about: wp.Function,
@@ -116,17 +216,25 @@ def direction_blocks(
     with_pdf: bool,
     masked: bool,
     one_sample: bool,
+    layout: Layout = (),
+    tangents: bool = False,
 ) -> wp.Kernel:
     """Build the kernel that computes directions in tasks of `rows` blocks, bit for bit as `direction_rows` does.
 
     A block computes unit normals and points u first. If points have several samples, it then copies the normal of each pair
     to a buffer, because a gather from an array that the stores might alias would prevent vectorisation.
     """
-    (store, _), redraws = select_accessors(with_pdf, masked), redraw is not None
-    mend = _build_mender(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, masked=masked)
+    (store, _), redraws, by_point = select_accessors(with_pdf, masked), redraw is not None, bool(layout)
+    how = {"redraw": redraw, "redraw_below": redraw_below, "with_pdf": with_pdf, "masked": masked}
+    mend = _build_mender(sequence, about, **how, layout=layout, tangents=tangents)
+    write_frames, orient = _build_frame_writer(one_sample), _build_frame_reader(tangents)
+    write_columns, load = column_writer(layout, _STRIDE), column_loader(layout, _STRIDE)
     write_units, fill = build_unit_writer(masked, _STRIDE, False), _build_block_variates(sequence, one_sample)
-    floats = 2 * FLAT_BLOCK + (3 if one_sample else 6) * _STRIDE
-    repeated_at = 4 * (floats - 3 * _STRIDE)  # bytes; for one sample per point, the address of the unit normals
+    own = 2 * FLAT_BLOCK + (3 if one_sample else 6) * _STRIDE
+    repeated_at = 4 * (own - 3 * _STRIDE)  # bytes; for one sample per point, the address of the unit normals
+    frame_floats = (6 if one_sample else 12) * _STRIDE * tangents
+    frames_at, columns_at = 4 * own, 4 * (own + frame_floats)
+    floats = own + frame_floats + len(layout) * _STRIDE
 
     @wp.func
     def fill_block(samples: Samples, first: wp.int64, buffer: wp.uint64):
@@ -148,10 +256,18 @@ def direction_blocks(
         fill(samples, point, start, length, u)
         if wp.static(not one_sample):
             _repeat_normals(units, span, count, start, length, repeated)
+        frames = wp.array(ptr=buffer + wp.uint64(frames_at), shape=(6 * _STRIDE,), dtype=wp.float32)
+        columns = wp.array(ptr=buffer + wp.uint64(columns_at), shape=(_STRIDE,), dtype=wp.float32)
+        if wp.static(tangents):
+            rare = rare | write_frames(samples.tangents, point, units, span, count, start, length, frames)
+        if wp.static(by_point):
+            row = samples.row + point
+            rare = rare | write_columns(samples.tables, row, span, count, start, length, columns.ptr)
         j = wp.int32(0)
         while j < length:
             n = wp.vec3(repeated[j], repeated[_STRIDE + j], repeated[2 * _STRIDE + j])
-            d = about(n, wp.vec2(u[j] + 0.0, u[FLAT_BLOCK + j] + 0.0), samples.parameters)
+            parameters = load(samples.parameters, columns, j)
+            d = about(orient(frames, n, j), wp.vec2(u[j] + 0.0, u[FLAT_BLOCK + j] + 0.0), parameters)
             store(vectors, pdf, j, d)
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)

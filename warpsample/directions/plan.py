@@ -13,6 +13,7 @@ from warpsample.directions.rows import MOST_ROWS, direction_rows
 from warpsample.directions.samples import SamplesArgs
 from warpsample.directions.variates import CHUNK
 from warpsample.distributions.elementwise import FLAT_BLOCK
+from warpsample.distributions.parameters import redraw_of
 from warpsample.distributions.record import Distribution
 from warpsample.host.arrays import Array
 from warpsample.host.device_memory import at_home
@@ -36,13 +37,15 @@ class DirectionPlan:
     count: int
     pdf: bool
     options: CallOptions
+    tangents: np.ndarray | None = None
 
     def fill(self, normals: Vectors, vectors: Vectors, pdf: Vectors | None) -> Array:
         """Write vectors and pdf, arrays of the same type and device as the normals, and return the status of each point."""
-        memory, active = self.options.memory, _copy_mask(normals, self.options.active)
+        memory, active = self.options.memory, _copy_rows(normals, self.options.active, wp.uint8)
+        tangents = _copy_rows(normals, self.tangents, wp.vec4)
         on_host, points = isinstance(normals.owner, np.ndarray), normals.count
         status = np.zeros(points, np.uint8) if on_host else wp.zeros(points, wp.uint8, memory.device)
-        for rows in memory.parts(points, 16 * self.count + 14):
+        for rows in memory.parts(points, 16 * self.count + 30 + 4 * len(self.distribution.layout)):
             with memory.loan() as loan:
                 args = SamplesArgs(
                     count=self.count,
@@ -54,6 +57,8 @@ class DirectionPlan:
                     ids=loan.put(self.options.ids, rows),
                     active=loan.put(active, rows),
                     parameters=self.distribution.kernel_parameters().__ctype__(),
+                    tables=self.distribution.lend_tables(loan, rows),
+                    tangents=loan.put(tangents, rows),
                 )
                 self._run(args, memory.device, self.options.first_point + rows.start, rows.stop - rows.start)
         return status
@@ -69,6 +74,8 @@ class DirectionPlan:
                 args.pdf += 4 * start * self.count if whole.pdf else 0
                 args.status += start
                 args.ids += 8 * start if whole.ids else 0
+                args.row = start
+                args.tangents += 16 * start if whole.tangents else 0
                 args.active += start if whole.active else 0
             high, args.first_point = divmod(first_point + start, 2**32)
             args.run = _pack_run_words(self.sequence, self.options.seed, high)
@@ -84,7 +91,10 @@ class DirectionPlan:
         Rows serve CUDA, points with user-defined ids, and counts that fill a SIMD vector. Blocks serve smaller counts, but
         not user-defined ids, because the keys of a block must differ in one word only.
         """
-        build = partial(_build_kernel, self.distribution, self.sequence, self.pdf, masked)
+        lobe, tangents = self.distribution, self.tangents is not None
+        how = {"redraw": redraw_of(lobe.maps, tangents), "redraw_below": lobe.maps.redraw_below, "with_pdf": self.pdf}
+        how |= {"masked": masked, "layout": lobe.layout, "tangents": tangents}
+        build = partial(_build_kernel, self.sequence, lobe.about(tangents), **how)
         if not at_home(device):
             return build(own_ids=own_ids, chunk=1), points * self.count, 1, 1
         if self.count >= _ROW or own_ids:
@@ -97,12 +107,9 @@ class DirectionPlan:
 
 
 @lru_cache(maxsize=256)
-def _build_kernel(distribution: Distribution, sequence: Sequence, pdf: bool, masked: bool, **shape: Any) -> wp.Kernel:
+def _build_kernel(sequence: Sequence, about: wp.Function, **shape: Any) -> wp.Kernel:
     """Build the kernel for rows, or, if `shape` has the key `one_sample`, the kernel for blocks."""
-    maps = distribution.maps
-    make = direction_blocks if "one_sample" in shape else direction_rows
-    how = {"redraw": maps.redraw, "redraw_below": maps.redraw_below, "with_pdf": pdf, "masked": masked}
-    return make(sequence, distribution.about(), **how, **shape)
+    return (direction_blocks if "one_sample" in shape else direction_rows)(sequence, about, **shape)
 
 
 @lru_cache(maxsize=1024)
@@ -111,11 +118,11 @@ def _pack_run_words(sequence: Sequence, seed: int, high: int) -> wp.vec4ui:
     return wp.vec4ui(*sequence.run_words(seed, high))
 
 
-def _copy_mask(normals: Vectors, active: np.ndarray | None) -> Array | None:
-    """Copy the mask to the device of the normals, if the normals are a wp.array."""
-    if active is None or isinstance(normals.owner, np.ndarray):
-        return active
-    return wp.array(active, dtype=wp.uint8, device=normals.device)
+def _copy_rows(normals: Vectors, array: np.ndarray | None, kind: Any) -> Array | None:
+    """Copy an array with one row for each point to the device of the normals, if the normals are a wp.array."""
+    if array is None or isinstance(normals.owner, np.ndarray):
+        return array
+    return wp.array(array, dtype=kind, device=normals.device)
 
 
 def split_at_high_word(first_point: int, points: int) -> list[tuple[int, int]]:

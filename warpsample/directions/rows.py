@@ -2,8 +2,17 @@
 
 import warp as wp
 
-from warpsample.directions.samples import Samples, build_unit_writer, normal_status, select_accessors
+from warpsample.directions.samples import (
+    INVALID_PARAMETER,
+    Samples,
+    build_orienter,
+    build_unit_writer,
+    normal_status,
+    select_accessors,
+)
 from warpsample.directions.variates import LANES, fill_variates
+from warpsample.distributions.by_point.tables import Layout, row_check, row_loader
+from warpsample.distributions.parameters import Parameters
 from warpsample.host.locks import once
 from warpsample.maths.memory import address_at
 from warpsample.maths.numerics import high_word, low_word
@@ -38,7 +47,10 @@ def _build_mover(with_pdf: bool) -> wp.Function:
 
 @once
 def _build_clearer(with_pdf: bool, masked: bool) -> wp.Function:
-    """Build the wp.func that writes zero vectors and a status for a point without directions."""
+    """Build the wp.func that writes zero vectors and a status for a point without directions.
+
+    Without another reason, the reason is a parameter.
+    """
     store, weigh = select_accessors(with_pdf, masked)
 
     @wp.func
@@ -47,7 +59,8 @@ def _build_clearer(with_pdf: bool, masked: bool) -> wp.Function:
         normal = wp.array(ptr=samples.normals + at * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
         active = wp.array(ptr=samples.active + at, shape=(1,), dtype=wp.uint8)
         status = wp.array(ptr=samples.status + at, shape=(1,), dtype=wp.uint8)
-        status[0] = wp.uint8(normal_status(normal, weigh(active, 0)))
+        code = normal_status(normal, weigh(active, 0))
+        status[0] = wp.uint8(wp.where(code == 0, INVALID_PARAMETER, code))
         first = at * wp.uint64(samples.count) + wp.uint64(start)
         vectors = wp.array(ptr=samples.vectors + first * wp.uint64(12), shape=(3 * (end - start),), dtype=wp.float32)
         pdf = wp.array(ptr=samples.pdf + first * wp.uint64(4), shape=(end - start,), dtype=wp.float32)
@@ -59,19 +72,28 @@ def _build_clearer(with_pdf: bool, masked: bool) -> wp.Function:
 
 @once
 def _build_chunk_filler(
-    sequence: Sequence, about: wp.Function, *, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, chunk: int
+    sequence: Sequence,
+    about: wp.Function,
+    *,
+    redraw: wp.Function | None,
+    redraw_below: float,
+    with_pdf: bool,
+    tangents: bool,
+    chunk: int,
 ) -> wp.Function:
     """Build the wp.func that writes the directions of a chunk.
 
     Directions that need `redraw` are rare and are replaced in a second pass.
     """
     fill, (store, _), redraws = fill_variates(sequence, chunk), select_accessors(with_pdf, False), redraw is not None
+    orientation = wp.mat33 if tangents else wp.vec3
 
     @wp.func
     def fill_chunk(
         samples: Samples,
         key: wp.vec4ui,
-        n: wp.vec3,
+        n: orientation,
+        parameters: Parameters,
         first: wp.int32,
         length: wp.int32,
         padded: wp.int32,
@@ -87,7 +109,7 @@ def _build_chunk_filler(
         j = wp.int32(0)
         while j < padded:
             # The sum with 0 stops LLVM from joining the two loads, which would prevent vectorisation.
-            d = about(n, wp.vec2(u[j] + 0.0, u[chunk + j] + 0.0), samples.parameters)
+            d = about(n, wp.vec2(u[j] + 0.0, u[chunk + j] + 0.0), parameters)
             store(vectors, pdf, j, d)
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)
@@ -96,8 +118,8 @@ def _build_chunk_filler(
             if rare != 0:
                 for i in range(length):
                     p = wp.vec2(u[i], u[chunk + i])
-                    if about(n, p, samples.parameters)[3] < redraw_below:
-                        store(vectors, pdf, i, redraw(n, p, samples.parameters))
+                    if about(n, p, parameters)[3] < redraw_below:
+                        store(vectors, pdf, i, redraw(n, p, parameters))
 
     return fill_chunk
 
@@ -132,6 +154,8 @@ def direction_rows(
     with_pdf: bool,
     masked: bool,
     own_ids: bool = False,
+    layout: Layout = (),
+    tangents: bool = False,
     chunk: int,
 ) -> wp.Kernel:
     """Build the kernel that computes directions in tasks of `rows` points with `segment` samples each.
@@ -140,19 +164,28 @@ def direction_rows(
 
     Args:
         sequence: sequence of the points u.
-        about: wp.func (unit normal, u, Parameters) -> (direction, pdf).
+        about: wp.func (unit normal, u, Parameters) -> (direction, pdf), with `tangents` of a frame in place of the normal.
         redraw: replacement for `about`, with the same signature, where the pdf is below `redraw_below` and `about` is
             imprecise; None if not needed.
         redraw_below: pdf below which `redraw` replaces `about`.
         with_pdf: whether to store the pdf.
         masked: whether to read the mask `active`.
         own_ids: whether the points have user-defined ids, `Samples.ids`.
+        layout: parameters by point.
+        tangents: whether the points have tangents, `Samples.tangents`.
         chunk: number of samples whose points u are computed ahead of the directions, CHUNK or 1.
     """
     move, clear = _build_mover(with_pdf), _build_clearer(with_pdf, masked)
     fill_chunk = _build_chunk_filler(
-        sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, chunk=chunk
+        sequence,
+        about,
+        redraw=redraw,
+        redraw_below=redraw_below,
+        with_pdf=with_pdf,
+        tangents=tangents,
+        chunk=chunk,
     )
+    load, check, orient = row_loader(layout), row_check(layout), build_orienter(tangents)
     key_of, lanes, most_rows = _build_key_function(sequence, own_ids), min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
     write_units, floats = build_unit_writer(masked, most_rows, True), 6 * chunk + 4 * most_rows
 
@@ -176,14 +209,16 @@ def direction_rows(
             n = wp.vec3(units[k], units[most_rows + k], units[2 * most_rows + k])
             key = key_of(samples, point)
             row = wp.uint64(point) * wp.uint64(samples.count)
-            if wp.abs(units[3 * most_rows + k]) < 0.1:
+            parameters = load(samples.parameters, samples.tables, samples.row + point)
+            if wp.abs(units[3 * most_rows + k]) < 0.1 and check(parameters) == 0:
+                orientation = orient(samples, point, n)
                 for first in range(start, end, chunk):
                     length = wp.min(chunk, end - first)
                     padded = (length + lanes - 1) / lanes * lanes
                     at = row + wp.uint64(first)
                     target = wp.where(length == padded, samples.vectors + at * wp.uint64(12), spare)
                     target_pdf = wp.where(length == padded, samples.pdf + at * wp.uint64(4), spare + wp.uint64(12 * chunk))
-                    fill_chunk(samples, key, n, first, length, padded, buffer.ptr, target, target_pdf)
+                    fill_chunk(samples, key, orientation, parameters, first, length, padded, buffer.ptr, target, target_pdf)
                     if length != padded:
                         move(samples, at, length, target, target_pdf)
             else:

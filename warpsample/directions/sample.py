@@ -33,12 +33,18 @@ _STREAM_HINT = "compute them in parts: pass slices of the normals with first_poi
 
 
 class Status(IntEnum):
-    """Status of a point: OK, or the reason for which the point has no directions."""
+    """Status of a point: OK, or the reason for which the point has no directions.
+
+    INVALID_PARAMETER is the status of a point whose row of a parameter is out of range or NaN. A point with the status
+    INVALID_TANGENT has directions, in the frame that it would have without a tangent.
+    """
 
     OK = samples.OK
     INACTIVE = samples.INACTIVE
     ZERO_NORMAL = samples.ZERO_NORMAL
     NONFINITE_NORMAL = samples.NONFINITE_NORMAL
+    INVALID_PARAMETER = samples.INVALID_PARAMETER
+    INVALID_TANGENT = samples.INVALID_TANGENT
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -47,8 +53,8 @@ class Directions(Summary):
 
     Attributes:
         vectors: (P, n, 3) float32 (as a wp.array: (P, n) of vec3), unit length, world frame, pointing away from the
-            surface; zero vectors where the status is not 0.
-        pdf: (P, n) float32, density in the distribution's measure, 0 where the status is not 0; None without `pdf=True`.
+            surface; zero vectors where the status is neither OK nor INVALID_TANGENT.
+        pdf: (P, n) float32, density in the distribution's measure, 0 where the vectors are zero; None without `pdf=True`.
         status: (P,) uint8, values of `Status`.
     """
 
@@ -79,7 +85,7 @@ class Directions(Summary):
 
         Returns:
             PolyData with the arrays "Normals" (the directions, which .ply files also store), "point" (the row) and, if
-            present, "pdf". Points whose status is not 0 have no directions and are left out.
+            present, "pdf". Points without directions are left out.
 
         Raises:
             ModuleNotFoundError: PyVista is not installed.
@@ -95,7 +101,7 @@ class Directions(Summary):
         """
         scale = check_scale(scale)
         vectors, pdf, status = (a.numpy() if isinstance(a, wp.array) else a for a in (self.vectors, self.pdf, self.status))
-        rows = np.flatnonzero(status == 0)
+        rows = np.flatnonzero((status == Status.OK) | (status == Status.INVALID_TANGENT))
         if not isinstance(points, SurfacePoints | None):
             raise TypeError(f"points: got {told(points)}, want SurfacePoints, such as sample_surface returns")
         if points is not None and len(points) != len(status):
@@ -135,7 +141,8 @@ def sample_directions(
             wp.array on its device. Arrays of other libraries (PyTorch, JAX, CuPy) are not copied: they count as NumPy arrays
             in the CPU's memory, and as wp.arrays on CUDA. A zero or non-finite normal gives zero vectors and a status.
         count: Number of directions per point, n, 1 to 2^31 - 1.
-        distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
+        distribution: Distribution of the directions, or its name. Its parameters may be arrays with one row for each point;
+            a row out of range gives zero vectors and a status. Default: CosineHemisphere(method="polar").
         sequence: Sequence of the points of the square, a name in `warpsample.sequences.names()`. Default: "sobol".
         seed: Random seed, an integer of 64 bits. Default: 0.
         first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
@@ -148,7 +155,8 @@ def sample_directions(
         progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
-        vectors (P, n, 3) of unit length in world coordinates, pdf (P, n) if `pdf` is True, and a status per point.
+        vectors (P, n, 3) of unit length in world coordinates, pdf (P, n) if `pdf` is True, and a status per point. Tangents
+        of SurfacePoints set the x axes of the frames.
 
     Raises:
         TypeError, ValueError: an argument is invalid; the message names the argument and the expected values.
@@ -174,13 +182,16 @@ def sample_directions(
         "argument": "normals",
     }
     options = CallOptions.of(points, **random, **computing)
+    tangents = normals.tangent if isinstance(normals, SurfacePoints) else None
     sampling = DirectionPlan(
         as_spatial(distribution),
         sequences.get(sequence),
         count,
         check_flag(pdf, "pdf"),
         options,
+        tangents,
     )
+    sampling.distribution.check_points(points)
     shape, total = (points, count), points * count
     vectors = None if out is None else check_out(out, normals_in, shape)
     size = total * ((12 if out is None else 0) + (4 if sampling.pdf else 0)) + points

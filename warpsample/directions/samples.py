@@ -10,12 +10,16 @@ import warp as wp
 
 from warpsample.distributions.parameters import Parameters
 from warpsample.host.locks import once
+from warpsample.maths.frames import frame_along
+from warpsample.maths.memory import set_byte, vec4_at
 from warpsample.maths.numerics import scaled_to_unit
 
 OK = 0
 INACTIVE = 1
 ZERO_NORMAL = 2
 NONFINITE_NORMAL = 3
+INVALID_PARAMETER = 6
+INVALID_TANGENT = 7
 
 
 @wp.func
@@ -74,7 +78,10 @@ class Samples:
         rows: number of rows or blocks in a task.
         normals, vectors, pdf: addresses of (P, 3), (P, count, 3) and (P, count) float32.
         status, active: addresses of (P,) uint8; `active` is 0 without a mask.
-        parameters: parameters of the distribution.
+        parameters: parameters of the distribution; 0 where they are by point.
+        tables: address of the addresses of the parameters by point, see `distributions.by_point.tables`, or 0.
+        row: row of the first point in these tables.
+        tangents: address of (P, 4) float32, tangents with the sign of the bitangent last, or 0.
     """
 
     run: wp.vec4ui
@@ -91,6 +98,9 @@ class Samples:
     status: wp.uint64
     active: wp.uint64
     parameters: Parameters
+    tables: wp.uint64
+    row: wp.int64
+    tangents: wp.uint64
 
 
 SamplesArgs = type(Samples().__ctype__())
@@ -123,3 +133,26 @@ def build_unit_writer(masked: bool, stride: int, with_check: bool) -> wp.Functio
         return rare
 
     return write_units
+
+
+@once
+def build_orienter(tangents: bool) -> wp.Function:
+    """Build the wp.func that returns the first argument of `Distribution.about` for a point: its normal or its frame."""
+    if not tangents:
+
+        @wp.func
+        def orient(samples: Samples, point: wp.int64, n: wp.vec3):
+            """Return the unit normal."""
+            return n
+
+    else:
+
+        @wp.func
+        def orient(samples: Samples, point: wp.int64, n: wp.vec3):
+            """Return the frame along the tangent; write a status if the tangent cannot be used."""
+            frame, usable = frame_along(n, vec4_at(samples.tangents, point))
+            if usable == 0:
+                set_byte(samples.status, point, INVALID_TANGENT)
+            return frame
+
+    return orient

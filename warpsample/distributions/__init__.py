@@ -1,11 +1,16 @@
 """Distributions that map points of the unit square to directions; each is defined in a file of its own."""
 
 import ast
+import re
 import sys
-from dataclasses import fields
+from collections.abc import Callable
+from dataclasses import MISSING, fields
 from functools import cache
-from typing import Any
+from typing import Any, TypeAlias
 
+import numpy as np
+
+from warpsample.distributions import microfacets, scattering
 from warpsample.distributions.own import Twin, UserDistribution, check_kind, check_twin, is_same_class, user_distributions
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import told
@@ -14,10 +19,16 @@ from warpsample.host.registry import look_up, records_of
 __all__ = ["Distribution", "Maps", "as_distribution", "as_spatial", "classes", "get", "names", "register"]
 
 
+Arrays: TypeAlias = Callable[[str], np.ndarray]
+"""Function that returns the array of a name, with one row for each point."""
+
+_ARRAY = re.compile(r"@([\w.-]+)")
+
+
 @cache
 def _find_package_distributions() -> dict[str, type[Distribution]]:
     """Import and return the distributions of the package, name -> class; the import takes half as long as `import warp`."""
-    return records_of(sys.modules[__name__])
+    return records_of(sys.modules[__name__]) | records_of(microfacets) | records_of(scattering)
 
 
 def _find_distributions() -> dict[str, type[Distribution]]:
@@ -106,12 +117,14 @@ def get(name: str) -> type[Distribution]:
     return look_up(_find_distributions(), name, "distribution")
 
 
-def as_distribution(value: Any) -> Distribution:
+def as_distribution(value: Any, arrays: Arrays | None = None) -> Distribution:
     """Convert a value of the argument `distribution`, such as the text "beckmann(alpha=0.1)", to an instance.
 
     Args:
         value: an instance, which is returned unchanged; a name, for the default parameters; or a name with parameters, such
-            as "beckmann(alpha=0.1)".
+            as "beckmann(alpha=0.1)". "beckmann(alpha=@roughness)" takes the parameter from an array with one row for each
+            point.
+        arrays: function that returns the array of a name. Default: None, a name with @ is an error.
 
     Returns:
         an instance.
@@ -126,6 +139,8 @@ def as_distribution(value: Any) -> Distribution:
         >>> print(ws.distributions.as_distribution("beckmann(alpha=0.1)"))
         Beckmann(alpha=0.1)
     """
+    if arrays is not None and not callable(arrays):
+        raise TypeError(f"arrays: got {told(arrays)}, want a function (name) -> array, or None")
     if isinstance(value, Distribution):
         return value
     if not isinstance(value, str):
@@ -135,18 +150,20 @@ def as_distribution(value: Any) -> Distribution:
     try:
         if opened and not inside.endswith(")"):
             raise SyntaxError
-        return kind(**_parse_keywords(inside.removesuffix(")")))
+        return kind(**_parse_keywords(inside.removesuffix(")"), arrays))
     except (TypeError, SyntaxError) as error:
-        example = f"{name}({', '.join(f'{field.name}=...' for field in fields(kind))})"
+        required = [field for field in fields(kind) if field.default is MISSING] or fields(kind)
+        example = f"{name}({', '.join(f'{field.name}=...' for field in required)})"
         reason = "" if "__init__()" in str(error) or isinstance(error, SyntaxError) else f" ({error})"
         raise TypeError(f"distribution: got {told(value)}, want {example}{reason}") from None
 
 
-def as_spatial(value: Any) -> Distribution:
+def as_spatial(value: Any, arrays: Arrays | None = None) -> Distribution:
     """Convert a value of the argument `distribution` to an instance, and refuse distributions in the plane.
 
     Args:
         value: an instance, a name, or a name with parameters.
+        arrays: function that returns the array of a name; see `as_distribution`.
 
     Returns:
         an instance whose directions have three components.
@@ -159,21 +176,32 @@ def as_spatial(value: Any) -> Distribution:
         >>> print(ws.distributions.as_spatial("ggx(alpha=0.5)").width)
         3
     """
-    distribution = as_distribution(value)
+    distribution = as_distribution(value, arrays)
     if distribution.width != 3:
         raise TypeError(f"distribution: got {distribution!r}, which is planar, want a distribution of directions in space")
     return distribution
 
 
-def _parse_keywords(text: str) -> dict[str, Any]:
+def _parse_keywords(text: str, arrays: Arrays | None) -> dict[str, Any]:
     """Parse the text between the parentheses of a call, such as "alpha=0.1", to keyword arguments."""
+    quoted = _ARRAY.sub(r"'@\1'", text)
     try:
-        call = ast.parse(f"_({text})", mode="eval").body
+        call = ast.parse(f"_({quoted})", mode="eval").body
     except (ValueError, RecursionError, MemoryError) as error:  # zero bytes, or more nested brackets than the parser allows
         raise SyntaxError from error
     if not isinstance(call, ast.Call) or call.args or any(keyword.arg is None for keyword in call.keywords):
         raise TypeError("give parameters by name")
     try:
-        return {str(keyword.arg): ast.literal_eval(keyword.value) for keyword in call.keywords}
+        given = {str(keyword.arg): ast.literal_eval(keyword.value) for keyword in call.keywords}
     except ValueError:
         raise TypeError("parameters must be plain numbers, strings or tuples") from None
+    return {name: _find_array(value, arrays) for name, value in given.items()}
+
+
+def _find_array(value: Any, arrays: Arrays | None) -> Any:
+    """Return the array that a value such as "@roughness" names, or another value unchanged."""
+    if not isinstance(value, str) or not _ARRAY.fullmatch(value):
+        return value
+    if arrays is None:
+        raise TypeError(f"{value} names an array, which this call does not have; make an instance with the array instead")
+    return arrays(value.removeprefix("@"))

@@ -1,7 +1,8 @@
-"""Kernel that applies a function to each vector of a flat array."""
+"""Kernels that apply a function to each vector of a flat array, with constant parameters or with parameters by point."""
 
 import warp as wp
 
+from warpsample.distributions.by_point.tables import LANES, Layout, column_loader, column_writer, row_check
 from warpsample.distributions.parameters import Parameters
 from warpsample.host.locks import once
 
@@ -74,3 +75,71 @@ def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
             i += 1
 
     return elementwise
+
+
+@wp.func
+def _clear_1(y: wp.array[wp.float32], i: wp.int32):
+    """Write 0 as number i."""
+    y[i] = 0.0
+
+
+@wp.func
+def _clear_2(y: wp.array[wp.float32], i: wp.int32):
+    """Write zeros as vector i of two components."""
+    _write_2(y, i, wp.vec2(0.0))
+
+
+@wp.func
+def _clear_3(y: wp.array[wp.float32], i: wp.int32):
+    """Write zeros as vector i of three components."""
+    _write_3(y, i, wp.vec3(0.0))
+
+
+_CLEAR = {1: _clear_1, 2: _clear_2, 3: _clear_3}
+
+
+@once
+def elementwise_by_point(func: wp.Function, width: int, out_width: int, layout: Layout, block: int) -> wp.Kernel:
+    """Build the kernel that computes y = func(x, Parameters) with parameters by point, in tasks of `block` vectors.
+
+    Each point has `count` consecutive vectors. Points whose parameters are out of range get zeros.
+    """
+    read, write, clear, stride = _READ[width], _WRITE[out_width], _CLEAR[out_width], block + LANES
+    fill, load, check, floats = (
+        column_writer(layout, stride),
+        column_loader(layout, stride),
+        row_check(layout),
+        stride * len(layout),
+    )
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def elementwise_by_point(
+        total: wp.int64,
+        count: wp.int32,
+        source: wp.uint64,
+        target: wp.uint64,
+        tables: wp.uint64,
+        parameters: Parameters,
+        first_task: wp.int64,
+    ):
+        """Apply the function to one block of the array."""
+        buffer = wp.zeros(shape=(floats,), dtype=wp.float32)
+        columns = wp.array(ptr=buffer.ptr, shape=(floats,), dtype=wp.float32)
+        first = (first_task + wp.int64(wp.tid())) * wp.int64(block)
+        length = wp.int32(wp.min(wp.int64(block), total - first))
+        point = first / wp.int64(count)
+        start = wp.int32(first - point * wp.int64(count))
+        points = (start + length - 1) / count + 1
+        rare = fill(tables, point, points, count, start, length, buffer.ptr)
+        x = wp.array(ptr=source + wp.uint64(first * wp.int64(4 * width)), shape=(width * length,), dtype=wp.float32)
+        y = wp.array(ptr=target + wp.uint64(first * wp.int64(4 * out_width)), shape=(out_width * length,), dtype=wp.float32)
+        i = wp.int32(0)
+        while i < length:
+            write(y, i, func(read(x, i), load(parameters, columns, i)))
+            i += 1
+        if rare != 0:
+            for k in range(length):
+                if check(load(parameters, columns, k)) != 0:
+                    clear(y, k)
+
+    return elementwise_by_point

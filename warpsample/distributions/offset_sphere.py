@@ -1,7 +1,8 @@
 """Direction of the normal plus a random point on a sphere of any radius: Shirley's trick with the radius as a parameter."""
 
 from dataclasses import dataclass
-from typing import ClassVar
+from numbers import Real
+from typing import Any, ClassVar
 
 import numpy as np
 import warp as wp
@@ -74,6 +75,11 @@ def offset_sphere_to_square(w: wp.vec3, rho: wp.float32) -> wp.vec2:
     return wp.vec2(clamp_uniform(wp.float32(u)), turns_of(w[0], w[1]))
 
 
+def _is_checked(rho: Any) -> bool:
+    """Return whether rho is an array of float32 by point, which `Distribution` has checked and copied."""
+    return isinstance(rho, np.ndarray) and rho.dtype == np.float32
+
+
 @dataclass(frozen=True)
 class OffsetSphere(Distribution):
     """Direction of the normal plus a random point on a sphere of radius ρ.
@@ -102,17 +108,20 @@ class OffsetSphere(Distribution):
     @property
     def polar(self) -> bool:
         """True for rho >= 1; below, two points u map to the same direction."""
-        return self.rho >= 1.0
+        return isinstance(self.rho, Real) and self.rho >= 1.0
 
     @property
     def maps(self) -> Maps:
         """Functions (`wp.func`) of the distribution, for use in kernels."""
-        invert = None if self.support == "cone" else offset_sphere_to_square
+        ambiguous = bool((self.rho < 1.0).any()) if _is_checked(self.rho) else self.support == "cone"
+        invert = None if ambiguous else offset_sphere_to_square
         return Maps(square_to_offset_sphere, square_to_offset_sphere_pdf, invert)
 
     @property
     def support(self) -> str:
-        """Name of the support: "cone" for rho < 1, "hemisphere" for rho = 1, "sphere" for rho > 1."""
+        """Name of the support: "cone" for rho < 1, "hemisphere" for rho = 1, "sphere" for rho > 1 or rho by point."""
+        if not isinstance(self.rho, Real):
+            return "sphere"
         rho = np.float32(self.rho)  # kernels round rho to float32
         return "cone" if rho < 1.0 else "hemisphere" if rho == 1.0 else "sphere"
 

@@ -9,35 +9,142 @@ import warp as wp
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_about, to_world
 
+_FIELDS = ("scalar", "x", "y", "z", *(f"p{i}" for i in range(4, 20)))
 
-@wp.struct
-class Parameters:
-    """Parameters of a distribution, a scalar and a vector (x, y, z), as a kernel argument: new values compile nothing.
 
-    The vector is stored as three scalars because Warp copies a vector in a struct as a whole, which prevents vectorisation.
-    """
+def _make_struct() -> Any:
+    """Make the struct `Parameters`, whose fields are consecutive float32 numbers."""
+    fields = {"__annotations__": dict.fromkeys(_FIELDS, wp.float32), "__module__": __name__}
+    return wp.struct(type("Parameters", (), fields | {"__doc__": _DOCUMENTATION}))
 
-    scalar: wp.float32
-    x: wp.float32
-    y: wp.float32
-    z: wp.float32
+
+_DOCUMENTATION = """Parameters of a distribution as a kernel argument, 20 float32 numbers: new values compile nothing.
+
+The numbers are those of all parameters, one after another. The first four are called `scalar`, `x`, `y` and `z`, after
+the most frequent parameters, a scalar and a vector; the others `p4` to `p19`. They are scalars because Warp copies a vector
+in a struct as a whole, which prevents vectorisation.
+"""
+
+Parameters: Any = _make_struct()
+
+SIZES: dict[Any, int] = {wp.float32: 1, float: 1, wp.vec3: 3, wp.mat33: 9}
+"""Number of float32 numbers of a parameter, by its type in the signature of a `wp.func`."""
+
+
+@wp.func_native(snippet="return (&parameters.scalar)[i];", adj_snippet="(&adj_parameters.scalar)[i] += adj_ret;")
+def number_at(parameters: Parameters, i: wp.int32) -> wp.float32:
+    """Return number i of the parameters."""
+
+
+@once
+def number_setter(i: int) -> wp.Function:
+    """Build the wp.func (Parameters, value) -> Parameters that replaces number i; native functions return no struct."""
+
+    @wp.func
+    def set_number(p: Parameters, value: wp.float32):
+        """Replace one number."""
+        q = p
+        if wp.static(i == 0):
+            q.scalar = value
+        if wp.static(i == 1):
+            q.x = value
+        if wp.static(i == 2):
+            q.y = value
+        if wp.static(i == 3):
+            q.z = value
+        if wp.static(i == 4):
+            q.p4 = value
+        if wp.static(i == 5):
+            q.p5 = value
+        if wp.static(i == 6):
+            q.p6 = value
+        if wp.static(i == 7):
+            q.p7 = value
+        if wp.static(i == 8):
+            q.p8 = value
+        if wp.static(i == 9):
+            q.p9 = value
+        if wp.static(i == 10):
+            q.p10 = value
+        if wp.static(i == 11):
+            q.p11 = value
+        if wp.static(i == 12):
+            q.p12 = value
+        if wp.static(i == 13):
+            q.p13 = value
+        if wp.static(i == 14):
+            q.p14 = value
+        if wp.static(i == 15):
+            q.p15 = value
+        if wp.static(i == 16):
+            q.p16 = value
+        if wp.static(i == 17):
+            q.p17 = value
+        if wp.static(i == 18):
+            q.p18 = value
+        if wp.static(i == 19):
+            q.p19 = value
+        return q
+
+    return set_number
 
 
 @lru_cache(maxsize=256)
 def pack_parameters(values: tuple[Any, ...]) -> Any:
-    """Pack a scalar, or a scalar and a vector, into the struct `Parameters`; missing values become 0."""
+    """Pack the values of parameters, one after another, into the struct `Parameters`; missing numbers become 0."""
     parameters = Parameters()
-    for field, value in zip(("scalar", "x", "y", "z"), np.hstack(values or (0.0,)), strict=False):
+    numbers = np.hstack([np.ravel(value) for value in values] or [0.0])
+    for field, value in zip(_FIELDS, numbers, strict=False):
         setattr(parameters, field, value)
     return parameters
 
 
+def parameter_types(func: wp.Function) -> list[Any]:
+    """Return the types of a function's parameters, which follow its first argument."""
+    return list(func.input_types.values())[1:]
+
+
+@once
+def _reader(kind: Any, i: int) -> wp.Function:
+    """Build the wp.func that returns the parameter of a type whose first number is number i."""
+    if SIZES[kind] == 1:
+
+        @wp.func
+        def read(p: Parameters):
+            """Return a scalar."""
+            return number_at(p, i)
+
+    elif SIZES[kind] == 3:
+
+        @wp.func
+        def read(p: Parameters):
+            """Return a vector."""
+            return wp.vec3(number_at(p, i), number_at(p, i + 1), number_at(p, i + 2))
+
+    else:
+
+        @wp.func
+        def read(p: Parameters):
+            """Return a matrix, stored row by row."""
+            return wp.mat33(
+                number_at(p, i), number_at(p, i + 1), number_at(p, i + 2),
+                number_at(p, i + 3), number_at(p, i + 4), number_at(p, i + 5),
+                number_at(p, i + 6), number_at(p, i + 7), number_at(p, i + 8),
+            )  # fmt: skip
+
+    return read
+
+
 @once
 def bind_parameters(func: wp.Function, argument: type, count: int) -> wp.Function:
-    """Build the wp.func (x: argument, Parameters) that calls `func` with its `count` parameters.
+    """Build the wp.func (x: argument, Parameters) that calls `func` with its `count` parameters, at most four.
 
-    `func` is called as func(x), func(x, scalar) or func(x, scalar, vector), for a count of 0, 1 or 2.
+    The parameters are float32, vec3 or mat33, as in the signature of `func`.
     """
+    types = parameter_types(func)[:count]
+    starts = np.cumsum([0, *(SIZES[kind] for kind in types)]).tolist()
+    reads = [_reader(kind, start) for kind, start in zip(types, starts, strict=False)]
+    first, second, third, fourth = (*reads, None, None, None, None)[:4]
     if count == 0:
 
         @wp.func
@@ -49,15 +156,29 @@ def bind_parameters(func: wp.Function, argument: type, count: int) -> wp.Functio
 
         @wp.func
         def call(x: argument, parameters: Parameters):
-            """Call the function with the scalar."""
-            return func(x, parameters.scalar)
+            """Call the function with one parameter."""
+            return func(x, first(parameters))
+
+    elif count == 2:
+
+        @wp.func
+        def call(x: argument, parameters: Parameters):
+            """Call the function with two parameters."""
+            return func(x, first(parameters), second(parameters))
+
+    elif count == 3:
+
+        @wp.func
+        def call(x: argument, parameters: Parameters):
+            """Call the function with three parameters."""
+            return func(x, first(parameters), second(parameters), third(parameters))
 
     else:
 
         @wp.func
         def call(x: argument, parameters: Parameters):
-            """Call the function with the scalar and the vector."""
-            return func(x, parameters.scalar, wp.vec3(parameters.x, parameters.y, parameters.z))
+            """Call the function with four parameters."""
+            return func(x, first(parameters), second(parameters), third(parameters), fourth(parameters))
 
     return call
 
@@ -74,3 +195,34 @@ def build_about(sample: wp.Function, pdf: wp.Function) -> wp.Function:
         return wp.vec4(d[0], d[1], d[2], pdf(w, parameters))
 
     return about
+
+
+@once
+def build_about_frame(sample: wp.Function, pdf: wp.Function) -> wp.Function:
+    """Build the wp.func (frame, u, Parameters) -> (world direction, pdf) from a map and a density about +z."""
+
+    @wp.func
+    def about(frame: wp.mat33, u: wp.vec2, parameters: Parameters):
+        """Sample a direction about +z and rotate it by the frame."""
+        w = sample(u, parameters)
+        d = to_world(frame, w)
+        return wp.vec4(d[0], d[1], d[2], pdf(w, parameters))
+
+    return about
+
+
+@once
+def about_normal_of(about: wp.Function) -> wp.Function:
+    """Build the wp.func of (frame, u, Parameters) that calls a function of (normal, u, Parameters), without the tangent."""
+
+    @wp.func
+    def about_frame(frame: wp.mat33, u: wp.vec2, parameters: Parameters):
+        """Call the function with the normal of the frame."""
+        return about(wp.vec3(frame[0, 2], frame[1, 2], frame[2, 2]), u, parameters)
+
+    return about_frame
+
+
+def redraw_of(maps: Any, tangents: bool) -> wp.Function | None:
+    """Return `Maps.redraw`, with the first argument of `Distribution.about`; None if `about` is precise everywhere."""
+    return about_normal_of(maps.redraw) if tangents and maps.redraw is not None else maps.redraw

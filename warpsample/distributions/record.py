@@ -7,15 +7,16 @@ from typing import Any, ClassVar, TypeAlias
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
-from warpsample.distributions.parameters import bind_parameters, build_about, pack_parameters
-from warpsample.host.arguments import check_number
+from warpsample.distributions.by_point.parameterised import Parameterised, Range
+from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise, elementwise_by_point
+from warpsample.distributions.parameters import about_normal_of, bind_parameters, build_about, build_about_frame
+from warpsample.host.arguments import check_flag
 from warpsample.host.arrays import Array, Floats, as_real, as_square
+from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_workers, run
 from warpsample.host.neighbours import from_cuda
-from warpsample.host.vectors import as_vectors, new_vectors
+from warpsample.host.vectors import Vectors, as_vectors, new_vectors
 
-Range: TypeAlias = tuple[float, float] | None
 Cases: TypeAlias = tuple[tuple[Any, ...], ...]
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
@@ -45,8 +46,11 @@ class Maps:
 
 
 @dataclass(frozen=True)
-class Distribution:
+class Distribution(Parameterised):
     """Probability density of directions about a normal; subclasses are frozen dataclasses of the parameters.
+
+    A parameter is a constant, or an array with one row for each point: (P,) numbers, (P, 3) vectors. Arrays are copied as
+    float32. A row out of range becomes NaN, and gives zero vectors, density 0 and a status.
 
     Attributes:
         maps: `wp.func`s of the distribution, for use in kernels.
@@ -55,12 +59,14 @@ class Distribution:
         density: formula of the pdf, for tables.
         measure: unit of the pdf: "per steradian", "per unit area" or "per radian".
         support: name of the set where the pdf is above 0, such as "hemisphere".
-        parameters: names of the fields that kernels receive as float32: none, a scalar, or a scalar and a vector.
+        parameters: names of the fields that kernels receive as float32, at most four: scalars, vectors and matrices.
         bounds: smallest and largest value of the scalar; None for no check.
         shown: range of the scalar for logarithmic sliders, above 0; None for no slider.
         width: number of components of w: 3, or 2 in the plane.
         variates: number of coordinates of u that the map uses.
         symmetric: whether the density depends only on the angle to +z.
+        stretch: 3 x 3 matrix M, such that the lobe is round about +z in the coordinates o of directions M o / abs(M o); None
+            for the coordinates themselves. The laws count directions in cells of o.
         polar: whether u[0] is the cdf of the angle and u[1] the azimuth in turns.
         source: source of the formulas.
         worst_unit_length: bound of abs(abs(w) - 1) for `sample`, over all u.
@@ -83,6 +89,7 @@ class Distribution:
     width: ClassVar[int] = 3
     variates: ClassVar[int] = 2
     symmetric: ClassVar[bool] = True
+    stretch: ClassVar[tuple[tuple[float, ...], ...] | None] = None
     polar: ClassVar[bool] = True
     source: ClassVar[str]
     worst_unit_length: ClassVar[float] = 2e-7
@@ -90,12 +97,6 @@ class Distribution:
     worst_pdf: ClassVar[float] = 2e-6
     worst_round_trip: ClassVar[float] = 2e-6
     limits: ClassVar[str] = ""
-
-    def __post_init__(self) -> None:
-        """Check that the scalar is within its bounds, and store it as a float."""
-        if self.bounds is not None:
-            name = self.parameters[0]
-            object.__setattr__(self, name, check_number(getattr(self, name), name, *self.bounds))
 
     @classmethod
     def cases(cls) -> tuple["Distribution", ...]:
@@ -112,7 +113,7 @@ class Distribution:
 
     @property
     def largest_angle(self) -> float:
-        """Largest angle to +z of the support in radians; for points of a disk, the radius."""
+        """Largest angle to +z of the support in radians, before the stretch; for points of a disk, the radius."""
         return pi if self.support == "sphere" else pi / 2.0
 
     @property
@@ -222,20 +223,12 @@ class Distribution:
             )
         return self._apply(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 
-    def kernel_parameters(self) -> Any:
-        """Return the parameters as the struct that kernels take as an argument.
-
-        Returns:
-            a `Parameters` struct of float32; new values do not recompile a kernel.
-
-        Example:
-            >>> print(ws.GGX(alpha=0.5).kernel_parameters().scalar)
-            0.5
-        """
-        return pack_parameters(tuple(getattr(self, name) for name in self.parameters))
-
-    def about(self) -> wp.Function:
+    def about(self, tangents: bool = False) -> wp.Function:
         """Return the function that samples directions about any normal, for kernels; only for directions in space.
+
+        Args:
+            tangents: whether the first argument of the function is a frame, a mat33 with the normal as its last column, in
+                place of the unit normal. Default: False.
 
         Returns:
             a `wp.func` (unit normal, u, Parameters) -> (world direction, pdf).
@@ -245,19 +238,42 @@ class Distribution:
             Function
         """
         maps = self.maps
+        tangents = check_flag(tangents, "tangents")
         if maps.about is not None:
-            return maps.about
+            return about_normal_of(maps.about) if tangents else maps.about
         count = len(self.parameters)
-        return build_about(bind_parameters(maps.sample, wp.vec2, count), bind_parameters(maps.pdf, wp.vec3, count))
+        build = build_about_frame if tangents else build_about
+        return build(bind_parameters(maps.sample, wp.vec2, count), bind_parameters(maps.pdf, wp.vec3, count))
 
     def _apply(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
         """Apply a wp.func of the distribution to each vector of `width` components; return an array like x."""
         source = as_vectors(x, width, argument)
+        if self.by_point:
+            self._check_rows_of(source, argument)
         target = new_vectors(source, source.shape, out_width)
         bound = bind_parameters(func, _VECTORS[width], len(self.parameters))
+        if source.count:
+            (self._apply_by_point if self.by_point else self._apply_constant)(bound, source, target)
+        return target.owner
+
+    def _check_rows_of(self, source: Vectors, argument: str) -> None:
+        """Raise ValueError unless vectors are (P, ...) or (P, n, ...), with one row for each row of the parameters."""
+        name, table = next(iter(self.by_point.items()))
+        if len(source.shape) not in (1, 2) or source.shape[0] != len(table):
+            wants = f"({len(table)}, {source.width}) or ({len(table)}, n, {source.width}), as {name} has {len(table):,} rows"
+            raise ValueError(f"{argument}: got shape {(*source.shape, source.width)}, want {wants}")
+
+    def _apply_constant(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
+        """Apply a function of (vector, Parameters) with constant parameters."""
         block = FLAT_BLOCK if source.device.is_cpu else 1
         inputs = [source.count, block, source.address, target.address, self.kernel_parameters()]
-        if source.count:
-            kernel = elementwise(bound, width, out_width)
+        kernel = elementwise(bound, source.width, target.width)
+        run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
+
+    def _apply_by_point(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
+        """Apply a function of (vector, Parameters) with parameters by point."""
+        block, count = FLAT_BLOCK if source.device.is_cpu else 1, source.count // source.shape[0]
+        kernel = elementwise_by_point(bound, source.width, target.width, self.layout, block)
+        with Memory.of(None, source.owner).loan() as loan:
+            inputs = [source.count, count, source.address, target.address, self.lend_tables(loan), self.kernel_parameters()]
             run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
-        return target.owner

@@ -6,6 +6,7 @@ from typing import ClassVar
 import numpy as np
 import warp as wp
 
+from warpsample.distributions.by_point.rows import as_rows, copy_rows, is_array
 from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.host.arguments import check_number
 from warpsample.maths.angles import turns_of, versine
@@ -72,19 +73,36 @@ class UniformCone(Distribution):
 
     def __post_init__(self) -> None:
         """Check that one attribute is given, or two that agree, and compute the other attribute."""
-        if self.one_minus_cos is None:
+        if is_array(self.one_minus_cos) or is_array(self.cos_angle):
+            self._set_rows()
+        elif self.one_minus_cos is None:
             if self.cos_angle is None:
                 raise TypeError("cos_angle: got None, want a number from -1 to below 1, or one_minus_cos instead")
             cosine = check_number(self.cos_angle, "cos_angle", -1.0, 1.0)
             if cosine == 1.0:
                 raise ValueError("cos_angle: got 1.0, want a number from -1 to below 1")
             object.__setattr__(self, "one_minus_cos", 1.0 - cosine)
+            object.__setattr__(self, "cos_angle", 1.0 - self.one_minus_cos)
         else:
             object.__setattr__(self, "one_minus_cos", check_number(self.one_minus_cos, "one_minus_cos", _LEAST, 2.0))
             cos_angle = None if self.cos_angle is None else check_number(self.cos_angle, "cos_angle", -1.0, 1.0)
             if cos_angle not in (None, 1.0 - self.one_minus_cos):
                 raise TypeError(f"cos_angle: got {cos_angle!r} together with one_minus_cos, want only one of the two")
-        object.__setattr__(self, "cos_angle", 1.0 - self.one_minus_cos)
+            object.__setattr__(self, "cos_angle", 1.0 - self.one_minus_cos)
+
+    def _set_rows(self) -> None:
+        """Check the attribute that is given by point, and compute the other one, float32 both."""
+        if self.cos_angle is not None and self.one_minus_cos is not None:
+            raise TypeError("cos_angle: got it together with one_minus_cos, want only one of the two")
+        name = "cos_angle" if self.one_minus_cos is None else "one_minus_cos"
+        rows = as_rows(getattr(self, name), name, 0)
+        if rows is None:
+            check_number(getattr(self, name), name, -1.0, 2.0)  # an array without dimensions is an error
+            return
+        rows = rows.astype(np.float64)
+        depth = copy_rows(1.0 - rows if name == "cos_angle" else rows, _LEAST, 2.0)
+        object.__setattr__(self, "one_minus_cos", depth)
+        object.__setattr__(self, "cos_angle", copy_rows(1.0 - depth))
 
     @property
     def largest_angle(self) -> float:

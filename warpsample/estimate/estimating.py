@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from warpsample.estimate.plan import Plan, RaySum
-from warpsample.estimate.result import Estimate
+from warpsample.estimate.result import Estimate, has_value
 from warpsample.estimate.runner import Runner
 from warpsample.estimate.strata import strata_of
 from warpsample.estimate.tolerance import count_within, error_of
@@ -28,11 +28,11 @@ def estimate(plan: Plan, summed: RaySum) -> Estimate:
         count, trial = count_within(runner, plan.tolerance)
         log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
         main = runner.result(options.seed, count)
-        if count == plan.count and error_of(main, main.status == 0) > _MISSED * plan.tolerance:
+        if count == plan.count and error_of(main, has_value(main.status)) > _MISSED * plan.tolerance:
             warnings.warn(
                 f"tolerance: got {plan.tolerance:g}, which {count:,} rays of each point do not reach, the most by count",
                 stacklevel=4,
             )
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
-    unneeded = saved * np.count_nonzero(main.status == 0) - int(trial.sum(dtype=np.int64))
+    unneeded = saved * np.count_nonzero(has_value(main.status)) - int(trial.sum(dtype=np.int64))
     return replace(main, rays=main.rays + trial, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))

@@ -8,8 +8,9 @@ from one end of a sector to the other. For a smooth integrand, this jump causes 
 import warp as wp
 
 from warpsample.directions.variates import LANES, fill_variates
+from warpsample.estimate.integrand import density_setter
 from warpsample.estimate.lobe import NOTHING, widths_of
-from warpsample.estimate.lobes import Lobes, lobe_of
+from warpsample.estimate.lobes import Lobes, lobe_of, orienter_of
 from warpsample.estimate.rays import LAST_UNIFORM
 from warpsample.estimate.slots import Slots
 from warpsample.host.locks import once
@@ -62,18 +63,19 @@ def _block_values(slots: Slots) -> wp.Function:
     """Build the Warp function that evaluates the integrand for a block of variates, with a row of values per channel."""
     weigh, struct, channels, about = slots.weigh, slots.struct, slots.channels, slots.about
     redraw, redraw_below, redraws = slots.redraw, slots.redraw_below, slots.redraw is not None
+    orient, with_pdf = orienter_of(slots.tangents), density_setter(slots.reads_pdf)
 
     @wp.func
     def evaluate(lobes: Lobes, data: struct, point: ShadingPoint, length: wp.int32, square: wp.uint64, target: wp.uint64):
         u = wp.array(ptr=square, shape=(2 * BLOCK,), dtype=wp.float32)
         values = wp.array(ptr=target, shape=(channels * BLOCK,), dtype=wp.float32)
-        n = point.n
+        n, _usable = orient(lobes, point)
         lobe = lobe_of(lobes, point)
         rare = wp.int32(0)
         k = wp.int32(0)
         while k < length:
             d = about(n, wp.vec2(u[k] + 0.0, u[BLOCK + k] + 0.0), lobes.parameters)
-            value = weigh(wp.vec3(d[0], d[1], d[2]), lobe, data)
+            value = weigh(wp.vec3(d[0], d[1], d[2]), with_pdf(lobe, d[3]), data)
             for c in range(channels):
                 values[c * BLOCK + k] = value[c]
             if wp.static(redraws):
@@ -85,7 +87,7 @@ def _block_values(slots: Slots) -> wp.Function:
                     at = wp.vec2(u[j], u[BLOCK + j])
                     if about(n, at, lobes.parameters)[3] < redraw_below:
                         d = redraw(n, at, lobes.parameters)
-                        value = weigh(wp.vec3(d[0], d[1], d[2]), lobe, data)
+                        value = weigh(wp.vec3(d[0], d[1], d[2]), with_pdf(lobe, d[3]), data)
                         for c in range(channels):
                             values[c * BLOCK + j] = value[c]
 

@@ -28,11 +28,35 @@ class Lobe:
     normal: Unit normal in world coordinates.
     row: Row of the point in the call.
     point: Global id of the point.
+    pdf: Density of the direction, in the distribution's measure. The mean of f / pdf over the lobe is the integral of f.
     """
 
     normal: wp.vec3
     row: wp.int32
     point: wp.uint64
+    pdf: wp.float32
+
+
+@once
+def density_setter(reads_pdf: bool) -> wp.Function:
+    """Build the Warp function that returns a lobe with the density of a direction, if the integrand reads the density."""
+    if reads_pdf:
+
+        @wp.func
+        def with_pdf(lobe: Lobe, pdf: wp.float32):
+            """Return the lobe with the density."""
+            own = lobe
+            own.pdf = pdf
+            return own
+
+    else:
+
+        @wp.func
+        def with_pdf(lobe: Lobe, pdf: wp.float32):
+            """Return the lobe as it is; the compiler then drops the density."""
+            return lobe
+
+    return with_pdf
 
 
 @wp.struct
@@ -56,6 +80,7 @@ class Integrand:
         struct: Type of the data, a wp.struct.
         constant: Whether the function is (1, 0, 0) everywhere.
         binary: Whether the function is (1, 0, 0) or 0 everywhere.
+        reads_pdf: Whether the function reads the density `Lobe.pdf`.
         arrays: (name, array) pairs of the data's fields that hold addresses of NumPy arrays.
     """
 
@@ -65,6 +90,7 @@ class Integrand:
     struct: Any
     constant: bool = False
     binary: bool = False
+    reads_pdf: bool = False
     arrays: tuple[tuple[str, np.ndarray], ...] = ()
 
     def data_for(self, loan: Loan) -> Any:
@@ -114,7 +140,8 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand", d
     with naming_function(argument):
         content = sha256(repr(function_content(function)).encode()).hexdigest()
     form = _in_one_form(function, struct, len(given), colour, content)
-    return Integrand(form, 3 if colour else 1, NoData() if data is None else data, struct)
+    reads_pdf = len(given) > 1 and "pdf" in names_in(function)
+    return Integrand(form, 3 if colour else 1, NoData() if data is None else data, struct, reads_pdf=reads_pdf)
 
 
 def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:

@@ -44,10 +44,12 @@ def integrate(
         points: SurfacePoints; without a mesh also normals, (P, 3) of any length.
         integrand: a wp.func (w: wp.vec3, lobe: funcs.Lobe, data: the type of `data`) -> float or wp.vec3, annotated; the
             last arguments may be left out; what it names counts as it is now. `w` is a unit direction in world coordinates,
-            `lobe` has the unit normal, the row in this call and the global id of the point.
+            `lobe` has the unit normal, the row in this call and the global id of the point, and the density `pdf` of the
+            direction: the mean of a function divided by `lobe.pdf` is the function's integral over the lobe's support.
         count: Number of directions per point, 2 to 2^24, rounded down as for `ambient_occlusion`. Default: 256.
         data: Instance of a wp.struct, with arrays on the CPU or the device, or the id of a wp.Mesh there. Default: None.
-        distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
+        distribution: Distribution of the directions, or its name; its parameters may be arrays with one row for each point.
+            Default: CosineHemisphere(method="polar").
         mesh: Mesh, or anything that `as_mesh` accepts, that blocks directions. Default: None, nothing is blocked.
         max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
         sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
@@ -63,7 +65,8 @@ def integrate(
 
     Returns:
         value (P,), or (P, 3) for a function that gives a vec3, its standard error, and for each point the rays cast
-        (without a mesh: the directions) and a status: NONFINITE_VALUE where the function gave NaN or infinity.
+        (without a mesh: the directions) and a status: NONFINITE_VALUE where the function gave NaN or infinity. Tangents of
+        the points orient the lobes; a point whose tangent cannot be used has a value and the status INVALID_TANGENT.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants. A function that is
@@ -79,7 +82,7 @@ def integrate(
         0.67
     """
     at = _without_mesh(points) if mesh is None else PlacedPoints.of(mesh, points)
-    plan = plan_of(at, count, distribution=distribution, **options)
+    plan = plan_of(at, count, distribution=distribution, tangents=True, **options)
     summed = RaySum(integrand_of(integrand, data, device=plan.options.memory.device), reach=reach_of(max_distance))
     if mesh is None and max_distance is not None:
         raise ValueError(f"max_distance: got {told(max_distance)} without a mesh, want it with one")
@@ -111,7 +114,8 @@ def _first_of(plan: Plan) -> Plan:
     few, active = slice(_FEW_POINTS), plan.options.active
     at = PlacedPoints(plan.at.points.take(few), plan.at.mesh)
     options = replace(plan.options, ids=at.id, active=None if active is None else active[few])
-    return replace(plan, at=at, options=options, count=min(plan.count, _FEW_RAYS), tolerance=None)
+    lobe = plan.distribution.take(few)
+    return replace(plan, at=at, options=options, count=min(plan.count, _FEW_RAYS), tolerance=None, distribution=lobe)
 
 
 def _check_finite(found: Estimate) -> None:

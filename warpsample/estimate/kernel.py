@@ -2,9 +2,11 @@
 
 import warp as wp
 
+from warpsample.directions.samples import INVALID_PARAMETER, INVALID_TANGENT
+from warpsample.distributions.by_point.tables import row_check, row_loader
 from warpsample.estimate.free import BLOCK, free_lobe
 from warpsample.estimate.lobe import NOTHING, traced_lobe
-from warpsample.estimate.lobes import NONFINITE_VALUE, Lobes
+from warpsample.estimate.lobes import NONFINITE_VALUE, Lobes, orienter_of
 from warpsample.estimate.rays import OWN_FLOATS
 from warpsample.estimate.slots import Slots
 from warpsample.host.locks import once
@@ -45,6 +47,8 @@ def _estimator(slots: Slots) -> wp.Function:
     """Build the Warp function that computes and stores the estimate of one point."""
     struct, upward, traced, keep = slots.struct, slots.upward, slots.query is not None, _keep(slots.channels)
     sum_lobe = (free_lobe if slots.query is None else traced_lobe)(slots)
+    load, check, by_point = row_loader(slots.layout), row_check(slots.layout), bool(slots.layout)
+    orient = orienter_of(slots.tangents)
 
     @wp.func
     def estimate_point(lobes: Lobes, accelerator: Accelerator, data: struct, visit: wp.int64, workspace: ShadingPoint):
@@ -61,8 +65,16 @@ def _estimator(slots: Slots) -> wp.Function:
         degrees = NOTHING
         cast = wp.int32(0)
         empty = wp.int32(0)
+        own = lobes
+        if wp.static(by_point):
+            own.parameters = load(lobes.parameters, lobes.tables, point.index)
+            if point.status == 0 and check(own.parameters) != 0:
+                point.status = INVALID_PARAMETER
         if point.status == 0:
-            total, variance, width, degrees, cast, empty = sum_lobe(lobes, accelerator, data, point)
+            total, variance, width, degrees, cast, empty = sum_lobe(own, accelerator, data, point)
+            _orientation, usable = orient(lobes, point)
+            if usable == 0:
+                point.status = INVALID_TANGENT
             if wp.dot(total - total, total - total) != ZERO:
                 point.status = NONFINITE_VALUE
                 total = NOTHING

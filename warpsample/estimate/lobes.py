@@ -5,6 +5,8 @@ import warp as wp
 from warpsample.distributions.parameters import Parameters
 from warpsample.estimate.integrand import Lobe
 from warpsample.host.locks import once
+from warpsample.maths.frames import frame_along
+from warpsample.maths.memory import vec4_at
 from warpsample.tracing.placement import Placement, id_of
 from warpsample.tracing.queries import Accelerator, Glass
 from warpsample.tracing.sight.point import ShadingPoint
@@ -36,6 +38,8 @@ class Lobes:
     falloff: Exponent of the falloff, 0 without one.
     edge: Largest variance expected from an edge through a stratum, in rays squared; the limit of `edge_variance`.
     parameters: Parameters of the distribution.
+    tables: Address of the addresses of the parameters by point, see `distributions.by_point.tables`, or 0.
+    tangents: Tangents of the points, (P, 4) float32, or 0.
     value, error, spread, degrees: Results, (P, channels) float32.
     cast: Number of rays cast, (P,) int32.
     empty: Number of rays in strata that are proven empty, (P,) int32.
@@ -59,6 +63,8 @@ class Lobes:
     falloff: wp.float32
     edge: wp.float32
     parameters: Parameters
+    tables: wp.uint64
+    tangents: wp.uint64
     value: wp.uint64
     error: wp.uint64
     spread: wp.uint64
@@ -80,6 +86,27 @@ def lobe_of(lobes: Lobes, point: ShadingPoint) -> Lobe:
     lobe.row = lobes.first_row + wp.int32(point.index)
     lobe.point = id_of(lobes.placement, lobes.first_point, point.index)
     return lobe
+
+
+@once
+def orienter_of(tangents: bool) -> wp.Function:
+    """Build the Warp function that returns the normal of a point, or with `tangents` the frame and whether it is usable."""
+    if not tangents:
+
+        @wp.func
+        def orient(lobes: Lobes, point: ShadingPoint):
+            """Return (unit normal, 1)."""
+            return point.n, wp.int32(1)
+
+    else:
+
+        @wp.func
+        def orient(lobes: Lobes, point: ShadingPoint):
+            """Return (frame along the tangent, 1), or (frame about the normal, 0) if the tangent cannot be used."""
+            frame, usable = frame_along(point.n, vec4_at(lobes.tangents, point.index))
+            return frame, usable
+
+    return orient
 
 
 @once

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any
 
+import numpy as np
 from typing_extensions import Unpack
 
 from warpsample.distributions import as_spatial
@@ -50,6 +51,7 @@ class Plan:
         options: Options that all calls share.
         tolerance: Standard error to reach with at most `count` rays; None to cast all `count` rays.
         distribution: Distribution of the ray directions.
+        tangents: Whether the tangents of the points, if any, orient the distribution.
     """
 
     at: PlacedPoints
@@ -57,10 +59,23 @@ class Plan:
     options: RayOptions
     tolerance: float | None
     distribution: Distribution
+    tangents: bool = False
+
+    @property
+    def tangent(self) -> np.ndarray | None:
+        """Tangents that orient the distribution, (P, 4) float32, or None."""
+        return self.at.points.tangent if self.tangents else None
 
     @classmethod
     def of(
-        cls, at: PlacedPoints, count: Any, options: RayOptions, *, tolerance: Any = None, distribution: Any = POLAR_COSINE
+        cls,
+        at: PlacedPoints,
+        count: Any,
+        options: RayOptions,
+        *,
+        tolerance: Any = None,
+        distribution: Any = POLAR_COSINE,
+        tangents: bool = False,
     ) -> "Plan":
         """Check the count, the tolerance and the distribution, and return the plan for placed points and checked options.
 
@@ -70,21 +85,26 @@ class Plan:
         """
         if at.mesh is not None and at.mesh.transmits:
             options.check_through_glass()
+        lobe = as_spatial(distribution)
+        lobe.check_points(len(at))
         check_memory(_BYTES_PER_POINT * len(at), f"the numbers of {len(at):,} points", "take them in parts")
         return cls(
             at,
             check_integer(count, "count", 2, _MOST_RAYS),
             options,
             None if tolerance is None else check_number(tolerance, "tolerance", 1e-12, 1e12),
-            as_spatial(distribution),
+            lobe,
+            tangents,
         )
 
 
-def plan_of(at: PlacedPoints, count: Any, *, distribution: Any = POLAR_COSINE, **options: Unpack[RayKeywords]) -> Plan:
+def plan_of(
+    at: PlacedPoints, count: Any, *, distribution: Any = POLAR_COSINE, tangents: bool = False, **options: Unpack[RayKeywords]
+) -> Plan:
     """Check the options of a call and return the call's plan; raises the errors of `Plan.of`."""
     tolerance = options.pop("tolerance", None)
     checked = RayOptions.of(len(at), ids=at.id, **options)
-    return Plan.of(at, count, checked, tolerance=tolerance, distribution=distribution)
+    return Plan.of(at, count, checked, tolerance=tolerance, distribution=distribution, tangents=tangents)
 
 
 def reach_of(max_distance: Any) -> float:

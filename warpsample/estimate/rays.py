@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.estimate.lobes import Lobes
+from warpsample.estimate.lobes import Lobes, orienter_of
 from warpsample.estimate.slots import Slots
 from warpsample.host.locks import once
 from warpsample.sequences.hashing import ONE_WORD, select_key, stream_key
@@ -10,7 +10,10 @@ from warpsample.tracing.queries import CHUNK, set_direction
 from warpsample.tracing.sight.point import ShadingPoint
 
 OWN_FLOATS = 3 * CHUNK
-"""Number of float32 values in a chunk's buffer, which holds the variates first and the rays' weights later."""
+"""Number of float32 values in a chunk's buffer: two rows of variates and a row of densities first, the weights later.
+
+Weight k, three numbers, is written after density k is read, and reaches no density of a later ray.
+"""
 
 LAST_UNIFORM: wp.float32 = wp.constant(wp.float32(1.0 - 2.0**-24))
 """Largest float32 below 1: upper limit for variates that would be rounded up to the next stratum."""
@@ -55,17 +58,20 @@ def spread_of(slots: Slots) -> wp.Function:
 def directions_of(slots: Slots) -> wp.Function:
     """Build the Warp function that maps a chunk's variates to directions."""
     about, redraw, redraw_below, redraws = slots.about, slots.redraw, slots.redraw_below, slots.redraw is not None
+    orient, reads_pdf = orienter_of(slots.tangents), slots.reads_pdf
 
     @wp.func
     def write_directions(lobes: Lobes, point: ShadingPoint, length: wp.int32):
         u = wp.array(ptr=point.own, shape=(OWN_FLOATS,), dtype=wp.float32)
-        n = point.n
+        n, _usable = orient(lobes, point)
         chunk = point.chunk
         rare = wp.int32(0)
         k = wp.int32(0)
         while k < length:
             d = about(n, wp.vec2(u[k] + 0.0, u[CHUNK + k] + 0.0), lobes.parameters)
             set_direction(chunk, k, wp.vec3(d[0], d[1], d[2]))
+            if wp.static(reads_pdf):
+                u[2 * CHUNK + k] = d[3]
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)
             k += 1
@@ -76,5 +82,7 @@ def directions_of(slots: Slots) -> wp.Function:
                     if about(n, at, lobes.parameters)[3] < redraw_below:
                         d = redraw(n, at, lobes.parameters)
                         set_direction(chunk, j, wp.vec3(d[0], d[1], d[2]))
+                        if wp.static(reads_pdf):
+                            u[2 * CHUNK + j] = d[3]
 
     return write_directions

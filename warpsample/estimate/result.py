@@ -26,7 +26,10 @@ if TYPE_CHECKING:
 
 
 class PointStatus(IntEnum):
-    """Status of a point: OK (0), or the reason why the point has no value."""
+    """Status of a point: OK (0), or the reason why the point has no value.
+
+    A point with the status INVALID_TANGENT has a value, for the frame that it would have without a tangent.
+    """
 
     OK = Status.OK
     INACTIVE = Status.INACTIVE
@@ -34,6 +37,8 @@ class PointStatus(IntEnum):
     NONFINITE_NORMAL = Status.NONFINITE_NORMAL
     NONFINITE_POSITION = NONFINITE_POSITION
     NONFINITE_VALUE = NONFINITE_VALUE
+    INVALID_PARAMETER = Status.INVALID_PARAMETER
+    INVALID_TANGENT = Status.INVALID_TANGENT
 
 
 def status_of(points: SurfacePoints) -> np.ndarray:
@@ -54,6 +59,11 @@ def has_status(status: np.ndarray, wanted: PointStatus) -> np.ndarray:
     handler raises there, such as KeyboardInterrupt.
     """
     return status == int(wanted)
+
+
+def has_value(status: np.ndarray) -> np.ndarray:
+    """Return the (P,) bool mask of the points with a value: of the status OK or INVALID_TANGENT."""
+    return has_status(status, PointStatus.OK) | has_status(status, PointStatus.INVALID_TANGENT)
 
 
 @dataclass(frozen=True)
@@ -188,7 +198,7 @@ class ExactResult(PointResult):
     """Values at P points that involve no random rays, with a standard error of 0.
 
     Attributes:
-        value: (P,) or (P, 3) float32; 0 where the status is not 0.
+        value: (P,) or (P, 3) float32; 0 where the status is neither OK nor INVALID_TANGENT.
         standard_error: Zeros, float32, of the shape of `value`.
         rays: Number of rays cast per point, (P,) int32.
         status: `PointStatus` of each point, (P,) uint8.

@@ -4,10 +4,11 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.distributions.parameters import redraw_of
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.lobes import LobesArgs
 from warpsample.estimate.plan import Plan, RaySum
-from warpsample.estimate.result import Estimate, Skipped
+from warpsample.estimate.result import Estimate, Skipped, has_value
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.strata import POLAR_COSINE, Strata, strata_of
 from warpsample.host.device_memory import Loan, at_home
@@ -54,7 +55,8 @@ class Runner:
         shape = (points,) if channels == 1 else (points, channels)
         value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
         cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
-        strata = strata_of(count, self.plan.distribution, self.traced)
+        lobe = None if self.plan.distribution.by_point or self.plan.tangent is not None else self.plan.distribution
+        strata = strata_of(count, lobe, self.traced)
         for rows in self.options.memory.parts(points, _BYTES_OF_POINT):
             with self.options.memory.loan() as loan:
                 part = self._part(loan, rows, strata, self.options.skip if skip is None else skip)
@@ -64,9 +66,10 @@ class Runner:
                     for array in (value, error, spread, degrees, cast, empty, status)
                 )
                 self._run(loan, part, None if chosen is None else chosen[rows])
-        total = np.where(status == 0, strata.rays, 0)
+        valid = has_value(status)
+        total = np.where(valid, strata.rays, 0)
         skipped = Skipped(
-            points=int(np.count_nonzero(status)),
+            points=int(np.count_nonzero(~valid)),
             open_points=int(np.count_nonzero((empty == total) & (total > 0))),
             empty_rays=int(empty.sum(dtype=np.int64)),
             weightless_rays=int((total - cast - empty).sum()),
@@ -99,6 +102,8 @@ class Runner:
             edge=options.sequence.edge_variance(strata.samples_per_stratum),
             falloff=self.summed.falloff or 0.0,
             parameters=self.plan.distribution.kernel_parameters().__ctype__(),
+            tables=self.plan.distribution.lend_tables(loan, rows),
+            tangents=loan.put(self.plan.tangent, rows),
         )
         if self.traced and self.at.scene.has_glass:
             part.glass = self.at.scene.glass(options.workers)
@@ -132,11 +137,11 @@ class Runner:
     def _slots(self) -> Slots:
         plan, integrand, any_hit = self.plan, self.summed.integrand, self.summed.falloff is None
         maps, tracer = plan.distribution.maps, self.options.tracer
-        has_glass = self.traced and self.at.scene.has_glass
+        has_glass, tangents = self.traced and self.at.scene.has_glass, plan.tangent is not None
         return Slots(
             sequence=self.options.sequence,
-            about=plan.distribution.about(),
-            redraw=maps.redraw,
+            about=plan.distribution.about(tangents),
+            redraw=redraw_of(maps, tangents),
             redraw_below=maps.redraw_below,
             upward=plan.distribution == POLAR_COSINE,
             weigh=integrand.function,
@@ -149,4 +154,7 @@ class Runner:
             any_hit=any_hit,
             wide=tracer.skips,
             glass=has_glass,
+            layout=plan.distribution.layout,
+            tangents=tangents,
+            reads_pdf=integrand.reads_pdf,
         )

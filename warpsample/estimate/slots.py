@@ -5,6 +5,7 @@ from typing import Any
 
 import warp as wp
 
+from warpsample.distributions.by_point.tables import Layout
 from warpsample.sequences.record import Sequence
 
 
@@ -14,8 +15,8 @@ class Slots:
 
     Attributes:
         sequence: Sequence of the rays' random numbers.
-        about: Warp function (unit normal, u, Parameters) -> (direction, pdf). Strata of the unit square become strata of
-            directions.
+        about: Warp function (unit normal, u, Parameters) -> (direction, pdf), with `tangents` of a frame in place of the
+            normal. Strata of the unit square become strata of directions.
         redraw: Warp function that replaces `about` where the pdf of `about` is below `redraw_below`, or None.
         redraw_below: Pdf below which `redraw` is called, in 1/sr.
         upward: Whether all directions have a cosine to the normal of at least 2^-12, as in the cosine lobe. The geometry
@@ -31,6 +32,9 @@ class Slots:
             weight.
         wide: Whether the query traverses the wide tree, which can also be searched for work to skip.
         glass: Whether the mesh has partly transmitting faces, which are kept in a tree of their own.
+        layout: Parameters of the distribution that are by point.
+        tangents: Whether the points have tangents.
+        reads_pdf: Whether the integrand reads the density of a direction, `Lobe.pdf`.
     """
 
     sequence: Sequence
@@ -48,3 +52,6 @@ class Slots:
     any_hit: bool
     wide: bool
     glass: bool = False
+    layout: Layout = ()
+    tangents: bool = False
+    reads_pdf: bool = False

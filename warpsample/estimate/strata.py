@@ -61,13 +61,14 @@ class Strata:
 
 
 @once
-def strata_of(count: int, lobe: Distribution = POLAR_COSINE, traced: bool = True) -> Strata:
+def strata_of(count: int, lobe: Distribution | None = POLAR_COSINE, traced: bool = True) -> Strata:
     """Return the strata for at most `count` rays per point.
 
-    Untraced rays get at most four strata. Lobes whose strata are not parts of cones about the normal get no shafts.
+    Untraced rays get at most four strata. Lobes whose strata are not parts of cones about the normal get no shafts. A lobe
+    of None, for lobes that differ between points, gets no shafts either.
     """
     _, bands, sectors = next(grid for grid in _grids(traced)[::-1] if count >= grid[0])
-    edges = _edges(lobe, bands) if traced else None
+    edges = _edges(lobe, bands) if traced and lobe is not None else None
     spans = [] if edges is None else [(edges[0], edges[-1]), *pairwise(edges)]
     shafts = [
         [_shaft(s / sectors, (s + 1) / sectors, *span) for span in spans]

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.estimate.integrand import Lobe
+from warpsample.estimate.integrand import Lobe, density_setter
 from warpsample.estimate.lobes import BLOCKERS, GLASS, Lobes, lobe_of
 from warpsample.estimate.rays import spread_of
 from warpsample.estimate.slots import Slots
@@ -106,7 +106,7 @@ def share_of(slots: Slots) -> wp.Function:
 @once
 def weighing(slots: Slots) -> wp.Function:
     """Build the Warp function that computes the weights of a chunk of rays."""
-    weigh, struct, constant = slots.weigh, slots.struct, slots.constant
+    weigh, struct, constant, with_pdf = slots.weigh, slots.struct, slots.constant, density_setter(slots.reads_pdf)
 
     @wp.func
     def weigh_rays(lobe: Lobe, data: struct, point: ShadingPoint, length: wp.int32) -> wp.uint64:
@@ -115,7 +115,7 @@ def weighing(slots: Slots) -> wp.Function:
         if wp.static(not constant):
             alive = NO_RAYS
             for k in range(length):
-                w = weigh(direction_of(point.chunk, k), lobe, data)
+                w = weigh(direction_of(point.chunk, k), with_pdf(lobe, float_at(point.own, 2 * CHUNK + k)), data)
                 set_vec3(point.own, k, w)
                 if w[0] != 0.0 or w[1] != 0.0 or w[2] != 0.0:
                     alive = alive | ray_set(k)

@@ -9,7 +9,7 @@ from math import log
 
 import numpy as np
 
-from warpsample.estimate.result import Estimate
+from warpsample.estimate.result import Estimate, has_value
 from warpsample.estimate.runner import Runner
 from warpsample.estimate.strata import counts_with_the_strata_of, strata_of
 from warpsample.sequences.hashing import seed_for
@@ -108,7 +108,7 @@ class _Trial:
         chosen[self.rows[: max(int(self.active / share), _FEWEST_POINTS)]] = True
         # Skip always, whatever the call's `skip`: skipping changes no bit, and the count must not depend on the option.
         found = self.runner.result(seed_for("trial", self.runner.options.seed), count, chosen, skip=True)
-        good = chosen & (found.status == 0)
+        good = chosen & (has_value(found.status))
         error = error_of(found, good)
         alike = counts_with_the_strata_of(self.count, traced) == counts_with_the_strata_of(count, traced)
         if self.count and alike and error > 0.0 and self._apart(count):

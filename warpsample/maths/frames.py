@@ -2,7 +2,9 @@
 
 import warp as wp
 
-from warpsample.maths.numerics import fma
+from warpsample.maths.numerics import fma, polish, scaled_to_unit
+
+_LEAST_SINE_SQUARED = wp.constant(wp.float32(1e-6))
 
 
 @wp.func
@@ -38,3 +40,40 @@ def to_world(frame: wp.mat33, w: wp.vec3) -> wp.vec3:
 def to_local(frame: wp.mat33, w: wp.vec3) -> wp.vec3:
     """Return a world direction in the coordinates of the frame."""
     return to_world(wp.transpose(frame), w)
+
+
+@wp.func
+def frame_along(n: wp.vec3, tangent: wp.vec4):
+    """Return the frame with columns (x, y, n) about a unit normal n, with x along a tangent; and 1, or 0 without a tangent.
+
+    x is the part of `tangent` perpendicular to n, and y is n cross x, times the sign of the fourth number, as in glTF. A
+    second projection keeps x perpendicular to 1e-7, however small the angle of tangent and normal. Where the sine of the
+    angle is below 1e-3, or the tangent or its sign is 0 or NaN, the frame is `frame_about(n)`.
+    """
+    unit = scaled_to_unit(wp.vec3(tangent[0], tangent[1], tangent[2]))
+    along = fma(unit[0], n[0], fma(unit[1], n[1], unit[2] * n[2]))
+    x0 = fma(-along, n[0], unit[0])
+    x1 = fma(-along, n[1], unit[1])
+    x2 = fma(-along, n[2], unit[2])
+    square = fma(x0, x0, fma(x1, x1, x2 * x2))
+    # Masks instead of `and`, whose branches would prevent vectorisation.
+    has_sign = wp.where(wp.abs(tangent[3]) > 0.0, 1, 0)
+    mask = wp.where(wp.abs(unit[3]) < 0.1, has_sign, 0) & wp.where(square > _LEAST_SINE_SQUARED, 1, 0)
+    usable = mask != 0
+    inverse = 1.0 / wp.sqrt(wp.where(usable, square, 1.0))
+    x0 = x0 * inverse
+    x1 = x1 * inverse
+    x2 = x2 * inverse
+    rest = fma(x0, n[0], fma(x1, n[1], x2 * n[2]))
+    x = polish(wp.vec3(fma(-rest, n[0], x0), fma(-rest, n[1], x1), fma(-rest, n[2], x2)))
+    sign = wp.copysign(1.0, tangent[3])
+    y0 = sign * fma(n[1], x[2], -(n[2] * x[1]))
+    y1 = sign * fma(n[2], x[0], -(n[0] * x[2]))
+    y2 = sign * fma(n[0], x[1], -(n[1] * x[0]))
+    other = frame_about(n)
+    frame = wp.mat33(
+        wp.where(usable, x[0], other[0, 0]), wp.where(usable, y0, other[0, 1]), n[0],
+        wp.where(usable, x[1], other[1, 0]), wp.where(usable, y1, other[1, 1]), n[1],
+        wp.where(usable, x[2], other[2, 0]), wp.where(usable, y2, other[2, 1]), n[2],
+    )  # fmt: skip
+    return frame, mask

@@ -9,8 +9,10 @@ from warpsample.host.arguments import told
 from warpsample.host.arrays import Array, as_real
 from warpsample.host.neighbours import as_ndarray
 from warpsample.host.summary import Summary
+from warpsample.mesh.frames import as_tangents, turn_vectors
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.polydata import cloud
+from warpsample.mesh.tangents import vertex_tangents
 
 if TYPE_CHECKING:
     from pyvista import PolyData
@@ -35,6 +37,9 @@ class SurfacePoints(Summary):
         raised: (P,) bool mask of points whose rays start vertically above the point (below for a normal that points down),
             however steep the adjacent faces are. Valid only at vertices of a mesh with one height at each (x, y), such as
             `rasters.surface` with model "tin". Default: None, no point.
+        tangent: (P, 4) float32: vectors whose part along the surface is the x axis of the frame of each point, and 1, or -1
+            for a left-handed frame (glTF's TANGENT). (P, 3) vectors get 1. Default: None, the frame depends on the normal
+            alone. `with_tangents` sets it.
 
     Raises:
         TypeError: Arrays that are not real numbers, faces or ids that are not integers, or `raised` that is not bool.
@@ -53,6 +58,7 @@ class SurfacePoints(Summary):
     barycentric: Array | None = None
     id: Array | None = None
     raised: Array | None = None
+    tangent: Array | None = None
 
     def __post_init__(self) -> None:
         """Check the types and shapes of the arrays, and set missing faces to -1."""
@@ -65,7 +71,8 @@ class SurfacePoints(Summary):
         id = None if self.id is None else _check_id(self.id)
         raised = None if self.raised is None else _check_raised(self.raised)
         arrays = {"position": position, "normal": normal, "face": face}
-        arrays |= {"barycentric": barycentric, "id": id, "raised": raised}
+        tangent = None if self.tangent is None else as_tangents(self.tangent, points)
+        arrays |= {"barycentric": barycentric, "id": id, "raised": raised, "tangent": tangent}
         shapes = {"normal": (points, 3), "barycentric": (points, 3)} | dict.fromkeys(("face", "id", "raised"), (points,))
         for name, array in arrays.items():
             if array is not None and array.shape != shapes.get(name, array.shape):
@@ -97,6 +104,75 @@ class SurfacePoints(Summary):
         rows = rows if isinstance(rows, slice) else _check_rows(rows, len(self))
         kept = {item.name: getattr(self, item.name) for item in fields(self)}
         return SurfacePoints(**{name: None if array is None else array[rows] for name, array in kept.items()})
+
+    def with_tangents(self, tangent: Any) -> "SurfacePoints":
+        """Return the points with tangents, which set the x axis of each point's frame.
+
+        x is the part of the tangent perpendicular to the normal n. y is n cross x, times the sign of the fourth number, as
+        in glTF. A tangent that is zero, NaN or parallel to the normal (a sine below 1e-3) gives the frame without tangents;
+        `sample_directions` counts such points with the status INVALID_TANGENT.
+
+        Args:
+            tangent: (P, 3) or (P, 4) real numbers of any length above 0, with the sign of the bitangent last; or (3,) for
+                all points.
+
+        Returns:
+            SurfacePoints with the same arrays and `tangent`.
+
+        Raises:
+            TypeError: The tangents are not real numbers.
+            ValueError: The shape is another one.
+
+        Example:
+            >>> points = ws.face_centers(ws.load_mesh("courtyard")).with_tangents([1.0, 0.0, 0.0])
+            >>> print(points.to_world([1.0, 0.0, 0.0])[:1])
+            [[1. 0. 0.]]
+        """
+        kept = {item.name: getattr(self, item.name) for item in fields(self)}
+        return SurfacePoints(**kept | {"tangent": as_tangents(tangent, len(self), "tangent", one_for_all=True)})
+
+    def to_local(self, vectors: Any) -> np.ndarray:
+        """Convert world vectors to the frames of the points, which `sample_directions` uses too; +z is the normal.
+
+        Args:
+            vectors: (3,), (P, 3) or (P, n, 3) real numbers, of any length. Differences of large coordinates keep their
+                digits if they are computed in float64 before this call.
+
+        Returns:
+            (P, 3) or (P, n, 3) float32; zero vectors at points without a normal.
+
+        Raises:
+            TypeError: The vectors are not real numbers.
+            ValueError: The shape is another one.
+
+        Example:
+            >>> points = ws.face_centers(ws.load_mesh("courtyard"))
+            >>> view = points.to_local([0.0, 0.0, 100.0] - points.position)
+            >>> print(view.shape, view.dtype)
+            (2080, 3) float32
+        """
+        return turn_vectors(self.normal, self.tangent, vectors, to_world=False)
+
+    def to_world(self, vectors: Any) -> np.ndarray:
+        """Convert vectors in the frames of the points to world coordinates, as `sample_directions` does.
+
+        Args:
+            vectors: (3,), (P, 3) or (P, n, 3) real numbers, of any length; +z is the normal.
+
+        Returns:
+            (P, 3) or (P, n, 3) float32; zero vectors at points without a normal.
+
+        Raises:
+            TypeError: The vectors are not real numbers.
+            ValueError: The shape is another one.
+
+        Example:
+            >>> points = ws.face_centers(ws.load_mesh("courtyard"))
+            >>> up = points.to_world([0.0, 0.0, 1.0])
+            >>> print(abs(up - points.normal).max() < 1e-6)
+            True
+        """
+        return turn_vectors(self.normal, self.tangent, vectors, to_world=True)
 
     def to_polydata(self) -> "PolyData":
         """Return the points as a PyVista PolyData, in the same order.
@@ -138,19 +214,24 @@ def face_centers(mesh: Any) -> SurfacePoints:
     return SurfacePoints(position, mesh.face_normals.copy(), np.arange(len(position), dtype=np.int32), thirds)
 
 
-def vertex_points(mesh: Any) -> SurfacePoints:
+def vertex_points(mesh: Any, *, uv: Any = None) -> SurfacePoints:
     """Return every vertex with its area-weighted unit normal, row i for vertex i.
 
     The normal is zero for vertices without a face and where normals cancel.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
+        uv: (F, 3, 2) texture coordinates of face corners, as from `load_uv`, which give tangents by MikkTSpace. A vertex has
+            the sign of the first of its faces, and the mean tangent of its faces with that sign. Default: None, no tangents.
 
     Returns:
-        SurfacePoints with position (V, 3) float64, normal (V, 3) float32 of unit length or zero, and face -1.
+        SurfacePoints with position (V, 3) float64, normal (V, 3) float32 of unit length or zero, and face -1; with `uv` also
+        with a tangent, which is zero for vertices whose faces have no coordinates.
 
     Raises:
-        TypeError, ValueError: The argument is not a triangle mesh; the message names the argument.
+        TypeError, ValueError: An argument is invalid; the message names the argument.
+
+    Source: Mikkelsen2008 for tangents.
 
     Example:
         >>> points = ws.vertex_points(ws.load_mesh("courtyard"))
@@ -158,7 +239,21 @@ def vertex_points(mesh: Any) -> SurfacePoints:
         (1089, 3) 1.0
     """
     mesh = as_mesh(mesh)
-    return SurfacePoints(mesh.vertices.copy(), mesh.vertex_normals.copy())
+    tangent = None if uv is None else vertex_tangents(mesh, check_uv(uv, len(mesh.faces)))
+    return SurfacePoints(mesh.vertices.copy(), mesh.vertex_normals.copy(), tangent=tangent)
+
+
+def check_uv(uv: Any, faces: int) -> np.ndarray:
+    """Return checked texture coordinates of face corners as (F, 3, 2) float64.
+
+    Raises:
+        TypeError, ValueError: the coordinates are no array of F x 3 x 2 real numbers.
+    """
+    wants = f"({faces}, 3, 2) real numbers, u and v of each corner of a face"
+    found = as_real(uv, "uv", wants)
+    if found.shape != (faces, 3, 2):
+        raise ValueError(f"uv: got shape {found.shape}, want {wants}")
+    return found.astype(np.float64)
 
 
 def _check_face(value: Any) -> np.ndarray:

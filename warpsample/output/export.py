@@ -12,6 +12,7 @@ import numpy as np
 
 from warpsample.directions.sample import Directions, Status, sample_directions
 from warpsample.distributions import as_spatial
+from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_integer, check_seed
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import check_memory, check_space, check_workers
@@ -19,6 +20,7 @@ from warpsample.host.files import check_output, complete_or_absent, new_archive,
 from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.points.arrays import carry_to_points, read_array
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.output.places import check_places, points_on
@@ -50,6 +52,7 @@ class DirectionsRun:
         sequence: Name of the sequence.
         seed: Random seed.
         at: "vertices" or "faces" for points there, or None.
+        arrays: File of the arrays that the distribution names, or None for the mesh.
     """
 
     mesh: Path
@@ -60,6 +63,7 @@ class DirectionsRun:
     sequence: str
     seed: int
     at: str | None
+    arrays: Path | None = None
 
 
 def export(run: DirectionsRun, workers: int | None = None) -> str:
@@ -79,17 +83,25 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
         ways = run.points * run.samples
         check_space(run.output, ways * _BYTES_IN_FILE, f"{ways:,} directions")
     points = points_on(mesh, run.points, run.at, run.seed)
+    lobe = as_spatial(run.distribution, lambda name: carry_to_points(_array(run, name), name, mesh, points))
     with complete_or_absent(run.output) as file:
         if run.output.suffix == ".npz":
-            status = _write_archive(file, points, run, workers)
+            status = _write_archive(file, points, lobe, run, workers)
         else:
-            status = _write_cloud(file, CLOUD_SCALE * mesh.diagonal, points, run, workers)
+            status = _write_cloud(file, points, lobe, run, workers, scale=CLOUD_SCALE * mesh.diagonal)
     total = len(points) * run.samples
     skipped = {Status(code).name.lower(): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
     return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())
 
 
-def _write_archive(file: BinaryIO, points: SurfacePoints, run: DirectionsRun, workers: int | None) -> np.ndarray:
+def _array(run: DirectionsRun, name: str) -> np.ndarray:
+    """Return the array that the distribution of a run names."""
+    return read_array(run.mesh if run.arrays is None else run.arrays, name, "--arrays")
+
+
+def _write_archive(
+    file: BinaryIO, points: SurfacePoints, lobe: Distribution, run: DirectionsRun, workers: int | None
+) -> np.ndarray:
     record, status = _record(run), np.empty(len(points), np.uint8)
     with new_archive(file) as archive:
         write_array(archive, "position", points.position)
@@ -98,7 +110,7 @@ def _write_archive(file: BinaryIO, points: SurfacePoints, run: DirectionsRun, wo
         header = {"descr": "<f4", "fortran_order": False, "shape": (len(points), run.samples, 3)}
         with archive.open("vectors.npy", "w", force_zip64=True) as member:
             np.lib.format.write_array_header_2_0(member, header)
-            for start, directions in _parts(points, run, workers):
+            for start, directions in _parts(points, lobe, run, workers):
                 member.write(directions.vectors.data)
                 status[start : start + len(directions.status)] = directions.status
         write_array(archive, "status", status)
@@ -106,12 +118,14 @@ def _write_archive(file: BinaryIO, points: SurfacePoints, run: DirectionsRun, wo
     return status
 
 
-def _write_cloud(file: BinaryIO, scale: float, points: SurfacePoints, run: DirectionsRun, workers: int | None) -> np.ndarray:
+def _write_cloud(
+    file: BinaryIO, points: SurfacePoints, lobe: Distribution, run: DirectionsRun, workers: int | None, *, scale: float
+) -> np.ndarray:
     size = len(points) * run.samples * _BYTES_IN_CLOUD
     check_memory(
         size, f"the {len(points) * run.samples:,} directions of the cloud", "take fewer, or write .npz, which is streamed"
     )
-    found = _sampled(points, run, workers)
+    found = _sampled(points, lobe, run, workers)
     rows = np.flatnonzero(found.status == 0)
     ways = (found.vectors if len(rows) == len(points) else found.vectors[rows]).reshape(-1, 3)
     position = Lazy(
@@ -134,28 +148,35 @@ def _check(run: DirectionsRun) -> None:
     check_places(run.points, run.at)
     check_integer(run.samples, "--samples", 1, 2**31 - 1)
     check_seed(run.seed)
-    as_spatial(run.distribution)
+    as_spatial(run.distribution, lambda name: _array(run, name)[:1])
     get_sequence(run.sequence)
 
 
-def _parts(points: SurfacePoints, run: DirectionsRun, workers: int | None) -> Iterator[tuple[int, Directions]]:
+def _parts(
+    points: SurfacePoints, lobe: Distribution, run: DirectionsRun, workers: int | None
+) -> Iterator[tuple[int, Directions]]:
     """Yield (first row, directions) of parts that fit into memory, with a progress bar if stderr is a terminal."""
     step, record = max(1, DIRECTIONS_PER_PART // run.samples), RunRecord("directions")
     with record.show("sampling"), record.count(len(points), f"{run.output} is as it was before"):
         for start in range(0, len(points), step):
-            normals = points.normal[start : start + step]
-            yield start, _sampled(normals, run, workers, start)
+            rows = slice(start, start + step)
+            normals = points.normal[rows]
+            yield start, _sampled(normals, lobe.take(rows), run, workers, start)
             record.advance(len(normals))
 
 
-def _sampled(points: Any, run: DirectionsRun, workers: int | None, first_point: int = 0) -> Directions:
+def _sampled(points: Any, lobe: Distribution, run: DirectionsRun, workers: int | None, first_point: int = 0) -> Directions:
     options: dict[str, Any] = {"seed": run.seed, "first_point": first_point, "workers": workers}
-    return sample_directions(points, run.samples, distribution=run.distribution, sequence=run.sequence, **options)
+    return sample_directions(points, run.samples, distribution=lobe, sequence=run.sequence, **options)
 
 
 def _record(run: DirectionsRun) -> dict[str, object]:
     """Return the arguments, the digest of the mesh and the versions of libraries, which repeat a run to the bit."""
     digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
+    if run.arrays is None:
+        arguments.pop("arrays")
+    else:
+        arguments["arrays_sha256"] = hashlib.sha256(run.arrays.read_bytes()).hexdigest()
     versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy")} | {"streams": STREAMS}
     return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": cpu().name}

@@ -2,16 +2,14 @@
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import numpy as np
 import warp as wp
 
 from warpsample.directions.sample import sample_square
-from warpsample.distributions.beckmann import Beckmann
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.microfacets.beckmann import Beckmann
 from warpsample.distributions.offset_ball import OffsetBall
-from warpsample.distributions.record import Distribution
 from warpsample.distributions.uniform_disk import UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere
@@ -22,29 +20,14 @@ from warpsample.proof.routes import add_normal
 from warpsample.proof.streams import judge_stream
 from warpsample.proof.twins.sequences import pcg4d
 from warpsample.proof.verify import Verdict, judge
+from warpsample.proof.wrong import Wrong
+from warpsample.proof.wrong_lobes import WRONG_LOBES
+from warpsample.proof.wrong_microfacets import WRONG_MICROFACETS
 from warpsample.sequences.hashing import run_words
 from warpsample.statistics.charts import DISK
 
 _RIGHT = CosineHemisphere()
 _F = np.float32
-
-
-class Wrong:
-    """Distribution with some of its functions replaced."""
-
-    def __init__(self, claims: Distribution = _RIGHT, **replaced: Callable[[np.ndarray], np.ndarray]):
-        """Store a distribution and the functions that replace some of its functions.
-
-        Args:
-            claims: distribution that the sampler claims to be.
-            replaced: functions `sample`, `pdf` or `invert`, by name.
-        """
-        self.claims = claims
-        self.__dict__.update(replaced)
-
-    def __getattr__(self, name: str) -> Any:
-        """Return the distribution's attribute for all names that are not replaced."""
-        return getattr(self.claims, name)
 
 
 def _scaled_sphere(scale: float, u: np.ndarray) -> np.ndarray:
@@ -189,29 +172,35 @@ def _samples_in_one_word() -> np.ndarray:
     return _in_one_word(halves ^ halves >> np.uint64(16), run_words(1, 0)[1:]) >> np.uint64(8)
 
 
-_SAMPLERS = {
-    "sphere scaled by 0.98": Wrong(sample=partial(_scaled_sphere, 0.98)),
-    "sphere scaled by 0.99999": Wrong(sample=partial(_scaled_sphere, 0.99999)),
-    "normals of length 0.9": Wrong(sample=_short_normal),
-    "azimuth gap of 1e-3 rad": Wrong(sample=_with_gap),
-    "cos θ as √(1 − x² − y²)": Wrong(sample=_lifted_in_float32),
-    "ball for sphere": Wrong(sample=OffsetBall().sample),
-    "uniform for cosine": Wrong(sample=UniformHemisphere().sample),
-    "sin and cos swapped in a quadrant": Wrong(sample=_swapped_quadrant),
-    "x and y swapped": Wrong(sample=lambda u: _RIGHT.sample(u)[..., [1, 0, 2]]),
-    "upside down": Wrong(sample=lambda u: _RIGHT.sample(u) * _F([1, 1, -1])),
-    "one in 10⁵ below the surface": Wrong(sample=partial(_with_change, _one_below)),
-    "NaN at the centre of the square": Wrong(sample=partial(_with_change, _nan_in_the_middle)),
-    "length off by 4e-7": Wrong(sample=lambda u: _RIGHT.sample(u) * _F(1 + 4e-7)),
-    "concentric map with a seam": Wrong(UniformDisk("concentric"), sample=_with_seam),
-    "Beckmann's sin θ as √(1 − cos²θ)": Wrong(Beckmann(1e-3), sample=_rough_beckmann),
-    "Beckmann of α² for α": Wrong(Beckmann(0.1), sample=Beckmann(0.01).sample),
-    "pdf off by 1e-3": Wrong(pdf=lambda w: _RIGHT.pdf(w) * _F(1.001)),
-    "pdf per radian, called per steradian": Wrong(pdf=lambda w: _RIGHT.pdf(w) * _sine(w)),
-    "pdf not 0 below the surface": Wrong(pdf=lambda w: np.nan_to_num(np.abs(w[..., 2])) * _F(1 / np.pi)),
-    "inverse with a swapped pair": Wrong(invert=lambda w: _RIGHT.invert(w)[..., ::-1]),
-    "inverse that is NaN at the pole": Wrong(invert=lambda w: np.where(w[..., 2:] > 0.999, _F(np.nan), _RIGHT.invert(w))),
-}
+_SAMPLERS = (
+    WRONG_LOBES
+    | WRONG_MICROFACETS
+    | {
+        "sphere scaled by 0.98": Wrong(_RIGHT, sample=partial(_scaled_sphere, 0.98)),
+        "sphere scaled by 0.99999": Wrong(_RIGHT, sample=partial(_scaled_sphere, 0.99999)),
+        "normals of length 0.9": Wrong(_RIGHT, sample=_short_normal),
+        "azimuth gap of 1e-3 rad": Wrong(_RIGHT, sample=_with_gap),
+        "cos θ as √(1 − x² − y²)": Wrong(_RIGHT, sample=_lifted_in_float32),
+        "ball for sphere": Wrong(_RIGHT, sample=OffsetBall().sample),
+        "uniform for cosine": Wrong(_RIGHT, sample=UniformHemisphere().sample),
+        "sin and cos swapped in a quadrant": Wrong(_RIGHT, sample=_swapped_quadrant),
+        "x and y swapped": Wrong(_RIGHT, sample=lambda u: _RIGHT.sample(u)[..., [1, 0, 2]]),
+        "upside down": Wrong(_RIGHT, sample=lambda u: _RIGHT.sample(u) * _F([1, 1, -1])),
+        "one in 10⁵ below the surface": Wrong(_RIGHT, sample=partial(_with_change, _one_below)),
+        "NaN at the centre of the square": Wrong(_RIGHT, sample=partial(_with_change, _nan_in_the_middle)),
+        "length off by 4e-7": Wrong(_RIGHT, sample=lambda u: _RIGHT.sample(u) * _F(1 + 4e-7)),
+        "concentric map with a seam": Wrong(UniformDisk("concentric"), sample=_with_seam),
+        "Beckmann's sin θ as √(1 − cos²θ)": Wrong(Beckmann(1e-3), sample=_rough_beckmann),
+        "Beckmann of α² for α": Wrong(Beckmann(0.1), sample=Beckmann(0.01).sample),
+        "pdf off by 1e-3": Wrong(_RIGHT, pdf=lambda w: _RIGHT.pdf(w) * _F(1.001)),
+        "pdf per radian, called per steradian": Wrong(_RIGHT, pdf=lambda w: _RIGHT.pdf(w) * _sine(w)),
+        "pdf not 0 below the surface": Wrong(_RIGHT, pdf=lambda w: np.nan_to_num(np.abs(w[..., 2])) * _F(1 / np.pi)),
+        "inverse with a swapped pair": Wrong(_RIGHT, invert=lambda w: _RIGHT.invert(w)[..., ::-1]),
+        "inverse that is NaN at the pole": Wrong(
+            _RIGHT, invert=lambda w: np.where(w[..., 2:] > 0.999, _F(np.nan), _RIGHT.invert(w))
+        ),
+    }
+)
 _STREAMS = {
     "u on 16 bits": partial(_on_grid, 16),
     "u on 12 bits": partial(_on_grid, 12),

@@ -11,21 +11,22 @@ from typing import Any
 import numpy as np
 
 from warpsample.directions.sample import sample_square
-from warpsample.distributions.beckmann import Beckmann
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
-from warpsample.distributions.ggx import GGX
+from warpsample.distributions.microfacets.beckmann import Beckmann
+from warpsample.distributions.microfacets.ggx import GGX
+from warpsample.distributions.microfacets.visible_beckmann import VisibleBeckmann
+from warpsample.distributions.microfacets.visible_ggx import VisibleGGX
 from warpsample.distributions.offset_ball import OffsetBall
 from warpsample.distributions.offset_circle import OffsetCircle
 from warpsample.distributions.offset_disk import OffsetDisk
 from warpsample.distributions.offset_sphere import OffsetSphere
 from warpsample.distributions.power_cosine import PowerCosine
 from warpsample.distributions.record import Distribution
+from warpsample.distributions.scattering.henyey_greenstein import HenyeyGreenstein
 from warpsample.distributions.uniform_cone import UniformCone
 from warpsample.distributions.uniform_disk import UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere
-from warpsample.distributions.visible_beckmann import VisibleBeckmann
-from warpsample.distributions.visible_ggx import VisibleGGX
 from warpsample.proof import laws
 from warpsample.proof.evidence import Evidence, Subject
 from warpsample.proof.twins import polar_angle, spherical
@@ -172,6 +173,7 @@ def _point_by_point() -> dict[str, float]:
         "PowerCosine(3) is the offset ball": laws.worst(PowerCosine(3.0).sample(u) - OffsetBall().sample(u)),
         "PowerCosine(0) is the hemisphere": laws.worst(PowerCosine(0.0).sample(u) - UniformHemisphere().sample(u)),
         "UniformCone of all angles is the sphere": laws.worst(UniformCone(-1.0).sample(u) - UniformSphere().sample(u)),
+        "HenyeyGreenstein(0) is the sphere": laws.worst(HenyeyGreenstein(0.0).sample(u) - UniformSphere().sample(u)),
         "GGX(1) is the cosine lobe": laws.worst(GGX(1.0).sample(u) - polar(u)),
     }
 
@@ -191,6 +193,7 @@ def _density_by_density() -> dict[str, float]:
         "OffsetSphere(1) is the cosine lobe": difference(OffsetSphere(1.0), CosineHemisphere()),
         "PowerCosine(3) is the offset ball": difference(PowerCosine(3.0), OffsetBall()),
         "PowerCosine(0) is the hemisphere": difference(PowerCosine(0.0), UniformHemisphere()),
+        "HenyeyGreenstein(0) is the sphere": difference(HenyeyGreenstein(0.0), UniformSphere()),
         "GGX(1) is the cosine lobe": difference(GGX(1.0), CosineHemisphere()),
     }
 

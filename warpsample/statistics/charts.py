@@ -11,6 +11,7 @@ class Sampler(Protocol):
 
     measure: str
     symmetric: bool
+    stretch: tuple[tuple[float, ...], ...] | None
     largest_angle: float
     thinnest_tail: float
 
@@ -63,9 +64,47 @@ class Chart:
             return np.stack([a * x, a * y], axis=-1)
         return np.stack([np.sin(a) * x, np.sin(a) * y, np.cos(a)], axis=-1)
 
-    def element(self, a: np.ndarray) -> np.ndarray:
-        """Return the density of the measure with respect to da dphi, at a."""
+    def element(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
+        """Return the density of the measure with respect to da dphi, at a and phi as a fraction of 2 pi."""
+        a, _ = np.broadcast_arrays(a, turns)
         return np.ones_like(a) if self.azimuths == 1.0 else a if self is DISK else np.sin(a)
+
+
+@dataclass(frozen=True)
+class StretchedSphere(Chart):
+    """Polar coordinates (a, phi) of the unit vector o for the direction w = M o / abs(M o), for lobes that M makes round.
+
+    Attributes:
+        matrix: matrix M, with a determinant other than 0.
+    """
+
+    matrix: tuple[tuple[float, ...], ...]
+
+    def polar(self, w: np.ndarray) -> np.ndarray:
+        """Return the coordinate a of directions, float64; NaN for a NaN."""
+        return super().polar(self._unstretched(w))
+
+    def azimuth(self, w: np.ndarray) -> np.ndarray:
+        """Return the coordinate phi of directions as a fraction of 2 pi, in [0, 1], float64."""
+        return super().azimuth(self._unstretched(w))
+
+    def point(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
+        """Return the directions, float64, at coordinates a and phi, phi as a fraction of 2 pi; both are broadcast."""
+        stretched = self._stretched(a, turns)
+        return stretched / np.sqrt(np.square(stretched).sum(axis=-1, keepdims=True))
+
+    def element(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
+        """Return the solid angle per da dphi: that of the sphere, times the stretch of M, abs(det M) / abs(M o)^3."""
+        length = np.sqrt(np.square(self._stretched(a, turns)).sum(axis=-1))
+        return np.sin(a) * abs(float(np.linalg.det(np.array(self.matrix)))) / (length * np.square(length))
+
+    def _stretched(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
+        """Return the vectors M o at coordinates a and phi."""
+        return super().point(a, turns) @ np.array(self.matrix).T
+
+    def _unstretched(self, w: np.ndarray) -> np.ndarray:
+        """Return vectors along o for directions w, with the sign of o."""
+        return w.astype(np.float64) @ np.linalg.inv(np.array(self.matrix)).T
 
 
 SPHERE = Chart(0.0, np.pi, 2.0 * np.pi)
@@ -75,8 +114,8 @@ _CHARTS = {"per steradian": SPHERE, "per unit area": DISK, "per radian": PLANE}
 
 
 def chart_of(sampler: Sampler) -> Chart:
-    """Return the chart for the measure of a sampler's density."""
-    return _CHARTS[sampler.measure]
+    """Return the chart for the measure of a sampler's density and, if it has one, for its stretch."""
+    return _CHARTS[sampler.measure] if sampler.stretch is None else StretchedSphere(0.0, np.pi, 2.0 * np.pi, sampler.stretch)
 
 
 def support_of(sampler: Sampler) -> tuple[float, float]:

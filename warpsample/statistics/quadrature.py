@@ -4,14 +4,16 @@ from itertools import pairwise
 
 import numpy as np
 
-from warpsample.statistics.charts import Sampler, chart_of
+from warpsample.statistics.charts import Chart, Sampler, chart_of
 
 _COARSEST, _FINEST = 8, 256
 _TOLERANCE = 5e-5  # relative change between two refinements; 2^20 directions resolve 1e-3
 _LONGEST_PANEL = 4.0  # largest ratio of the ends of one panel: lobes span ten powers of ten
 
 
-def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int = 0) -> np.ndarray:
+def cell_masses(
+    sampler: Sampler, edges: np.ndarray, columns: int, weight: int = 0, *, chart: Chart | None = None
+) -> np.ndarray:
     """Integrate pdf * a^weight over each cell of the sampler's chart.
 
     Args:
@@ -19,6 +21,7 @@ def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int =
         edges: (rows + 1,) ascending values of the coordinate a.
         columns: number of cells of equal azimuth in a row.
         weight: exponent of a.
+        chart: chart of the cells. Default: the chart of the sampler.
 
     Returns:
         (rows, columns) float64.
@@ -26,10 +29,11 @@ def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int =
     Raises:
         ValueError: the integral does not converge; a test based on it could reject a correct sampler.
     """
-    before = _masses(sampler, edges, columns, weight, _COARSEST)
+    chart = chart or chart_of(sampler)
+    before = _masses(sampler, chart, edges, columns, weight, nodes=_COARSEST)
     nodes = 2 * _COARSEST
     while nodes <= _FINEST:
-        after = _masses(sampler, edges, columns, weight, nodes)
+        after = _masses(sampler, chart, edges, columns, weight, nodes=nodes)
         change = np.abs(after - before).sum() / max(np.abs(after).sum(), 1e-30)
         if change <= _TOLERANCE:
             return after
@@ -37,9 +41,8 @@ def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int =
     raise ValueError(f"pdf: its integral still moves by {change:.1e} of itself at {_FINEST} nodes a cell")
 
 
-def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, nodes: int) -> np.ndarray:
+def _masses(sampler: Sampler, chart: Chart, edges: np.ndarray, columns: int, weight: int, *, nodes: int) -> np.ndarray:
     """Integrate pdf * a^weight over each cell, by Gauss-Legendre rules of `nodes` nodes a panel."""
-    chart = chart_of(sampler)
     panels, owner = _panels(edges)
     t, gauss = np.polynomial.legendre.leggauss(nodes)
     # With a = low + length sin^2(pi (t + 1) / 4) an inverse root at either end is smooth, as at an offset sphere's edge.
@@ -51,7 +54,8 @@ def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, node
     fine = 1 if sampler.symmetric else max(1, nodes // 4)
     turns = (np.arange(columns * fine) + 0.5) / (columns * fine)
     density = sampler.pdf(chart.point(a[..., None], turns).astype(np.float32)).astype(np.float64)
-    ring = (density * (chart.element(a) * np.float_power(a, weight) * step)[..., None]).sum(axis=1)
+    elements = chart.element(a[..., None], turns)
+    ring = (density * elements * (np.float_power(a, weight) * step)[..., None]).sum(axis=1)
     rows = np.add.reduceat(ring, np.flatnonzero(np.diff(owner, prepend=-1)), axis=0)
     return rows.reshape(len(rows), columns, fine).sum(axis=2) * chart.azimuths / (columns * fine)
 

@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from warpsample.host.arguments import check_choice, check_integer, told
+from warpsample.host.arguments import check_choice, check_flag, check_integer, told
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property
 from warpsample.host.options import CallOptions
 from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.mesh.surface import SurfacePoints
+from warpsample.mesh.surface import SurfacePoints, check_uv
+from warpsample.mesh.tangents import compute_tangents
 from warpsample.texture.claims import MOST_TEXELS, claim_points, compute_weights
 from warpsample.texture.image import TexelRows, check_gutter, fill_texels
 from warpsample.texture.report import TextureReport, build_report, find_face_flaws
@@ -39,6 +40,7 @@ class TexturePoints(Summary):
         face: (P,) int32, the face of each point.
         report: counts of texels, and of faces with flawed coordinates.
         options: device and number of threads for the computation of points.
+        corner_tangents: (F, 3, 4) float64, tangents of face corners with the sign of the bitangent; None without tangents.
     """
 
     mesh: Mesh
@@ -51,6 +53,7 @@ class TexturePoints(Summary):
     face: NDArray[np.int32]
     report: TextureReport
     options: CallOptions
+    corner_tangents: NDArray[np.float64] | None = None
 
     def __len__(self) -> int:
         """Return the number of points."""
@@ -78,7 +81,8 @@ class TexturePoints(Summary):
             rows: slice of the P points.
 
         Returns:
-            points with position and barycentric (float64), normal, face (-1 for lifted points) and id.
+            points with position and barycentric (float64), normal, face (-1 for lifted points) and id, and with tangents if
+            `texture_points` was asked for tangents.
 
         Raises:
             TypeError: `rows` is not a slice.
@@ -95,7 +99,8 @@ class TexturePoints(Summary):
         how = {"samples": self.samples, "memory": self.options.memory, "workers": self.options.workers}
         weights = compute_weights(self.corners, id, face, self.size[0], **how)
         position, normal, on = shade_points(self.mesh, self.corner_normals, face, weights, self.normals)
-        return SurfacePoints(position, normal, on, weights, id)
+        tangent = None if self.corner_tangents is None else interpolate_tangents(self.corner_tangents, face, weights)
+        return SurfacePoints(position, normal, on, weights, id, tangent=tangent)
 
     def image(self, values: Any, *, gutter: Any = "all") -> np.ndarray:
         """Return the image of values at the points; each texel has the mean of its points' values.
@@ -187,6 +192,7 @@ def texture_points(
     samples: int = 1,
     normals: str = "face",
     corner_normals: Any = None,
+    tangents: bool = False,
     device: Any = None,
     workers: int | None = None,
 ) -> TexturePoints:
@@ -207,6 +213,8 @@ def texture_points(
         normals: "face" for face normals, "smooth" for interpolated corner normals, which make dark bands on coarse meshes,
             or "lifted" for interpolated normals at points moved to the smooth surface. Default: "face".
         corner_normals: (F, 3, 3) normals of face corners, of any length. Default: None, those of the vertices.
+        tangents: Whether the points have tangents, along which u grows, by MikkTSpace. Directions are then sampled in these
+            frames. Default: False.
         device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
         workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
@@ -217,7 +225,7 @@ def texture_points(
         TypeError, ValueError: an argument is invalid; the message names it.
         MemoryError: the image needs more memory than is free.
 
-    Source: Hasselgren2005 for the coverage test; Hanika2021 for lifted points.
+    Source: Hasselgren2005 for the coverage test; Hanika2021 for lifted points; Mikkelsen2008 for tangents.
 
     Example:
         >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -227,7 +235,7 @@ def texture_points(
         2143 (64, 64) 1.0
     """
     mesh = as_mesh(mesh)
-    uv, samples = _check_uv(uv, len(mesh.faces)), check_samples(samples)
+    uv, samples = check_uv(uv, len(mesh.faces)), check_samples(samples)
     size = check_size(size, samples)
     check_choice(normals, "normals", NORMALS)
     unused = normals == "face"
@@ -237,15 +245,25 @@ def texture_points(
     claims = claim_points(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
     report = build_report(mesh, claims.covered, claims.overlapped, flaws | {"overlapped": claims.overlapping})
     turned = None if unused else turned
-    return TexturePoints(mesh, corners, size, samples, normals, turned, claims.id, claims.face, report, options)
+    along = _corner_tangents(mesh, uv, turned) if check_flag(tangents, "tangents") else None
+    return TexturePoints(mesh, corners, size, samples, normals, turned, claims.id, claims.face, report, options, along)
 
 
-def _check_uv(uv: Any, faces: int) -> np.ndarray:
-    wants = f"({faces}, 3, 2) real numbers, u and v of each corner of a face"
-    found = as_real(uv, "uv", wants)
-    if found.shape != (faces, 3, 2):
-        raise ValueError(f"uv: got shape {found.shape}, want {wants}")
-    return found.astype(np.float64)
+def _corner_tangents(mesh: Mesh, uv: np.ndarray, corner_normals: np.ndarray | None) -> np.ndarray:
+    """Return the (F, 3, 4) tangents of face corners, 0 for faces without coordinates; by default for face normals."""
+    normals = np.repeat(mesh.face_normals[:, None], 3, axis=1) if corner_normals is None else corner_normals
+    known = np.flatnonzero(np.isfinite(uv).all(axis=(1, 2)))
+    made = np.zeros((len(uv), 3, 4))
+    made[known] = compute_tangents(mesh.vertices[mesh.faces[known]], normals[known].astype(np.float64), uv[known])
+    return made
+
+
+def interpolate_tangents(corners: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """Return (P, 4) float32 tangents of points: the mean of the corners' vectors; the sign is that of the face."""
+    made = np.empty((len(face), 4), np.float32)
+    made[:, :3] = sum(weights[:, k : k + 1] * corners[face, k, :3] for k in range(3))
+    made[:, 3] = corners[face, 0, 3]
+    return made
 
 
 def check_samples(samples: Any, argument: str = "samples") -> int:

@@ -3,15 +3,18 @@
 from collections.abc import Callable
 from typing import Any, Literal, get_args
 
+import numpy as np
 import pyvista as pv
 
 from warpsample.directions.sample import sample_directions
+from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Estimate
-from warpsample.host.arguments import check_choice, check_integer, check_scale
+from warpsample.host.arguments import check_choice, check_integer, check_scale, told
 from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.mesh.points.arrays import arrays_of, carry_to_points
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints, vertex_points
 from warpsample.output.export import CLOUD_SCALE
@@ -52,7 +55,8 @@ class WarpsampleAccessor:
 
         Args:
             count: Number of directions per point.
-            distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
+            distribution: Distribution of the directions, or its name. "ggx(alpha=@roughness)" takes the parameter of each
+                point from the point array "roughness". Default: CosineHemisphere(method="polar").
             points: Number of points, uniform by area. Default: None, the dataset's points with area-weighted normals.
             scale: Length of a direction in the cloud, in the dataset's unit. Default: None, 5 % of its diagonal.
             seed: Random seed of points and directions. Default: 0.
@@ -75,7 +79,15 @@ class WarpsampleAccessor:
             at = vertex_points(self.mesh)
         else:
             at = sample_surface(self.mesh, check_integer(points, "points", 1, 2**31 - 1), seed=seed)
-        return sample_directions(at, count, distribution=distribution, seed=seed, **options).to_polydata(at, length)
+        lobe = as_spatial(distribution, lambda name: self._array_at(name, at))
+        return sample_directions(at, count, distribution=lobe, seed=seed, **options).to_polydata(at, length)
+
+    def _array_at(self, name: str, points: SurfacePoints) -> np.ndarray:
+        """Return the array of a name of the dataset, with one row for each of some points on its surface."""
+        arrays = arrays_of(self._dataset)
+        if name not in arrays:
+            raise ValueError(f"distribution: got @{name}, want an array of the dataset: {told(', '.join(sorted(arrays)))}")
+        return carry_to_points(arrays[name], name, self.mesh, points)
 
     def _points(self, at: At) -> SurfacePoints:
         """Return the vertices or the face centres of the mesh as surface points."""

@@ -53,7 +53,7 @@ def default_density(distribution: Distribution) -> Distribution | None:
 
 def format_distribution(distribution: Distribution) -> str:
     """Return a distribution as the command line takes it, with numbers of three digits: "ggx(alpha=0.1)"."""
-    names = type(distribution).parameters or [item.name for item in fields(distribution)]
+    names = distribution.parameters or [item.name for item in fields(distribution)]
     values = (f"{name}={_format_value(getattr(distribution, name))}" for name in names)
     return f"{distribution.name}({', '.join(values)})".replace("()", "")
 

@@ -81,6 +81,6 @@ def _masses(claim: Distribution, edges: np.ndarray) -> tuple[np.ndarray, np.ndar
     """Return the probabilities of the bins of theta and of the bins of the azimuth."""
     if claim.symmetric:
         return np.diff(claim.cdf(edges)), np.full(SECTORS, 1.0 / SECTORS)
-    masses = cell_masses(claim, edges, SECTORS)
+    masses = cell_masses(claim, edges, SECTORS, chart=SPHERE)
     masses /= masses.sum()
     return masses.sum(axis=1), masses.sum(axis=0)

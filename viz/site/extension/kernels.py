@@ -30,6 +30,7 @@ _ARGUMENTS = {
     "n": "normal[i]",
     "normal": "normal[i]",
     "frame": "funcs.frame_about(normal[i])",
+    "tangent": "wp.vec4(1.0, 0.0, 0.0, 1.0)",
     "direction": "normal[i]",
     "max_distance": "10.0",
 }

@@ -66,6 +66,15 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     Raises:
         ValueError: A header without vertices or faces, or more or less data than the header declares.
     """
+    return _mesh(read_elements(path))
+
+
+def read_elements(path: Path) -> dict[str, dict[str, Any]]:
+    """Read the columns of all elements, by the names of the element and of the property.
+
+    Raises:
+        ValueError: More or less data than the header declares.
+    """
     with path.open("rb") as file:
         order, elements = _header(file)
         size = path.stat().st_size - file.tell()
@@ -80,7 +89,7 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
             rest = next(rows, b"")
     if rest:
         raise ValueError("it is longer than its header declares")
-    return _mesh(found)
+    return found
 
 
 def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:

@@ -4,29 +4,49 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.proof.twins.angles import BLUR, TAU, by_theta, parameter, polar_angle
+from warpsample.proof.twins.angles import BLUR, TAU, parameter, polar_angle
+
+
+def _roughnesses(d: Any) -> tuple[float, float]:
+    """Return the roughnesses along x and y, rounded to float32 as in the kernels."""
+    alpha = parameter(d, "alpha")
+    return alpha, alpha if getattr(d, "alpha_y", None) is None else parameter(d, "alpha_y")
+
+
+def _tilted(d: Any, turns: np.ndarray, sine: np.ndarray, cosine: np.ndarray) -> np.ndarray:
+    """Return normals with the slopes sine / cosine (alpha_x cos phi, alpha_y sin phi), for phi in turns."""
+    x, y = _roughnesses(d)
+    azimuth = TAU * turns
+    return _unit(np.stack([x * sine * np.cos(azimuth), y * sine * np.sin(azimuth), cosine], axis=-1))
+
+
+def _steepness(d: Any, w: np.ndarray) -> np.ndarray:
+    """Return cos^2 phi / alpha_x^2 + sin^2 phi / alpha_y^2 for the azimuth phi of directions."""
+    (x, y), azimuth = _roughnesses(d), np.arctan2(w[..., 1], w[..., 0])
+    return (np.cos(azimuth) / x) ** 2 + (np.sin(azimuth) / y) ** 2
 
 
 def _beckmann(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return the angle to the mean normal at u for the Beckmann distribution."""
-    return np.arctan(parameter(d, "alpha") * np.sqrt(-np.log1p(-u)))
+    """Return Beckmann normals at u."""
+    r = np.sqrt(-np.log1p(-u[..., 0]))
+    return _tilted(d, u[..., 1], r, np.ones_like(r))
 
 
 def _beckmann_density(d: Any, w: np.ndarray) -> np.ndarray:
     """Return the density of Beckmann normals: D(m) cos theta, with D of Walter2007, equation 25, as printed."""
-    theta, alpha = polar_angle(w), parameter(d, "alpha")
-    return np.exp(-((np.tan(theta) / alpha) ** 2)) / (np.pi * alpha**2 * np.square(np.cos(theta)) ** 2) * np.cos(theta)
+    theta, area = polar_angle(w), np.pi * np.prod(_roughnesses(d))
+    return np.exp(-(np.tan(theta) ** 2) * _steepness(d, w)) / (area * np.square(np.cos(theta)) ** 2) * np.cos(theta)
 
 
 def _ggx(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return the angle to the mean normal at u for the GGX distribution."""
-    return np.arctan2(parameter(d, "alpha") * np.sqrt(u), np.sqrt(1.0 - u))
+    """Return GGX normals at u."""
+    return _tilted(d, u[..., 1], np.sqrt(u[..., 0]), np.sqrt(1.0 - u[..., 0]))
 
 
-def _ggx_normals(alpha: float, w: np.ndarray) -> np.ndarray:
-    """Return the GGX distribution D(m) of Walter2007, equation 33, as printed."""
-    theta = polar_angle(w)
-    return alpha**2 / (np.pi * np.square(np.cos(theta)) ** 2 * (alpha**2 + np.tan(theta) ** 2) ** 2)
+def _ggx_normals(d: Any, w: np.ndarray) -> np.ndarray:
+    """Return the GGX distribution D(m) of Walter2007, equation 33, with the azimuth of an anisotropic lobe."""
+    theta, area = polar_angle(w), np.pi * np.prod(_roughnesses(d))
+    return 1.0 / (area * np.square(np.cos(theta)) ** 2 * (1.0 + np.tan(theta) ** 2 * _steepness(d, w)) ** 2)
 
 
 def _view(d: Any) -> np.ndarray:
@@ -40,8 +60,9 @@ def _cosine_to_view(d: Any, m: np.ndarray) -> np.ndarray:
 
 
 def _rotate_to_view(d: Any, w: np.ndarray) -> np.ndarray:
-    """Rotate vectors about z from a frame whose x axis lies below the view to the local frame."""
-    x, y, _ = _view(d)
+    """Rotate vectors about z from a frame whose x axis lies below the stretched view to the stretched local frame."""
+    (x, y, _), (alpha, alpha_y) = _view(d), _roughnesses(d)
+    x, y = x * alpha, y * alpha_y
     turn = np.exp(1j * np.arctan2(y, x)) * (w[..., 0] + 1j * w[..., 1])
     return np.stack([turn.real, turn.imag, w[..., 2]], axis=-1)
 
@@ -53,13 +74,12 @@ def _unit(w: np.ndarray) -> np.ndarray:
 
 def _visible_ggx(d: Any, u: np.ndarray) -> np.ndarray:
     """Return normals by Dupuy2023, listing 3, as printed, except that the azimuth starts at the view."""
-    x, y, z = _view(d)
-    alpha = parameter(d, "alpha")
-    view = _unit(np.array([alpha * np.hypot(x, y), 0.0, z]))
+    (x, y, z), (alpha, alpha_y) = _view(d), _roughnesses(d)
+    view = _unit(np.array([np.hypot(alpha * x, alpha_y * y), 0.0, z]))
     cap_z = (1.0 - u[..., 0]) * (1.0 + view[2]) - view[2]
     sine = np.sqrt(np.maximum(1.0 - cap_z**2, 0.0))
     cap = np.stack([sine * np.cos(TAU * u[..., 1]), sine * np.sin(TAU * u[..., 1]), cap_z], axis=-1)
-    return _rotate_to_view(d, _unit((cap + view) * (alpha, alpha, 1.0)))
+    return _unit(_rotate_to_view(d, cap + view) * (alpha, alpha_y, 1.0))
 
 
 def _visible_ggx_density(d: Any, m: np.ndarray) -> np.ndarray:
@@ -67,19 +87,18 @@ def _visible_ggx_density(d: Any, m: np.ndarray) -> np.ndarray:
 
     G1 / v.z has a form that stays finite for grazing views.
     """
-    x, y, z = _view(d)
-    alpha = parameter(d, "alpha")
-    seen = 2.0 / (z + np.hypot(z, alpha * np.hypot(x, y)))
-    return seen * _cosine_to_view(d, m) * _ggx_normals(alpha, m)
+    (x, y, z), (alpha, alpha_y) = _view(d), _roughnesses(d)
+    seen = 2.0 / (z + np.hypot(z, np.hypot(alpha * x, alpha_y * y)))
+    return seen * _cosine_to_view(d, m) * _ggx_normals(d, m)
 
 
 def _visible_slope_limit(d: Any) -> tuple[float, float]:
     """Return (a, alpha sin v), where a is the slope in units of alpha at which normals face away from the view.
 
-    The sine of the view's angle v to +z is at least 1e-12.
+    alpha sin v is the length of (alpha_x v_x, alpha_y v_y). The sine of the view's angle v to +z is at least 1e-12.
     """
-    x, y, z = _view(d)
-    across = parameter(d, "alpha") * max(np.hypot(x, y), 1e-12)
+    (x, y, z), (alpha, alpha_y) = _view(d), _roughnesses(d)
+    across = max(np.hypot(alpha * x, alpha_y * y), 1e-12 * np.sqrt(alpha * alpha_y))
     return z / across, across
 
 
@@ -103,8 +122,7 @@ def _visible_beckmann(d: Any, u: np.ndarray) -> np.ndarray:
         above = share_above(middle) > target
         low, high = np.where(above, middle, low), np.where(above, high, middle)
     aside = ndtri(u[..., 1] + 2.0**-25) / np.sqrt(2.0)
-    alpha = parameter(d, "alpha")
-    return _rotate_to_view(d, _unit(np.stack([alpha * low, alpha * aside, np.ones_like(low)], axis=-1)))
+    return _unit(_rotate_to_view(d, np.stack([low, aside, np.ones_like(low)], axis=-1)) * (*_roughnesses(d), 1.0))
 
 
 def _visible_beckmann_density(d: Any, m: np.ndarray) -> np.ndarray:
@@ -118,8 +136,8 @@ def _visible_beckmann_density(d: Any, m: np.ndarray) -> np.ndarray:
 
 
 TWINS: dict[str, tuple[Any, Any]] = {
-    "beckmann": (by_theta(_beckmann), _beckmann_density),
-    "ggx": (by_theta(_ggx), lambda d, w: _ggx_normals(parameter(d, "alpha"), w) * np.cos(polar_angle(w))),
+    "beckmann": (_beckmann, _beckmann_density),
+    "ggx": (_ggx, lambda d, w: _ggx_normals(d, w) * np.cos(polar_angle(w))),
     "visible_beckmann": (_visible_beckmann, _visible_beckmann_density),
     "visible_ggx": (_visible_ggx, _visible_ggx_density),
 }

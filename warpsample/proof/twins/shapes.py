@@ -89,8 +89,45 @@ def _von_mises_fisher_density(d: Any, w: np.ndarray) -> np.ndarray:
     return kappa / (TAU * -np.expm1(-2.0 * kappa)) * np.exp(-2.0 * kappa * np.sin(0.5 * polar_angle(w)) ** 2)
 
 
+def _henyey_greenstein(d: Any, u: np.ndarray) -> np.ndarray:
+    """Return the angle to +z, in radians, of directions of Henyey and Greenstein's phase function at u, by its half."""
+    g = parameter(d, "g")
+    near, far = (1.0 - g) ** 2 * u * (1.0 + g * (1.0 - u)), (1.0 + g) ** 2 * (1.0 - u) * (1.0 - g * u)
+    return 2.0 * np.arctan2(np.sqrt(near), np.sqrt(far))
+
+
+def _henyey_greenstein_density(d: Any, w: np.ndarray) -> np.ndarray:
+    """Return Henyey and Greenstein's phase function, per steradian, by the half angle."""
+    g, half = parameter(d, "g"), 0.5 * polar_angle(w)
+    distance = np.hypot((1.0 - g) * np.cos(half), (1.0 + g) * np.sin(half))
+    return (1.0 - g) * (1.0 + g) / (2.0 * TAU * np.float_power(distance, 3))
+
+
+def _matrix(d: Any) -> np.ndarray:
+    """Return the matrix of a linearly transformed cosine, rounded to float32 as in the kernels."""
+    return np.array(d.matrix, np.float32).astype(np.float64)
+
+
+def _linearly_transformed_cosine(d: Any, u: np.ndarray) -> np.ndarray:
+    """Return transformed directions of the cosine lobe at u."""
+    theta = np.arctan2(np.sqrt(u[..., 0]), np.sqrt(1.0 - u[..., 0]))
+    moved = spherical(theta, u[..., 1]) @ _matrix(d).T
+    return moved / np.sqrt(np.square(moved).sum(axis=-1, keepdims=True))
+
+
+def _linearly_transformed_cosine_density(d: Any, w: np.ndarray) -> np.ndarray:
+    """Return D(o) of the cosine lobe times the change of solid angle, by the inverse (Heitz2016, equation 1)."""
+    inverse = np.linalg.inv(_matrix(d))
+    back = w @ inverse.T
+    length = np.sqrt(np.square(back).sum(axis=-1))
+    above = np.maximum(back[..., 2], BLUR / 4.0 * (np.abs(w) @ np.abs(inverse[2])))
+    return above / length / np.pi * abs(np.linalg.det(inverse)) / np.float_power(length, 3)
+
+
 TWINS: dict[str, tuple[Any, Any]] = {
     "cosine_hemisphere": (_cosine, lambda d, w: w[..., 2] / np.pi),
+    "henyey_greenstein": (by_theta(_henyey_greenstein), _henyey_greenstein_density),
+    "linearly_transformed_cosine": (_linearly_transformed_cosine, _linearly_transformed_cosine_density),
     "offset_ball": (
         by_theta(lambda d, u: np.arccos(np.sqrt(np.sqrt(1.0 - u)))),
         lambda d, w: 2.0 / np.pi * w[..., 2] ** 2 * w[..., 2],

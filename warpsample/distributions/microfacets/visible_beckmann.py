@@ -4,8 +4,9 @@ from typing import ClassVar
 
 import warp as wp
 
+from warpsample.distributions.microfacets.visible_ggx import VisibleNormals, blurred_facing
 from warpsample.distributions.record import Cases, Maps
-from warpsample.distributions.visible_ggx import VisibleNormals, blurred_facing
+from warpsample.maths.anisotropy import contracted, mean_and_stretch, stretched, stretched_to_unit
 from warpsample.maths.error_function import erfc_double, erfc_inverse_roughly
 from warpsample.maths.exponentials import exp_double, logarithm
 from warpsample.maths.numerics import GRID, HALF, INV_PI_DOUBLE, ONE, TWO, ZERO, clamp_uniform, root_double
@@ -127,15 +128,22 @@ def square_to_visible_beckmann_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3)
     The density is (v.m) D(m) / area for the view v. The visible area is that of slopes above -a, times alpha sin v. The
     horizon of the view, v.m = 0, is blurred as in `square_to_visible_ggx_pdf`.
     """
-    v = slope_view(alpha, view)
     x = wp.float64(w[0])
     y = wp.float64(w[1])
-    z = wp.max(wp.float64(w[2]), _TINY)
     square = wp.float64(alpha) * wp.float64(alpha)
-    facing = blurred_facing(w, view)
+    return _density(w, x * x + y * y, square, slope_view(alpha, view), blurred_facing(w, view))
+
+
+@wp.func
+def _density(w: wp.vec3, across: wp.float64, square: wp.float64, v: wp.vec4d, facing: wp.float32) -> wp.float32:
+    """Return the density of w with the squared slope `across` / w.z^2, for the product `square` of the roughnesses.
+
+    v is the view by `slope_view`, and `facing` the cosine of normal and view.
+    """
+    z = wp.max(wp.float64(w[2]), _TINY)
     area = v[1] * visible_share_above(-v[0], v[0])
     cosine_squared = z * z
-    spread = exp_double(-(x * x + y * y) / (cosine_squared * square))[1]
+    spread = exp_double(-across / (cosine_squared * square))[1]
     normals = spread * INV_PI_DOUBLE / (square * cosine_squared * cosine_squared)
     return wp.where(facing > 0.0 and w[2] > 0.0, wp.float32(wp.float64(facing) * normals / area), 0.0)
 
@@ -157,28 +165,70 @@ def visible_beckmann_to_square(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> 
     )
 
 
+@wp.func
+def square_to_anisotropic_visible_beckmann(u: wp.vec2, alpha: wp.float32, alpha_y: wp.float32, view: wp.vec3) -> wp.vec3:
+    """Map a point of the unit square to a visible Beckmann normal about +z, of roughness alpha along x and alpha_y along y.
+
+    The isotropic map for the mean roughness and the stretched view gives a normal, which is stretched (Heitz2014).
+    """
+    m = mean_and_stretch(alpha, alpha_y)
+    return stretched_to_unit(square_to_visible_beckmann(u, m[0], stretched(view, m)), m)
+
+
+@wp.func
+def square_to_anisotropic_visible_beckmann_pdf(
+    w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32, view: wp.vec3
+) -> wp.float32:
+    """Return the density of the anisotropic visible Beckmann normal m = w, per steradian.
+
+    It is that of `square_to_visible_beckmann_pdf` with the D of the two roughnesses, and sqrt((alpha v.x)^2 +
+    (alpha_y v.y)^2) in place of alpha sin v. It is 0 where m faces away or is below the surface.
+    """
+    x, y = wp.float64(w[0]), wp.float64(w[1])
+    ratio = wp.float64(alpha_y) / wp.float64(alpha)
+    across = x * x * ratio + y * y / ratio
+    m = mean_and_stretch(alpha, alpha_y)
+    square = wp.float64(alpha) * wp.float64(alpha_y)
+    return _density(w, across, square, slope_view(m[0], stretched(view, m)), blurred_facing(w, view))
+
+
+@wp.func
+def anisotropic_visible_beckmann_to_square(w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32, view: wp.vec3) -> wp.vec2:
+    """Return the point u of the unit square that `square_to_anisotropic_visible_beckmann` maps to the direction w."""
+    m = mean_and_stretch(alpha, alpha_y)
+    return visible_beckmann_to_square(contracted(w, m), m[0], stretched(view, m))
+
+
 class VisibleBeckmann(VisibleNormals):
     """Distribution of Beckmann normals m visible from a direction v, with density D(m) max(0, v·m) / σ(v) per steradian.
 
     σ(v) is the projected area of the visible surface.
 
     Attributes:
-        alpha: roughness, from 1e-6 to 1.
+        alpha: roughness, from 1e-6 to 1. With `alpha_y`, the roughness along the x axis of the frame.
         view: direction v to the viewer in the local frame, at or above the surface, of any length; stored as a unit vector.
+        alpha_y: roughness along the y axis of the frame, from 1e-6 to 1. Default: that along x.
     """
 
     name = "visible_beckmann"
-    density = "D(m)max(0,v·m)/σ(v), σ=(v_z(1+erf a)+α sinθᵥ e^(−a²)/√π)/2, a=cotθᵥ/α"
+    density = "D(m)max(0,v·m)/σ(v), σ=(v_z(1+erf a)+ρe^(−a²)/√π)/2, ρ=√(α_x²v_x²+α_y²v_y²), a=v_z/ρ"
     source = "HeitzDEon2014, section 5; Walter2007, equation 25"
     limits = "the density is blurred by rounding at the horizon of the view, v·m = 0"
-    # Views from above, from the side and from the horizon.
+    # Views from above, from the side and from the horizon; then brushed surfaces.
     case_values: ClassVar[Cases] = (
         (0.5, (0.0, 0.0, 1.0)),
         (0.3, (0.6, -0.64, 0.48)),
         (1.0, (1.0, 0.0, 0.0)),
         (1e-6, (1.0, 0.0, 0.0)),
+        (0.3, (0.6, -0.64, 0.48), 0.1),
+        (0.01, (0.6, 0.0, 0.8), 0.5),
     )
-    maps: ClassVar[Maps] = Maps(square_to_visible_beckmann, square_to_visible_beckmann_pdf, visible_beckmann_to_square)
+    isotropic: ClassVar[Maps] = Maps(square_to_visible_beckmann, square_to_visible_beckmann_pdf, visible_beckmann_to_square)
+    anisotropic: ClassVar[Maps] = Maps(
+        square_to_anisotropic_visible_beckmann,
+        square_to_anisotropic_visible_beckmann_pdf,
+        anisotropic_visible_beckmann_to_square,
+    )
 
 
 RECORD = VisibleBeckmann

@@ -1,0 +1,104 @@
+"""Parameters by point from arrays of files and datasets, by their names."""
+
+import numpy as np
+import pytest
+
+import warpsample as ws
+from warpsample.mesh.points.arrays import carry_to_points, read_array
+from warpsample.output.export import DirectionsRun, export
+from warpsample.output.mesh_writers import write_ply
+
+pv = pytest.importorskip("pyvista")
+
+
+@pytest.fixture(scope="module")
+def mesh():
+    return ws.load_mesh("courtyard")
+
+
+@pytest.fixture
+def rough(mesh):
+    return np.linspace(0.1, 0.9, len(mesh.vertices)).astype(np.float32)
+
+
+@pytest.fixture
+def files(mesh, rough, tmp_path):
+    """The same array in a .ply, a .vtp and an .npz, and a vector in the .ply and the .npz."""
+    view = np.tile(np.float32([0.1, 0.2, 0.9]), (len(rough), 1))
+    with (tmp_path / "mesh.ply").open("wb") as file:
+        columns = {"x y z": mesh.vertices, "roughness": rough, "view_x view_y view_z": view}
+        write_ply(file, {"vertex": columns, "face": {"vertex_indices": mesh.faces}})
+    surface = mesh.to_polydata()
+    surface["roughness"] = rough
+    surface.save(tmp_path / "arrays.vtp")
+    np.savez(tmp_path / "arrays.npz", roughness=rough, view=view)
+    return tmp_path
+
+
+def run_of(files, arrays, **changed):
+    values = {"points": None, "samples": 4, "distribution": "ggx(alpha=@roughness)", "sequence": "sobol", "seed": 0}
+    values |= {"at": "vertices"} | changed
+    return DirectionsRun(files / "mesh.ply", files / "out.npz", arrays=arrays and files / arrays, **values)
+
+
+@pytest.mark.parametrize("arrays", [None, "arrays.vtp", "arrays.npz"])
+def test_the_command_reads_a_parameter_of_each_vertex(arrays, files, mesh, rough):
+    export(run_of(files, arrays))
+    found = np.load(files / "out.npz")["vectors"]
+    points = ws.vertex_points(mesh)
+    assert np.array_equal(found, ws.sample_directions(points, 4, distribution=ws.GGX(rough)).vectors)
+    assert not np.array_equal(found, ws.sample_directions(points, 4, distribution=ws.GGX(0.5)).vectors)
+
+
+def test_vectors_have_three_properties_or_columns(files, mesh):
+    for name in ("mesh.ply", "arrays.npz"):
+        assert np.allclose(read_array(files / name, "view", "--arrays"), [0.1, 0.2, 0.9])
+    export(run_of(files, None, distribution="visible_ggx(alpha=@roughness, view=@view)"))
+    assert np.load(files / "out.npz")["vectors"].any(axis=(1, 2)).all()
+
+
+def test_points_on_faces_get_interpolated_numbers(mesh):
+    points = ws.sample_surface(mesh, 300, seed=2)
+    linear = mesh.vertices @ [0.3, -0.2, 0.5] + 1.0
+    found = carry_to_points(linear, "x", mesh, points)
+    assert np.allclose(found, points.position @ [0.3, -0.2, 0.5] + 1.0, rtol=1e-9, atol=1e-9)
+    exact = ws.sample_surface(mesh, 300, seed=2, barycentric=True)
+    assert np.allclose(found, carry_to_points(linear, "x", mesh, exact), rtol=1e-9, atol=1e-9)
+    assert np.array_equal(carry_to_points(np.arange(len(mesh.faces)), "x", mesh, points), points.face)
+    own = np.arange(300.0)
+    assert np.array_equal(carry_to_points(own, "x", mesh, points), own)
+    with pytest.raises(ValueError, match="want rows for 1,089"):
+        carry_to_points(np.zeros(7), "x", mesh, points)
+
+
+def test_a_long_run_takes_the_rows_of_each_part(files, mesh, rough, monkeypatch):
+    export(run_of(files, None))
+    whole = np.load(files / "out.npz")["vectors"]
+    monkeypatch.setattr("warpsample.output.export.DIRECTIONS_PER_PART", 4 * 100)
+    export(run_of(files, None))
+    assert np.array_equal(np.load(files / "out.npz")["vectors"], whole)
+
+
+def test_wrong_names_are_refused_before_anything_is_written(files):
+    for distribution, message in (
+        ("ggx(alpha=@nothing)", "got @nothing, want an array of arrays.npz: 'roughness, view'"),
+        ("ggx(alpha=@view)", "alpha: got shape"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            export(run_of(files, "arrays.npz", distribution=distribution))
+    with pytest.raises(FileNotFoundError, match="--arrays: got"):
+        export(run_of(files, "none.npz"))
+    assert not (files / "out.npz").exists()
+    with pytest.raises(TypeError, match="@roughness names an array, which this call does not have"):
+        ws.sample_directions([[0.0, 0.0, 1.0]], 4, distribution="ggx(alpha=@roughness)")
+
+
+def test_the_accessor_takes_point_arrays_by_name(mesh, rough):
+    surface = mesh.to_polydata()
+    surface["roughness"] = rough
+    cloud = surface.warpsample.sample_directions(4, distribution="ggx(alpha=@roughness)", scale=1.0)
+    found = ws.sample_directions(ws.vertex_points(mesh), 4, distribution=ws.GGX(rough))
+    assert np.array_equal(cloud["Normals"], found.vectors.reshape(-1, 3))
+    assert surface.warpsample.sample_directions(4, points=50, distribution="ggx(alpha=@roughness)").n_points == 200
+    with pytest.raises(ValueError, match="got @gloss, want an array of the dataset"):
+        surface.warpsample.sample_directions(4, distribution="ggx(alpha=@gloss)")

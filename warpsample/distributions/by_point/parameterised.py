@@ -1,0 +1,156 @@
+"""Parameters of a distribution: constants, or arrays with one row for each point."""
+
+from dataclasses import fields
+from numbers import Real
+from typing import Any, ClassVar, TypeAlias
+
+import numpy as np
+from typing_extensions import Self
+
+from warpsample.distributions.by_point.rows import as_rows, copy_rows, is_array
+from warpsample.distributions.by_point.tables import Layout, layout_of, lend_tables, tables_in, without_tables
+from warpsample.distributions.parameters import SIZES, pack_parameters, parameter_types
+from warpsample.host.arguments import check_number
+from warpsample.host.device_memory import Loan
+from warpsample.host.known import digest_of
+
+Range: TypeAlias = tuple[float, float] | None
+
+_DIMENSIONS = {1: 0, 3: 1, 9: 2}
+"""Number of dimensions of a constant, by its number of float32 numbers."""
+
+
+class Parameterised:
+    """Base of the frozen dataclasses whose fields are parameters of a distribution; see `Distribution`."""
+
+    parameters: ClassVar[tuple[str, ...]] = ()
+    bounds: ClassVar[Range] = None
+    maps: ClassVar[Any]
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        """Keep comparison, hash and text of this class, in place of those that `dataclass` would make."""
+        super().__init_subclass__(**options)
+        for name in ("__eq__", "__hash__", "__repr__"):
+            if name not in cls.__dict__:
+                setattr(cls, name, getattr(cls, name))
+
+    def __post_init__(self) -> None:
+        """Check that the scalar is within its bounds, and store it as a float; copy parameters that are given by point."""
+        for i, name in enumerate(self.parameters):
+            value = getattr(self, name)
+            rows = as_rows(value, name, self._dimensions(i)) if is_array(value) else None
+            if rows is not None:
+                object.__setattr__(self, name, self._copy_rows(name, rows))
+            elif isinstance(value, np.ndarray) and value.ndim:  # a constant vector: arrays in fields are by point
+                object.__setattr__(self, name, tuple(value.tolist()))
+            elif self.bounds is not None and (i == 0 or isinstance(value, Real)):
+                object.__setattr__(self, name, check_number(value, name, *self.bounds))
+        self._check_lengths()
+
+    def _dimensions(self, i: int) -> int:
+        """Return the number of dimensions of a constant for parameter i."""
+        return _DIMENSIONS[SIZES[parameter_types(self.maps.sample)[i]]]
+
+    def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:  # noqa: ARG002  (subclasses use the name)
+        """Return a parameter by point as a read-only float32 copy, with NaN in the rows that are out of range."""
+        bounded = self.bounds is not None and rows.ndim == 1
+        return copy_rows(rows, *self.bounds) if bounded and self.bounds else copy_rows(rows)
+
+    def _check_lengths(self) -> None:
+        """Raise ValueError if two parameters by point have different numbers of rows."""
+        tables = {name: table for name, table in self.by_point.items() if table.ndim}
+        for name, table in tables.items():
+            first = next(iter(tables))
+            if len(table) != len(tables[first]):
+                raise ValueError(f"{name}: got {len(table):,} rows, want {len(tables[first]):,}, as {first} has")
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether two distributions have the same class and the same parameters, NaN included."""
+        if other.__class__ is not self.__class__:
+            return NotImplemented
+        return self._content() == other._content()  # type: ignore[attr-defined]
+
+    def __hash__(self) -> int:
+        """Return a hash of the parameters; for arrays of their numbers."""
+        return hash(self._content())
+
+    def __repr__(self) -> str:
+        """Return the class and the parameters; of arrays the shape only."""
+        shown = ((item.name, getattr(self, item.name)) for item in fields(self) if item.repr)
+        texts = (f"{name}={f'array{v.shape}' if isinstance(v, np.ndarray) else repr(v)}" for name, v in shown)
+        return f"{type(self).__qualname__}({', '.join(texts)})"
+
+    def __dask_tokenize__(self) -> tuple[Any, ...]:
+        """Return the values that Dask hashes into the names of tasks."""
+        return type(self).__module__, type(self).__qualname__, *self._content()
+
+    def _content(self) -> tuple[Any, ...]:
+        """Return the values of the fields, with a digest in place of each array."""
+        values = (getattr(self, item.name) for item in fields(self) if item.compare)
+        return tuple(digest_of(value) if isinstance(value, np.ndarray) else value for value in values)
+
+    @property
+    def by_point(self) -> dict[str, np.ndarray]:
+        """Parameters with one row for each point, by name: (P,) or (P, 3) float32; empty if all are constants."""
+        return {item.name: v for item in fields(self) if isinstance(v := getattr(self, item.name), np.ndarray)}
+
+    def take(self, rows: Any) -> Self:
+        """Return the distribution of some of the points: constants stay, parameters by point have the given rows.
+
+        Args:
+            rows: a slice, (N,) integers, or a (P,) bool mask.
+
+        Returns:
+            an instance of the same class; this instance if all parameters are constants.
+
+        Raises:
+            IndexError: a row that the parameters do not have, or a mask of another length.
+
+        Example:
+            >>> lobe = ws.GGX(alpha=np.linspace(0.1, 0.5, 5))
+            >>> print(lobe.take(slice(1, 3)).alpha.round(2))
+            [0.2 0.3]
+        """
+        return self.with_tables({name: table[rows] for name, table in self.by_point.items()})
+
+    def with_tables(self, tables: dict[str, np.ndarray]) -> Self:
+        """Return a copy with other arrays for parameters by point, which have been checked already; see `by_point`."""
+        if not tables:
+            return self
+        copy = object.__new__(type(self))
+        copy.__dict__.update(self.__dict__)
+        for name, table in tables.items():
+            object.__setattr__(copy, name, np.ascontiguousarray(table, np.float32))
+        return copy
+
+    def kernel_values(self) -> tuple[Any, ...]:
+        """Return the values of the parameters in the order in which kernels take them; arrays are by point."""
+        return tuple(getattr(self, name) for name in self.parameters)
+
+    @property
+    def layout(self) -> Layout:
+        """Places of the parameters by point in the arguments of kernels; empty if all parameters are constants."""
+        return layout_of(self.kernel_values()) if self.by_point else ()
+
+    def kernel_parameters(self) -> Any:
+        """Return the parameters as the struct that kernels take as an argument; parameters by point are 0 there.
+
+        Returns:
+            a `Parameters` struct of float32; new values do not recompile a kernel.
+
+        Example:
+            >>> print(ws.GGX(alpha=0.5).kernel_parameters().scalar)
+            0.5
+        """
+        values = self.kernel_values()
+        return pack_parameters(without_tables(values) if self.by_point else values)
+
+    def lend_tables(self, loan: Loan, rows: slice = slice(None)) -> int:
+        """Return the address of the addresses of the parameters by point, in the memory of a loan; 0 without any."""
+        return lend_tables(loan, tables_in(self.kernel_values()), rows) if self.by_point else 0
+
+    def check_points(self, points: int, argument: str = "distribution") -> None:
+        """Raise ValueError unless parameters by point have one row for each of `points` points."""
+        for name, table in self.by_point.items():
+            if len(table) != points:
+                raise ValueError(f"{argument}: got {name} with {len(table):,} rows, want {points:,}, one for each point")

@@ -1,0 +1,66 @@
+"""Base class of the distributions of microfacet normals, whose roughness may differ along x and y."""
+
+from typing import Any, ClassVar
+
+import numpy as np
+
+from warpsample.distributions.record import Distribution, Maps, Range
+
+Matrix = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
+
+
+class Microfacets(Distribution):
+    """Base class of distributions of microfacet normals with the fields `alpha` and `alpha_y`.
+
+    Without `alpha_y` the lobe is isotropic, and its functions take no `alpha_y`.
+    """
+
+    alpha: float
+    alpha_y: float | None
+
+    support = "hemisphere"
+    parameters: ClassVar[tuple[str, ...]] = ("alpha", "alpha_y")
+    bounds: ClassVar[Range] = (1e-6, 1.0)
+    isotropic: ClassVar[Maps]
+    anisotropic: ClassVar[Maps]
+
+    def __post_init__(self) -> None:
+        """Leave `alpha_y` out of the parameters if it is None, and check all others."""
+        if self.alpha_y is None:
+            names = tuple(name for name in type(self).parameters if name != "alpha_y")
+            object.__setattr__(self, "parameters", names)
+        super().__post_init__()
+
+    def __repr__(self) -> str:
+        """Return the class and the parameters, without an `alpha_y` that is None."""
+        return super().__repr__().replace(", alpha_y=None", "")
+
+    @property
+    def maps(self) -> Maps:  # type: ignore[override]
+        """Functions (`wp.func`) of the distribution, for use in kernels."""
+        return self.isotropic if self.alpha_y is None else self.anisotropic
+
+    @property
+    def symmetric(self) -> bool:  # type: ignore[override]
+        """Whether the density depends only on the angle to +z: not with an `alpha_y`."""
+        return self.alpha_y is None
+
+    @property
+    def polar(self) -> bool:  # type: ignore[override]
+        """Whether u[0] is the cdf of the angle: not with an `alpha_y`."""
+        return self.alpha_y is None
+
+    @property
+    def stretch(self) -> Matrix | None:  # type: ignore[override]
+        """The roughnesses along x and y as a diagonal matrix, as the kernels round them; None without an `alpha_y`."""
+        if self.alpha_y is None:
+            return None
+        return (float(np.float32(self.alpha)), 0.0, 0.0), (0.0, float(np.float32(self.alpha_y)), 0.0), (0.0, 0.0, 1.0)
+
+    def _cdf(self, theta: Any) -> np.ndarray:
+        """Return the cdf of the angle for an isotropic lobe; raise NotImplementedError for another. See `cdf`."""
+        return self._isotropic_cdf(theta) if self.symmetric else Distribution._cdf(self, theta)
+
+    def _isotropic_cdf(self, theta: np.ndarray) -> np.ndarray:
+        """Return the cdf of the angle without an `alpha_y`."""
+        return Distribution._cdf(self, theta)

@@ -1,0 +1,110 @@
+"""Arrays for parameters by point: read from files by name, and carried from vertices or faces to points."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from warpsample.host.arguments import check_file, naming_file, told
+from warpsample.mesh.files.ply import read_elements
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.polydata import pyvista
+from warpsample.mesh.surface import SurfacePoints
+
+SUFFIXES = (".ply", ".vtp", ".npz")
+
+
+def read_array(path: Any, name: str, argument: str) -> np.ndarray:
+    """Return the array of a name in a file: .ply, .vtp or .npz.
+
+    In a .ply, the array is a property of the vertices, or else of the faces. A vector has three properties, such as view_x,
+    view_y and view_z.
+
+    Args:
+        path: path of the file.
+        name: name of the array.
+        argument: name of the path's argument, for error messages.
+
+    Raises:
+        TypeError, FileNotFoundError: the path is no path of a file.
+        ValueError: the file cannot be read, or has no array of the name; the message lists the names.
+        ModuleNotFoundError: a .vtp file without PyVista.
+    """
+    path = check_file(path, argument, f"a file that ends in one of {' '.join(SUFFIXES)}")
+    if path.suffix.lower() not in SUFFIXES:
+        raise ValueError(
+            f"{argument}: got {path.name!r}, want a file with arrays, which ends in one of {' '.join(SUFFIXES)}"
+        )
+    with naming_file(argument, path, "arrays"):
+        arrays = {".ply": _ply, ".vtp": _vtp, ".npz": _npz}[path.suffix.lower()](path)
+    if name not in arrays:
+        raise ValueError(f"distribution: got @{name}, want an array of {path.name}: {told(', '.join(sorted(arrays)))}")
+    return arrays[name]
+
+
+def _ply(path: Path) -> dict[str, np.ndarray]:
+    """Return the numbers of a .ply by name, with those of vertices before those of faces."""
+    found = read_elements(path)
+    columns = {**_numbers(found.get("face", {})), **_numbers(found.get("vertex", {}))}
+    for name in [name.removesuffix("_x") for name in columns if name.endswith("_x")]:
+        parts = [columns.get(f"{name}_{axis}") for axis in "xyz"]
+        if all(part is not None and len(part) == len(parts[0]) for part in parts):
+            columns[name] = np.stack(parts, axis=1)
+    return columns
+
+
+def _numbers(columns: dict[str, Any]) -> dict[str, np.ndarray]:
+    """Return the columns that hold one number in each row."""
+    return {name: np.asarray(column) for name, column in columns.items() if not isinstance(column, tuple)}
+
+
+def _vtp(path: Path) -> dict[str, np.ndarray]:
+    """Return the arrays of a .vtp by name, with those of points before those of cells."""
+    found = pyvista().read(path)
+    return arrays_of(found)
+
+
+def arrays_of(dataset: Any) -> dict[str, np.ndarray]:
+    """Return the point and cell arrays of a PolyData by name; a point array comes before a cell array of the same name."""
+    both = (dataset.cell_data, dataset.point_data)
+    return {name: np.asarray(data[name]) for data in both for name in data}
+
+
+def _npz(path: Path) -> dict[str, np.ndarray]:
+    """Return the arrays of an .npz by name."""
+    with np.load(path, allow_pickle=False) as archive:
+        return {name: archive[name] for name in archive.files}
+
+
+def carry_to_points(array: np.ndarray, name: str, mesh: Mesh, points: SurfacePoints) -> np.ndarray:
+    """Return an array with one row for each point, from one with a row for each vertex, face or point.
+
+    The numbers of vertices are interpolated between the corners of a point's face. An array that has as many rows as the
+    mesh has vertices belongs to the vertices.
+
+    Raises:
+        ValueError: the array has another number of rows, or points without a face need one.
+    """
+    vertices, faces, on_faces = len(mesh.vertices), len(mesh.faces), bool((points.face >= 0).all())
+    rows = len(array) if array.ndim else -1
+    if rows == vertices and on_faces:
+        return np.einsum("pk,pk...->p...", _corner_weights(mesh, points), array[mesh.faces[points.face]])
+    if rows == faces and on_faces:
+        return array[points.face]
+    if rows != len(points):
+        wants = f"{vertices:,} (vertices), {faces:,} (faces) or {len(points):,} (points)"
+        raise ValueError(f"distribution: got @{name} with shape {array.shape}, want rows for {wants}")
+    return array
+
+
+def _corner_weights(mesh: Mesh, points: SurfacePoints) -> np.ndarray:
+    """Return the (P, 3) barycentric coordinates of points on faces, from their positions if they have none; not below 0."""
+    if points.barycentric is not None:
+        return points.barycentric
+    a, b, c = (mesh.vertices[mesh.faces[points.face, k]] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    square = np.maximum(np.square(normal).sum(axis=1), np.finfo(np.float64).tiny)
+    second = (np.cross(points.position - a, c - a) * normal).sum(axis=1) / square
+    third = (np.cross(b - a, points.position - a) * normal).sum(axis=1) / square
+    weights = np.clip(np.stack([1.0 - second - third, second, third], axis=1), 0.0, None)
+    return weights / weights.sum(axis=1, keepdims=True)

@@ -1,0 +1,26 @@
+"""Sampler with wrong parts, in place of the distribution that it claims to be."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from warpsample.distributions.record import Distribution
+
+
+class Wrong:
+    """Distribution with some of its functions replaced."""
+
+    def __init__(self, claims: Distribution, **replaced: Callable[[np.ndarray], np.ndarray]):
+        """Store a distribution and the functions that replace some of its functions.
+
+        Args:
+            claims: distribution that the sampler claims to be.
+            replaced: functions `sample`, `pdf` or `invert`, by name.
+        """
+        self.claims = claims
+        self.__dict__.update(replaced)
+
+    def __getattr__(self, name: str) -> Any:
+        """Return the distribution's attribute for all names that are not replaced."""
+        return getattr(self.claims, name)
