@@ -97,7 +97,8 @@ def test_its_record_brings_it_to_the_shell_and_to_meshes(call, tmp_path):
     given = ["--quantity", "mean-distance", "--max-distance", 9, "--samples", 32]
     status, out, err = call("bake", "courtyard", "-o", output, *given)
     assert (status, err) == (0, "")
-    assert f"mean distance of 1,089 vertices\n  mean {right.value.mean():.4f} mesh units; standard error" in out
+    low, mean = right.value.min(), right.value.mean()
+    assert f"mean distance of 1,089 vertices\n  mean {mean:.4f} mesh units, from {low:.4g} to 9; standard error" in out
     columns = trimesh.load(output, process=False).metadata["_ply_raw"]["vertex"]["data"]
     assert np.array_equal(columns["value"].ravel(), right.value)
     assert columns["red"].max() == 255  # the largest
