@@ -1,4 +1,4 @@
-"""Integrals of a density over cells of its chart, refined until they have converged."""
+"""Integrals of a sampler's density over cells of directions, refined until they have converged."""
 
 from itertools import pairwise
 
@@ -12,7 +12,7 @@ _LONGEST_PANEL = 4.0  # largest ratio of the ends of one panel: lobes span ten p
 
 
 def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int = 0) -> np.ndarray:
-    """Integrate pdf * a^weight over each cell of the sampler's chart.
+    """Integrate a sampler's density times a^weight over each cell of a grid in polar coordinates (a, phi).
 
     Args:
         sampler: its pdf is integrated.
@@ -38,7 +38,7 @@ def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int =
 
 
 def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, nodes: int) -> np.ndarray:
-    """Integrate pdf * a^weight over each cell, by Gauss-Legendre rules of `nodes` nodes a panel."""
+    """Integrate a sampler's density times a^weight over each cell by Gauss-Legendre quadrature, `nodes` nodes a panel."""
     chart = chart_of(sampler)
     panels, owner = _panels(edges)
     t, gauss = np.polynomial.legendre.leggauss(nodes)
@@ -57,7 +57,7 @@ def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, node
 
 
 def _panels(edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Divide long cells geometrically; return the edges of the panels and the cell of each panel."""
+    """Divide long cells of a grid geometrically into panels; return the panels' edges and each panel's cell."""
     panels, owner = [edges[0]], []
     for cell, (low, high) in enumerate(pairwise(edges)):
         pieces = max(1, int(np.ceil(np.log(high / low) / np.log(_LONGEST_PANEL)))) if low > 0.0 else 1
