@@ -76,7 +76,7 @@ def one_order(monkeypatch):
 
 
 def a_factor_pi(monkeypatch):
-    monkeypatch.setattr(by_pictures, "_with_reflected", _weaker(by_pictures._with_reflected))
+    monkeypatch.setattr(by_pictures, "_add_reflected", _weaker(by_pictures._add_reflected))
 
 
 def _weaker(add):
@@ -84,7 +84,7 @@ def _weaker(add):
 
 
 def no_reflection(monkeypatch):
-    monkeypatch.setattr(by_pictures, "_with_reflected", lambda found, _more: found)
+    monkeypatch.setattr(by_pictures, "_add_reflected", lambda found, _more: found)
 
 
 @pytest.mark.parametrize("wrong", [one_sided, one_order, a_factor_pi, no_reflection])
