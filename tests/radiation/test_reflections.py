@@ -62,13 +62,13 @@ def test_the_system_of_three_surfaces(rho):
 
 
 def one_sided(monkeypatch):
-    met = patches.Patches.met
+    find_hit = patches.Patches.find_hit
 
     def fronts(self, face, directions, *where):
         back = np.einsum("ij,ij->i", self.mesh.face_normals[face], directions) > 0.0
-        return np.where(back, -1, met(self, face, directions, *where))
+        return np.where(back, -1, find_hit(self, face, directions, *where))
 
-    monkeypatch.setattr(patches.Patches, "met", fronts)
+    monkeypatch.setattr(patches.Patches, "find_hit", fronts)
 
 
 def one_order(monkeypatch):
