@@ -1,4 +1,4 @@
-"""Integrals of a density over cells of its chart, refined until they have converged."""
+"""Integrals of a sampler's density over cells of directions, refined until they have converged."""
 
 from itertools import pairwise
 
@@ -12,7 +12,7 @@ _LONGEST_PANEL = 4.0  # largest ratio of the ends of one panel: lobes span ten p
 
 
 def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int = 0) -> np.ndarray:
-    """Integrate pdf * a^weight over each cell of the sampler's chart.
+    """Integrate a sampler's density times a^weight over each cell of a grid in polar coordinates (a, phi).
 
     Args:
         sampler: its pdf is integrated.
@@ -26,10 +26,10 @@ def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int =
     Raises:
         ValueError: the integral does not converge; a test based on it could reject a correct sampler.
     """
-    before = _masses(sampler, edges, columns, weight, _COARSEST)
+    before = _integrate_cells(sampler, edges, columns, weight, _COARSEST)
     nodes = 2 * _COARSEST
     while nodes <= _FINEST:
-        after = _masses(sampler, edges, columns, weight, nodes)
+        after = _integrate_cells(sampler, edges, columns, weight, nodes)
         change = np.abs(after - before).sum() / max(np.abs(after).sum(), 1e-30)
         if change <= _TOLERANCE:
             return after
@@ -37,10 +37,10 @@ def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int =
     raise ValueError(f"pdf: its integral still moves by {change:.1e} of itself at {_FINEST} nodes a cell")
 
 
-def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, nodes: int) -> np.ndarray:
-    """Integrate pdf * a^weight over each cell, by Gauss-Legendre rules of `nodes` nodes a panel."""
+def _integrate_cells(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, nodes: int) -> np.ndarray:
+    """Integrate a sampler's density times a^weight over each cell by Gauss-Legendre quadrature, `nodes` nodes a panel."""
     chart = chart_of(sampler)
-    panels, owner = _panels(edges)
+    panels, owner = _divide_cells(edges)
     t, gauss = np.polynomial.legendre.leggauss(nodes)
     # With a = low + length sin^2(pi (t + 1) / 4) an inverse root at either end is smooth, as at an offset sphere's edge.
     angle = np.pi * (t + 1.0) / 4.0
@@ -56,8 +56,8 @@ def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, node
     return rows.reshape(len(rows), columns, fine).sum(axis=2) * chart.azimuths / (columns * fine)
 
 
-def _panels(edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Divide long cells geometrically; return the edges of the panels and the cell of each panel."""
+def _divide_cells(edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Divide long cells of a grid geometrically into panels; return the panels' edges and each panel's cell."""
     panels, owner = [edges[0]], []
     for cell, (low, high) in enumerate(pairwise(edges)):
         pieces = max(1, int(np.ceil(np.log(high / low) / np.log(_LONGEST_PANEL)))) if low > 0.0 else 1
