@@ -120,7 +120,7 @@ def test_a_model_and_a_receiver_that_are_none_are_refused():
         rasters.surface((HEIGHTS, UTM, None), model="mesh")
     with pytest.raises(ValueError, match="receiver: got 'tilted', want one of horizontal, surface"):
         rasters.surface((HEIGHTS, UTM, None)).points("tilted")
-    with pytest.raises(ValueError, match="source: got 1 x 4 cells, without a block of 2 x 2 cells with heights"):
+    with pytest.raises(ValueError, match="source: got 1 x 4 cells without a block of 2 x 2 cells with heights"):
         rasters.surface((HEIGHTS[:1], UTM, None), model="tin")
     with pytest.raises(ValueError, match=r"values: got shape \(3,\), want \(12,\), a number for each cell"):
         rasters.surface((HEIGHTS, UTM, None)).to_raster(np.zeros(3), np.arange(12))
