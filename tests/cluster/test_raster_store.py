@@ -459,7 +459,7 @@ def test_a_new_file_is_not_read_with_the_masks_of_an_older_one(dsm, child_enviro
     command[command.index("sky.tif")] = "new.tif"
     done = subprocess.run(command, check=False, env=child_environment, cwd=folder, capture_output=True, text=True)
     assert (done.returncode, stray.read_text()) == (2, "overviews of a file that is gone")
-    assert "GDAL would read new.tif.ovr with it" in done.stderr
+    assert "next to new.tif.ovr, which GDAL would read as part of it" in done.stderr
     assert not (folder / "new.tif").exists()
 
 
