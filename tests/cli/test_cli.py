@@ -72,7 +72,7 @@ def test_an_interrupted_run_leaves_the_old_file_and_no_half_one(call, cube, tmp_
     monkeypatch.setattr(export, "DIRECTIONS_PER_PART", 640)
     status, _, err = call("directions", cube, "-o", output)
     assert status == (130 if stop is KeyboardInterrupt else 2)
-    assert err.startswith("interrupted; nothing was written" if stop is KeyboardInterrupt else "error: no room")
+    assert err.startswith("interrupted after 10 of 10,000 points; " if stop is KeyboardInterrupt else "error: no room")
     assert output.read_text() == "old"
     assert set(tmp_path.iterdir()) == {cube, output}
 

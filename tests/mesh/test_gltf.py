@@ -280,3 +280,17 @@ def test_a_scene_beyond_the_memory_is_refused(load, monkeypatch):
     monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=20_000))
     with pytest.raises(MemoryError, match=r"^a scene of \d+ vertices and more need .* GB are free; leave out some of it$"):
         load(tree)
+
+
+@pytest.mark.parametrize(
+    "name", ["KHR_materials_clearcoat", "KHR_mesh_quantization", "KHR_lights_punctual", "EXT_texture_webp"]
+)
+def test_required_extensions_that_change_no_faces_are_read(name, load):
+    assert load(changed(extensionsUsed=[name], extensionsRequired=[name])).report.faces == 1
+
+
+@pytest.mark.parametrize("name", ["FOO_bar", "KHR_node_visibility", "KHR_mesh_quantization_2", "CESIUM_RTC"])
+def test_other_required_extensions_are_refused(name, load):
+    with load.refused(f"it requires {name}, want a file that requires none but KHR_mesh_quantization, .*"):
+        load(changed(extensionsUsed=[name], extensionsRequired=[name]))
+    assert load(changed(extensionsUsed=[name])).report.faces == 1

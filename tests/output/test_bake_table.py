@@ -61,6 +61,8 @@ def arguments(source, suffix, name):
     """The command line of a cell, without `bake`."""
     quantity = quantity_for(source, suffix, name)
     name_of_source = "uv.obj" if source == TEXTURE and suffix not in (".glb", ".gltf") else NAMES[source]
+    if (source, suffix) == (CITY, ".jsonl"):
+        name_of_source = "in.city.jsonl"
     given = [name_of_source, "-o", f"out.city{suffix}" if suffix == ".json" else f"out{suffix}", "--quantity", quantity]
     options = [each for each in (name, *WITH.get(name, ())) if each != "quantity"]
     if (source, name) == (RASTER, "transmittance"):
@@ -76,7 +78,7 @@ def arguments(source, suffix, name):
     if name == "strict":
         options.append("uv")
     for each in options:
-        value = VALUES[each]
+        value = "0" if (each, name_of_source) == ("uv", "uv.obj") else VALUES[each]
         values = [] if value is True else [value] if isinstance(value, str) else list(value)
         given += [f"--{each.replace('_', '-')}", *values]
     return given
@@ -111,12 +113,17 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "uv.obj").write_text(
         "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0.1 0.1\nvt 0.9 0.1\nvt 0.9 0.9\nvt 0.1 0.9\nf 1/1 2/2 3/3 4/4\n"
     )
-    city_files.written(tmp_path / "in.city.json", city_files.house())
+    house = city_files.house()
+    city_files.written(tmp_path / "in.city.json", house)
+    objects = {"CityObjects": house["CityObjects"], "vertices": house["vertices"]}
+    feature = {"type": "CityJSONFeature", "id": next(iter(house["CityObjects"])), **objects}
+    city_files.written(tmp_path / "in.city.jsonl", {**house, "CityObjects": {}, "vertices": []}, feature)
     heights = np.zeros((12, 12), np.float32)
     heights[4:8, 4:8] = 5.0
     for name in ("in.tif", "far.tif", "trees.tif"):
         raster_cases.write_tif(tmp_path / name, heights)
-    (tmp_path / "in.glb").write_bytes(rich())
+    scene = rich()[:-12]  # without the bytes after the data, which a .gltf cannot hold
+    (tmp_path / "in.glb").write_bytes(scene[:8] + len(scene).to_bytes(4, "little") + scene[12:])
     np.save(tmp_path / "light.npy", np.ones((2, 4, 3)))
     monkeypatch.chdir(tmp_path)
     return tmp_path

@@ -75,6 +75,20 @@ def test_an_input_stays_even_if_the_old_file_names_it(tmp_path):
     assert (read(path), read_too.read_text()) == ("two", "one")
 
 
+def test_data_that_another_file_names_stay(tmp_path):
+    """A copy of the first file names the same data; a link to the first file is the first file."""
+    path, copy = tmp_path / "out.gltf", tmp_path / "copy.GLTF"
+    shared = write(path, "one")
+    copy.write_bytes(path.read_bytes())
+    for content in ("two", "three"):
+        assert write(path, content) == tmp_path / "out-1.bin"
+        assert (read(path), read(copy), shared.read_text()) == (content, "one", "one")
+    copy.unlink()
+    if sys.platform != "win32":
+        copy.symlink_to(path.name)
+    assert write(path, "four") == tmp_path / "out-1.bin"
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
 def test_links_and_folders_are_names_that_are_taken(tmp_path):
     (tmp_path / "out.bin").symlink_to("nothing")

@@ -2,6 +2,7 @@
 
 import os
 import sys
+import threading
 from pathlib import Path
 
 import numpy as np
@@ -110,3 +111,23 @@ def test_what_cannot_be_written_is_refused_before_anything_is_computed(call, cub
         assert err.startswith(f"error: {option}: got {str(path)!r}, {UNWRITABLE[kind]}"), err
         assert err.count("\n") == 1
         assert set(tmp_path.iterdir()) == before
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names")
+@pytest.mark.parametrize("suffix", [".glb", ".gltf", ".obj"])
+def test_a_pipe_as_a_mesh_is_refused_unread(call, tmp_path, suffix):
+    """Who reads it waits for a writer: here one comes at once, so that the test ends in either case."""
+    pipe, opened = tmp_path / f"in{suffix}", threading.Event()
+    os.mkfifo(pipe)
+
+    def feed():
+        os.close(os.open(pipe, os.O_WRONLY))  # waits for a reader
+        opened.set()
+
+    writer = threading.Thread(target=feed, daemon=True)
+    writer.start()
+    status, _, err = call("bake", pipe, "-o", tmp_path / "out.ply")
+    assert (status, err) == (2, f"error: path: got {str(pipe)!r}, which is no ordinary file, want a mesh file\n")
+    assert not opened.is_set()
+    os.close(os.open(pipe, os.O_RDONLY | os.O_NONBLOCK))
+    writer.join()

@@ -251,7 +251,7 @@ def test_a_closed_body_around_all_leaves_its_numbers(call, tmp_path, options, me
     tree, data, _ = opened(output)
     assert np.array_equal(np.unique(picture(tree, data, occlusion(tree, 0)["index"])), [mean])
     assert f"'floor', set 0: 1,024 texels, mean {mean:.4f}; " in out
-    assert "1,024 points inside closed bodies keep their numbers, as their whole charts are inside\n" in out
+    assert "1,024 points inside closed bodies keep their values, because their whole charts are inside\n" in out
 
 
 def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
@@ -492,7 +492,7 @@ def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
     output, out = baked(call, path, "--uv", "new")
     assert "\n  the 2 places of 'meshes[0]' share one picture\n" in out
     assert "\n  two-sided materials show the numbers of the front on both sides: 'materials[0]'\n" in out
-    said = "\n  transparent materials block all light, since --transmittance does not name them: 'materials[0]'\n"
+    said = "\n  transparent materials block all light, since --transmittance gives them no share: 'materials[0]'\n"
     assert out.endswith(said)
     whole = baked(call, path, "--uv", "new", "--transmittance", "0.25")[1]
     assert (whole.endswith("\n  faces of 'materials[0]' pass 25 % of the light\n"), "block all" in whole) == (True, False)
@@ -556,3 +556,74 @@ def test_quantised_positions_and_coordinates(call, tmp_path):
     accessor = made["accessors"][attributes["NORMAL"]]
     assert (accessor["normalized"], accessor["componentType"]) == (True, 5120)
     assert made["bufferViews"][accessor["bufferView"]]["byteStride"] == 4
+
+
+def floor_and_glass(path, share_of_room=0.95):
+    """A floor of 8 x 8 that reaches through a closed box, a node named "box" whose material is of glass."""
+    floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
+    box = trimesh.creation.box((8 * share_of_room, 4, 8 * share_of_room))
+    arrays = [floor, SQUARE, TWO, np.float32(box.vertices), np.uint16(box.faces).ravel()]
+    meshes = [
+        {"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]},
+        {"primitives": [{"attributes": {"POSITION": 3}, "indices": 4, "material": 1}]},
+    ]
+    tree = {"meshes": meshes, "nodes": [{"mesh": 0, "name": "floor"}, {"mesh": 1, "name": "box"}]}
+    tree["materials"] = [{"name": "floor"}, {"name": "glass", "alphaMode": "BLEND"}]
+    path.write_bytes(glb(tree, arrays))
+    return path
+
+
+def test_a_floor_that_reaches_out_of_a_room_is_doubtful(call, tmp_path):
+    """The box may be a room or a solid: its faces are the same."""
+    path, output = floor_and_glass(tmp_path / "in.glb"), tmp_path / "out.glb"
+    said = "one chart is more than half inside closed bodies and filled: if a body is a room, pass --inside keep"
+    options = ("-o", output, "--texture", 32, "--samples", 16, "--max-distance", 1)
+    status, _, err = call("bake", path, *options, "--strict")
+    assert (status, err) == (2, f"error: --strict: got 'floor': {said}\n")
+    assert not output.exists()
+    assert f"\n  {said}\n" in call("bake", path, *options)[1]
+    status, out, _ = call("bake", path, *options, "--strict", "--inside", "keep")
+    assert (status, said in out) == (0, False)
+    status, out, _ = call("bake", floor_and_glass(path, 0.5), *options, "--strict")
+    assert (status, said in out, "points inside closed bodies, filled" in out) == (0, False, True)
+
+
+def test_a_floor_in_a_glass_house_keeps_its_numbers(call, tmp_path):
+    """Each ray from the floor crosses one pane, which passes 20 % of its light; and the sentence names the part."""
+    path, output = floor_and_glass(tmp_path / "in.glb", 0.5), tmp_path / "out.glb"
+    options = ("-o", output, "--texture", 32, "--samples", 16)
+    status, out, _ = call("bake", path, *options, "--transmittance", "box=0.2")
+    assert (status, "inside closed bodies" in out) == (0, False)
+    assert "\n  faces of 'glass' pass 20 % of the light" in out
+    tree, data, _ = opened(output)
+    shown = picture(tree, data, occlusion(tree, 0)["index"])[10:22, 10:22]
+    assert np.abs(shown - 0.2).max() < 1 / 255
+    out = call("bake", path, *options, "--transmittance", "floor=0.2")[1]
+    said = "transparent materials block all light, since --transmittance does not name their parts 'box': 'glass'"
+    assert out.rstrip().endswith(said)
+
+
+def test_a_suffix_in_upper_case_is_refused_by_name(call, tmp_path):
+    path = floor_and_glass(tmp_path / "in.glb")
+    for name in ("out.GLB", "out.GLTF"):
+        status, _, err = call("bake", path, "-o", tmp_path / name, "--texture", 8)
+        assert (status, err.endswith(", in lower case\n")) == (2, True)
+
+
+def test_data_that_another_scene_names_or_that_the_old_file_shows_stay(call, tmp_path):
+    """A variant of the old out.gltf names out.bin, too; then the old out.gltf names it as a picture."""
+    path, output = floor_and_glass(tmp_path / "in.glb"), tmp_path / "out.gltf"
+    options = ("--texture", 32, "--samples", 2)
+    assert call("bake", path, "-o", output, *options)[0] == 0
+    kept = (tmp_path / "out.bin").read_bytes()
+    variant = tmp_path / "variant.gltf"
+    variant.write_bytes(output.read_bytes())
+    for _ in range(2):
+        status, out, _ = call("bake", path, "-o", output, *options, "--quantity", "sky")
+        assert (status, "its data are in out-1.bin" in out) == (0, True)
+        assert (tmp_path / "out.bin").read_bytes() == kept
+    variant.unlink()
+    (tmp_path / "out-1.bin").unlink()
+    output.write_text(json.dumps({"asset": {"version": "2.0"}, "images": [{"uri": "out.bin"}]}))
+    assert call("bake", path, "-o", output, *options)[0] == 0
+    assert (tmp_path / "out.bin").read_bytes() == kept

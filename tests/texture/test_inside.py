@@ -103,22 +103,32 @@ def box(size, centre, *, inverted=False):
     return made.vertices + np.array(centre), made.faces[:, ::-1] if inverted else made.faces
 
 
-def buried(*parts, side=32):
-    """Which texels of the first of some parts, a sheet, are to be filled: (H, W), rows from y = -half on."""
+def mesh_of(*parts):
+    """A mesh of some parts, and coordinates of the first, a sheet."""
     starts = np.cumsum([0] + [len(vertices) for vertices, _ in parts])
     faces = np.concatenate([faces + start for (_, faces), start in zip(parts, starts[:-1], strict=True)])
     mesh = ws.Mesh(np.concatenate([vertices for vertices, _ in parts]), faces)
     uv = np.full((len(mesh.faces), 3, 2), np.nan)
     uv[:2] = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float)[mesh.faces[:2]]
-    return buried_of(mesh, uv, side)
+    return mesh, uv
 
 
-def buried_of(mesh, uv, side):
+def buried(*parts, side=32):
+    """Which texels of the first of some parts, a sheet, are to be filled: (H, W), rows from y = -half on."""
+    return buried_of(*mesh_of(*parts), side)
+
+
+def enclosed_of(mesh, uv, side):
     t = ws.texture_points(mesh, uv, side)
     enclosed = Enclosed(Closed(mesh), t)
     for start in range(0, len(t), 300):
         part = t.take(slice(start, start + 300))
         enclosed.add(start, part, part, None)
+    return enclosed, t
+
+
+def buried_of(mesh, uv, side):
+    enclosed, t = enclosed_of(mesh, uv, side)
     found = np.zeros(side * side, bool)
     found[t.texel[enclosed.find_buried(np.ones(len(t), bool))]] = True
     return found.reshape(side, side)
@@ -186,3 +196,42 @@ def test_rays_are_cast_only_near_other_bodies():
     ball = ws.Mesh(BALL.vertices, BALL.faces)
     points = ws.face_centers(ball)
     assert Closed(ball).count_bodies(points, points.face)[2] == 0
+
+
+def test_a_body_that_transmits_light_has_no_inside():
+    """A glass box beside an opaque one: the floor under glass is lit and visible."""
+    opaque, glass = (box((2, 2, 2), (x, 0, 0)) for x in (-2, 2))
+    mesh = floor_and(opaque, glass)
+    for share, count in ((0.0, 2), (0.2, 1)):
+        shares = np.zeros(len(mesh.faces))
+        shares[-1] = share  # one pane
+        made = ws.Mesh(mesh.vertices, mesh.faces, transmittance=shares)
+        points = ws.sample_surface(ws.Mesh(mesh.vertices, mesh.faces[:2]), 2000, seed=1)
+        x, y = points.position[:, 0], np.abs(points.position[:, 1])
+        under = np.any([(np.abs(x - middle) < 1) & (y < 1) for middle in (-2, 2)[:count]], axis=0)
+        assert np.array_equal(inside(made, points), under)
+
+
+@pytest.mark.parametrize("shared", ["a vertex", "an edge"])
+def test_overlapping_walls_that_share_vertices_are_counted_each_alone(shared):
+    """Two walls of a corner in one mesh: where both overlap, the parity of all their faces is even."""
+    height = 2 if shared == "an edge" else 3  # of the second wall; the lower ends share a vertex only
+    bounds = ((-2, -2, -1), (2, -1, 2)), ((-2, -2, -1), (-1, 2, height - 1))
+    walls = [trimesh.creation.box(bounds=one) for one in bounds]
+    mesh = floor_and(*[(wall.vertices, wall.faces) for wall in walls])
+    points = ws.sample_surface(ws.Mesh(mesh.vertices, mesh.faces[:2]), 2000, seed=1)
+    at = points.position
+    counts = [((at[:, :2] > low[:2]) & (at[:, :2] < high[:2])).all(axis=1) for low, high in bounds]
+    assert (counts[0] & counts[1]).sum() > 10
+    assert np.array_equal(Closed(mesh).count_bodies(points, points.face)[0][:, 0], np.sum(counts, axis=0))
+
+
+def test_charts_that_are_filled_by_more_than_half_are_counted():
+    """A floor that reaches out of a closed room by a rim, and one of which a crate covers a sixteenth."""
+    for size, count in ((7.6, 1), (2.0, 0)):
+        mesh, uv = mesh_of(sheet(4), box((size, size, 6), (0, 0, 2)))
+        enclosed, t = enclosed_of(mesh, uv, 32)
+        found = enclosed.find_buried(np.ones(len(t), bool))
+        assert found.any()
+        assert enclosed.count_mostly_buried(found) == count
+    assert enclosed.count_mostly_buried(np.zeros(len(t), bool)) == 0

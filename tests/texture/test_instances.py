@@ -86,3 +86,43 @@ def test_places_that_look_alike_share_a_picture(call, tmp_path, uv, texture):
     assert (status, err) == (0, "")
     assert out.count("share one picture") == 2
     assert len(opened(output)[0]["meshes"]) == 1
+
+
+@pytest.mark.parametrize("uv", ["auto", "new"])
+def test_a_first_place_of_scale_0_hides_no_other_place(call, tmp_path, uv):
+    """The second place is beneath a sheet, the third one, of scale 0, again shows nothing."""
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
+    arrays = [floor, SQUARE, TWO, 10 * floor + np.float32([400, 9, 0])]
+    sheets = [{"attributes": {"POSITION": at, "TEXCOORD_0": 1}, "indices": 2, "material": 0} for at in (0, 3)]
+    nodes = [{"mesh": 0, "scale": [0, 0, 0]}, {"mesh": 0, "translation": [400, 0, 0]}, {"mesh": 1}]
+    nodes.append({"mesh": 0, "scale": [0, 0, 0]})
+    tree = {"meshes": [{"name": "floor", "primitives": sheets[:1]}, {"primitives": sheets[1:]}], "nodes": nodes}
+    tree["meshes"][1]["primitives"][0]["material"] = 1
+    tree["materials"] = [{"name": "floor"}, {"name": "roof"}]
+    path.write_bytes(glb(tree, arrays))
+    options = (*RAYS, "--uv", uv, "--instances", "mean", "--strict")  # one visible place is not several
+    status, out, err = call("bake", path, "-o", output, *options)
+    assert (status, err) == (0, "")
+    assert "without an area" not in out
+    shown = {(node, name): value for node, name, value in means_of_places(output)}
+    assert 0.0 < shown["nodes[1]", "floor"] < 0.1  # a roof 80 wide at a height of 9
+    assert shown["nodes[2]", "roof"] == 1.0
+
+
+def test_whole_pictures_with_few_rays_that_differ_are_told_apart(call, tmp_path):
+    """Floors in the open and beneath a distant sheet, with 2 rays a texel: blocks differ by less than their errors."""
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
+    arrays = [floor, SQUARE, TWO, floor + np.float32([400, 15, 0])]
+    sheets = [{"attributes": {"POSITION": at, "TEXCOORD_0": 1}, "indices": 2, "material": 0} for at in (0, 3)]
+    del sheets[1]["material"]
+    tree = {"meshes": [{"name": "floor", "primitives": sheets[:1]}, {"primitives": sheets[1:]}]}
+    tree |= {"nodes": [{"mesh": 0}, {"mesh": 0, "translation": [400, 0, 0]}, {"mesh": 1}], "materials": [{"name": "floor"}]}
+    path.write_bytes(glb(tree, arrays))
+    status, out, _ = call("bake", path, "-o", output, "--texture", 64, "--samples", 2)
+    assert (status, "show 2 pictures" in out) == (0, True)
+    tree["nodes"][1]["translation"] = [-400, 0, 0]  # in the open, too
+    path.write_bytes(glb(tree, arrays))
+    status, out, _ = call("bake", path, "-o", output, "--texture", 64, "--samples", 2)
+    assert (status, "share one picture" in out) == (0, True)

@@ -85,7 +85,7 @@ def test_a_box_in_units_of_its_mesh(call, tmp_path):
             "face",
             "--quantity: got thickness for 'in.glb', whose materials lack KHR_materials_volume, .*, want a file",
         ),
-        (".png", "face", "--quantity: got thickness for 'out.png', want .exr or .npz: a .png holds 0 to 1"),
+        (".png", "face", "--output: got .*out.png' for thickness, want a file that ends in one of .glb .gltf .exr .npz"),
         (".exr", "lifted", "--normals: got lifted for thickness, want face or smooth: its rays start beneath the face"),
     ],
 )

@@ -68,7 +68,8 @@ def _check_output(run: BakeRun, quantity: Quantity) -> None:
     if files := [each for each in FILES[source] if can_hold(quantity, source, each)]:
         what = {MESH: "", TEXTURE: " for --texture"}.get(source, f" for {source}")
         what = f" for {quantity.name}" if suffix in FILES[source] else what
-        raise ValueError(f"--output: got {str(run.output)!r}{what}, want a file that ends in one of {' '.join(files)}")
+        ends = f"{' '.join(files)}, in lower case" if suffix.lower() in files and suffix not in files else " ".join(files)
+        raise ValueError(f"--output: got {str(run.output)!r}{what}, want a file that ends in one of {ends}")
     names = [name for name, other in quantities().items() if any(can_hold(other, source, each) for each in FILES[source])]
     raise ValueError(f"--quantity: got {quantity.name!r} for {source}, want one of {', '.join(names)}")
 

@@ -61,7 +61,8 @@ def write_with_data(
         write_data: writes the data into a stream.
         text_naming: returns the content of `path` for a name of the data.
         named_by: returns the files that a file names; none for a file that cannot be read.
-        inputs: files that keep their content, even if the old file names them.
+        inputs: files that keep their content, even if the old file names them. Files that another file with the suffix of
+            `path` in the same folder names keep their content, too.
 
     Raises:
         WriteError: the files cannot be written; the old ones are unchanged.
@@ -139,9 +140,17 @@ def _old_data(path: Path, suffix: str, named_by: Callable[[Path], Iterable[Path]
     ours, kept = re.compile(rf"{re.escape(path.stem)}(-\d+)?{re.escape(suffix)}"), list(inputs)
     for file in named_by(path):
         is_ours = file.parent == path.parent and ours.fullmatch(file.name) and file.is_file()
-        if is_ours and not any(is_same(file, source) for source in kept):
-            return file
+        with suppress(OSError):  # a folder that cannot be listed may hold another file that names the data
+            if is_ours and not any(is_same(file, source) for source in (*kept, *_named_by_siblings(path, named_by))):
+                return file
     return None
+
+
+def _named_by_siblings(path: Path, named_by: Callable[[Path], Iterable[Path]]) -> Iterator[Path]:
+    """Yield the files that other files with the suffix of `path` in the same folder name; links to `path` are left out."""
+    for sibling in path.absolute().parent.iterdir():
+        if sibling.suffix.lower() == path.suffix.lower() and os.path.realpath(sibling) != os.path.realpath(path):
+            yield from named_by(sibling)
 
 
 @contextmanager

@@ -5,12 +5,12 @@ from itertools import product
 import numpy as np
 
 from warpsample.directions.sample import sample_directions
-from warpsample.host.locks import imported, once_property
+from warpsample.host.locks import once_property
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
 from warpsample.texture.texture_points import TexturePoints
-from warpsample.texture.uv.charts import label_charts
+from warpsample.texture.uv.charts import label_charts, label_closed
 from warpsample.tracing.trace_all import trace_all
 
 _RAYS = 3  # two rays per point, and a third one where the first two disagree
@@ -21,7 +21,7 @@ _WITHIN = 1e-6  # least corner weight of a point in the interior of its face; po
 
 
 class Closed:
-    """Closed bodies of a mesh: parts in which each edge is used equally often in either direction."""
+    """Opaque closed bodies of a mesh: parts in which each edge is used equally often in either direction."""
 
     def __init__(self, mesh: Mesh) -> None:
         """Store the mesh; bodies are searched at first use."""
@@ -32,7 +32,8 @@ class Closed:
         """Compute the (F,) int64 body of each face, -1 in open parts, and (B,) bool, True for outward-facing bodies.
 
         Vertices with the same position count as one vertex, at first within named parts alone: crates that touch are bodies
-        of their own. Faces that belong to no closed body then are joined over all parts.
+        of their own. Faces that belong to no closed body then are joined over all parts. A body with a face that transmits
+        light encloses nothing, since points inside are lit and visible: its faces get -1.
         """
         _, vertex = np.unique(self.mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
         faces = vertex.reshape(-1)[self.mesh.faces].astype(np.int64)
@@ -41,9 +42,11 @@ class Closed:
         body = np.full(len(faces), -1, np.int64)
         for corners in (part[:, None] * (faces.max() + 1) + faces, faces):
             rows = np.flatnonzero((body < 0) & ~flat)
-            label = _label_closed(corners[rows])
+            label = label_closed(corners[rows])
             body[rows] = np.where(label < 0, -1, label + body.max() + 1)
         volume = np.bincount(body[body >= 0], self._volumes[body >= 0])
+        if self.mesh.transmittance is not None:
+            volume[body[(body >= 0) & (self.mesh.transmittance > 0.0)]] = 0.0
         body[body >= 0] = np.where(volume == 0.0, -1, np.cumsum(volume != 0.0) - 1)[body[body >= 0]]
         return body, volume[volume != 0.0] > 0.0
 
@@ -126,29 +129,6 @@ class Closed:
         return np.stack([np.bincount(kind, minlength=len(points)) for kind in kinds], axis=1).astype(np.int32)
 
 
-def _label_closed(faces: np.ndarray) -> np.ndarray:
-    """Return the (N,) number of the closed part that each face (N, 3) belongs to, from 0 on; -1 in open parts.
-
-    Parts are connected by vertices. In a closed part each edge is used equally often in either direction: parity is then
-    defined, also where two bodies share an edge or a wall.
-    """
-    if not len(faces):
-        return np.zeros(0, np.int64)
-    vertex, corner = np.unique(faces, return_inverse=True)
-    faces, count = corner.reshape(faces.shape).astype(np.int64), len(vertex)
-    start, end = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
-    along, back = start * count + end, end * count + start
-    known, uses = np.unique(along, return_counts=True)
-    place = np.minimum(np.searchsorted(known, back), len(known) - 1)
-    balanced = (known[place] == back) & (uses[place] == uses[np.searchsorted(known, along)])
-    links = imported("scipy.sparse").coo_array((np.ones(len(start), np.bool_), (start, end)), (count, count))
-    parts, label = imported("scipy.sparse.csgraph").connected_components(links, directed=False)
-    closed = np.ones(parts, np.bool_)
-    closed[label[start[~balanced]]] = False
-    number = np.where(closed, np.cumsum(closed) - 1, -1)
-    return number[label[faces[:, 0]]].astype(np.int64)
-
-
 def _locate_cells(position: np.ndarray, origin: np.ndarray, cells: np.ndarray) -> np.ndarray:
     """Return the (P, 3) grid cells of positions, clipped to the grid."""
     return np.clip((position - origin) * cells, 0, _CELLS - 1).astype(np.int64)
@@ -206,11 +186,20 @@ class Enclosed:
         if not self.inside.any():
             return np.zeros(len(usable), np.bool_)
         depth, hollow = self._depths.T
-        mesh, corners = self._points.mesh, self._points.corners
-        # positions are included, so that overlapping charts get different numbers
-        chart = label_charts(np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2))
-        group = chart[self._points.face] * (int(hollow.max()) + 1) + hollow
+        group = self._chart * (int(hollow.max()) + 1) + hollow
         least = np.full(int(group.max()) + 1, np.iinfo(np.int32).max, np.int32)
         source = self._source & usable
         np.minimum.at(least, group[source], depth[source])
         return depth > least[group]
+
+    def count_mostly_buried(self, buried: np.ndarray) -> int:
+        """Count the charts with more than half of their points in `buried`, the (P,) mask of `find_buried`."""
+        if not buried.any():
+            return 0
+        return int(np.count_nonzero(2 * np.bincount(self._chart, buried) > np.bincount(self._chart)))
+
+    @once_property
+    def _chart(self) -> np.ndarray:
+        """(P,) int32 chart of each point; positions are compared, too, so that overlapping charts get different numbers."""
+        mesh, corners = self._points.mesh, self._points.corners
+        return label_charts(np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2))[self._points.face]

@@ -14,7 +14,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, convert_read_errors
 from warpsample.texture.high import average_normals
 from warpsample.texture.materials import OCCLUSION, Slot, name_group
-from warpsample.texture.primitives import Primitive, group_by_material, list_primitives
+from warpsample.texture.primitives import Primitive, group_by_material, is_flat, list_primitives, visible_primitives
 from warpsample.texture.sets import Texels, TextureOptions
 from warpsample.texture.texture_points import TexturePoints
 from warpsample.texture.uv.new_uv import add_uv, charts_for
@@ -115,7 +115,7 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
     with convert_read_errors(path):
         file = GlbFile(path)
         check_extensions(file.part)
-        slotted = list(_groups_with_slot(file, slot))
+        slotted = list(_groups_with_slot(file, mesh, slot))
         texels = Texels(path, mesh, how, _read_corner_normals(path, mesh, how))
     if not slotted:
         raise ValueError(
@@ -162,15 +162,10 @@ def _make_points_by_new_uv(texels: Texels, uv: np.ndarray, first: list[Primitive
     return texels.points(own, [one.faces for one in group])
 
 
-def is_flat(mesh: Mesh, group: list[Primitive]) -> bool:
-    """Return whether all faces of a group of primitives have zero area in space."""
-    return not any(mesh.face_areas[one.faces].any() for one in group)
-
-
-def _groups_with_slot(file: GlbFile, slot: Slot) -> Iterator[list[Primitive]]:
+def _groups_with_slot(file: GlbFile, mesh: Mesh, slot: Slot) -> Iterator[list[Primitive]]:
     """Yield the groups of primitives whose materials have the slot, or can get the slot."""
     materials = file.part.parts("materials")
-    for group in group_by_material(list_primitives(file.part, file.data)):
+    for group in group_by_material(visible_primitives(list_primitives(file.part, file.data), mesh)):
         if slot.optional or any(
             slot.find_holder(materials[number]) is not None for one in group for number in one.materials
         ):

@@ -41,32 +41,42 @@ def describe_materials(tree: Part, primitives: list[Primitive], picture: str | N
         yield f"two-sided materials show the numbers of the front on both sides: {doubled}"
 
 
-def describe_light(tree: Part, primitives: list[Primitive], transmittance: np.ndarray | None) -> Iterator[str]:
+def describe_light(tree: Part, primitives: list[Primitive], mesh: Mesh) -> Iterator[str]:
     """Yield sentences on the light that passes through materials, and on transparent materials that block all light.
 
     Args:
         tree: JSON of the file.
         primitives: primitives of the scene.
-        transmittance: (F,) share of light that passes each face, from 0 to 1; None if all faces block light.
+        mesh: mesh as `load_mesh` reads it, with the transmittance of its faces.
     """
     materials = tree.parts("materials")
     shares: dict[str, list[np.ndarray]] = {}
-    transparent: dict[str, None] = {}
+    transparent: dict[str, list[Primitive]] = {}
     for one in primitives:
         if "material" not in one.part:
             continue
         material = materials[one.part.index("material", materials)]
-        passing = np.zeros(1) if transmittance is None else np.unique(transmittance[one.faces])
-        shares.setdefault(_name(material), []).append(passing)
+        places = [one, *one.others]
+        for place in places if mesh.transmittance is not None else []:
+            shares.setdefault(_name(material), []).append(np.unique(mesh.transmittance[place.faces]))
         if _is_transparent(material):
-            transparent[_name(material)] = None
+            transparent.setdefault(_name(material), []).extend(places)
     for name, found in shares.items():
         low, high = min(part.min(initial=1.0) for part in found), max(part.max(initial=0.0) for part in found)
         if high > 0.0:
             yield f"faces of {name!r} pass {_percent(low, high)} of the light"
-    blocking = join_names(name for name in transparent if not any(part.max(initial=0.0) for part in shares[name]))
+    blocking = {name: row for name, row in transparent.items() if not any(part.any() for part in shares.get(name, []))}
     if blocking:
-        yield f"transparent materials block all light, since --transmittance does not name them: {blocking}"
+        parts = _join_parts(mesh, [one for row in blocking.values() for one in row])
+        way = f"does not name their parts {parts}" if parts else "gives them no share"
+        yield f"transparent materials block all light, since --transmittance {way}: {join_names(blocking)}"
+
+
+def _join_parts(mesh: Mesh, primitives: list[Primitive]) -> str:
+    """Return the names of the parts of primitives, quoted and joined by commas; "" if a part has no name."""
+    numbers = [] if mesh.part is None else np.unique(np.concatenate([mesh.part[one.faces] for one in primitives]))
+    names = [mesh.parts[number] if number >= 0 else "" for number in numbers]
+    return join_names(names) if all(names) else ""
 
 
 def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:

@@ -1,7 +1,7 @@
 """Primitives of a glTF scene: faces in the loaded mesh, places, and groups that share materials."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -9,6 +9,7 @@ import numpy as np
 from warpsample.host.json_tree import Part
 from warpsample.mesh.files.gltf import placed_primitives, surface
 from warpsample.mesh.files.gltf_data import Data
+from warpsample.mesh.mesh import Mesh
 
 _VARIANTS = "KHR_materials_variants"
 
@@ -29,7 +30,7 @@ class Primitive:
         scale: scale of lengths at the place: the cube root of the scale of volumes.
         materials: numbers of the primitive's material and of its material variants.
         node: number of the node that places the primitive.
-        others: the same primitive at its other places.
+        others: the same primitive at its other places; `visible_primitives` leaves out places without an area.
     """
 
     mesh: int
@@ -66,6 +67,27 @@ def list_primitives(tree: Part, data: Data) -> list[Primitive]:
         if first is not made:
             first.others.append(made)
     return list(found.values())
+
+
+def visible_primitives(primitives: list[Primitive], mesh: Mesh) -> list[Primitive]:
+    """Return primitives without the places at which all faces have zero area, as by a scale of 0.
+
+    The first place with an area becomes the first place. Primitives without such a place are unchanged.
+
+    Args:
+        primitives: primitives as `list_primitives` returns them.
+        mesh: mesh as `load_mesh` reads it.
+    """
+    found = []
+    for one in primitives:
+        visible = [place for place in (one, *one.others) if not is_flat(mesh, [place])]
+        found.append(replace(visible[0], others=visible[1:]) if visible else one)
+    return found
+
+
+def is_flat(mesh: Mesh, group: list[Primitive]) -> bool:
+    """Return whether all faces of a group of primitives have zero area in space, at the first place of each."""
+    return not any(mesh.face_areas[one.faces].any() for one in group)
 
 
 def group_by_material(primitives: list[Primitive]) -> Iterator[list[Primitive]]:

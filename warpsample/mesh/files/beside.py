@@ -1,7 +1,7 @@
 """Lists the files that a mesh file refers to: buffers, materials and pictures."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from pathlib import Path
 from urllib.parse import unquote
@@ -20,21 +20,34 @@ def files_beside(path: Path | None) -> list[Path]:
     """
     reader = _READERS.get(path.suffix.lower()) if path is not None else None
     with suppress(OSError, TypeError, ValueError):
-        if reader is not None and path is not None:
+        if reader is not None and path is not None and path.is_file():  # reading a pipe may never end
             return [path.parent / name for name in reader(path) if "\0" not in name]
     return []
 
 
-def uris_of(tree: Part) -> Iterator[str]:
+def pictures_beside(path: Path) -> list[Path]:
+    """Return the paths of the pictures that a .gltf or .glb refers to; an empty list for files that cannot be read."""
+    with suppress(OSError, TypeError, ValueError):
+        if path.is_file() and path.suffix.lower() in (".gltf", ".glb"):
+            return [path.parent / unquote(uri) for uri in uris_of(_tree(path), ("images",)) if "\0" not in unquote(uri)]
+    return []
+
+
+def uris_of(tree: Part, kinds: Iterable[str] = ("images", "buffers")) -> Iterator[str]:
     """Yield the URIs of pictures and buffers in the JSON of a glTF file, embedded data excluded."""
-    for item in (*tree.parts("images"), *tree.parts("buffers")):
+    for item in (item for kind in kinds for item in tree.parts(kind)):
         if "uri" in item and not (uri := item.text("uri")).startswith("data:"):
             yield uri
 
 
 def _gltf(path: Path) -> Iterator[str]:
     """Yield the file names in a .gltf or .glb."""
-    return map(unquote, uris_of(binary(path)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())))
+    return map(unquote, uris_of(_tree(path)))
+
+
+def _tree(path: Path) -> Part:
+    """Return the JSON of a .gltf or .glb."""
+    return binary(path)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())
 
 
 def _obj(path: Path) -> Iterator[str]:

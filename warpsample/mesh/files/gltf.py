@@ -6,6 +6,7 @@ trimesh is not used: for a damaged .gltf trimesh reads the file `model.gltf` in 
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +27,15 @@ _EXTENSIONS = {
     "KHR_meshopt_compression",
     "EXT_mesh_gpu_instancing",
 }
+# Extensions that a file may require: they change neither the faces nor their places, or are read.
+_READ = (
+    *("KHR_mesh_quantization", "KHR_materials_*", "KHR_texture_*", "KHR_lights_*", "KHR_animation_pointer"),
+    *("KHR_xmp*", "KHR_techniques_webgl", "KHR_audio*", "KHR_interactivity", "KHR_node_hoverability"),
+    *("KHR_node_selectability", "KHR_implicit_shapes", "KHR_physics_*", "EXT_materials_*", "EXT_texture_*", "EXT_lights_*"),
+    *("EXT_mesh_features", "EXT_mesh_manifold", "EXT_instance_features", "EXT_feature_metadata", "EXT_structural_metadata"),
+    *("ADOBE_materials_*", "AGI_*", "CESIUM_primitive_outline", "FB_*", "GODOT_single_root", "MOZ_lightmap", "MSFT_lod"),
+    *("MSFT_packing_*", "MSFT_texture_*", "NV_materials_*", "OMI_*", "VRM", "VRMC_*"),
+)
 _WIDTHS = {"NORMAL": 3, "TANGENT": 4}  # components of attributes; others have 2
 
 
@@ -36,7 +46,7 @@ def read(path: Path) -> Named:
 
     Raises:
         ValueError: A file that is shorter or longer than declared, violates the glTF specification, or is compressed, sparse
-            or instanced by an extension.
+            or instanced by an extension, or requires an unknown extension.
     """
     with opened(path) as (tree, data):
         return joined_parts(_surfaces(tree, data))
@@ -65,10 +75,13 @@ def opened(path: Path) -> Iterator[tuple[Part, Data]]:
 
 
 def check_extensions(tree: Part) -> None:
-    """Raise a ValueError for extensions that compress or instance faces."""
+    """Raise a ValueError for extensions that compress or instance faces, and for unknown ones that the file requires."""
     needed = _EXTENSIONS & set(tree.texts("extensionsUsed"))
     if needed:
         raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file that does not")
+    unknown = [name for name in tree.texts("extensionsRequired") if not any(fnmatchcase(name, known) for known in _READ)]
+    if unknown:
+        raise ValueError(f"it requires {', '.join(unknown)}, want a file that requires none but {', '.join(_READ)}")
 
 
 @dataclass(frozen=True)

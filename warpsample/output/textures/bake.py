@@ -9,7 +9,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from warpsample.host.files import complete_or_absent, write_arrays
-from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.files.beside import files_beside, pictures_beside
 from warpsample.output.baked import BakeRun
 from warpsample.output.data_beside import write_with_data
 from warpsample.output.quantities import quantity_of
@@ -37,10 +37,12 @@ def bake_texture(source: TextureSource, record: RunRecord) -> str:
         a report for the terminal, in lines.
 
     Raises:
+        ValueError: with `--strict`, more than half of a chart is inside closed bodies.
         KeyboardInterrupt: the run is interrupted; the message states how many points are done.
         WriteError: the file cannot be written.
     """
     found = _compute(source, record)
+    _refuse_mostly_inside(source, found)
     notes = _write(source, found)
     width, height = source.how.size
     lines = [f"{source.run.output}: {record.title} in {_count(found)} of {width} x {height} texels"]
@@ -59,6 +61,20 @@ def _compute(source: TextureSource, record: RunRecord) -> list[list[Picture]]:
     points = sum(len(job.points) * (1 + max((len(one.others) for one in job.group), default=0)) for job in source.jobs)
     with record.count(points, f"{source.run.output} is as it was before"):
         return [pictures_of(job, fill, source.how) for job in source.jobs]
+
+
+def _refuse_mostly_inside(source: TextureSource, found: list[list[Picture]]) -> None:
+    """With `--strict`, raise a ValueError for charts with more than half of their points filled for being inside."""
+    pictures = (picture.filled for row in found for picture in row)
+    doubtful = [f"{one.job.name!r}: {_describe_mostly_inside(one)}" for one in pictures if one.mostly_inside]
+    if source.how.strict and doubtful:
+        raise ValueError(f"--strict: got {'; '.join(doubtful)}")
+
+
+def _describe_mostly_inside(found: Filled) -> str:
+    """Return a sentence on charts with more than half of their points filled for being inside closed bodies."""
+    charts = "one chart is" if found.mostly_inside == 1 else f"{found.mostly_inside:,} charts are"
+    return f"{charts} more than half inside closed bodies and filled: if a body is a room, pass --inside keep"
 
 
 def _write(source: TextureSource, found: list[list[Picture]]) -> list[str]:
@@ -83,7 +99,7 @@ def _write_scene(file: GlbFile, source: TextureSource, found: list[list[Picture]
             file.write(stream)
         return notes
     ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": files_beside}
-    data = write_with_data(run.output, DATA, **ways, inputs=source.inputs)
+    data = write_with_data(run.output, DATA, **ways, inputs=[*source.inputs, *pictures_beside(run.output)])
     if data.stem != run.output.stem:
         notes.append(f"its data are in {data.name}: {run.output.with_suffix(DATA).name} belongs to another file")
     return notes
@@ -131,6 +147,8 @@ def _describe_picture(found: Filled) -> Iterator[str]:
     yield from describe_flaws(job)
     if found.inside:
         yield f"{found.inside:,} points inside closed bodies, filled from their charts"
+    if found.mostly_inside:
+        yield _describe_mostly_inside(found)
     if found.enclosed:
         yield f"{found.enclosed:,} points inside closed bodies keep their values, because their whole charts are inside"
     if found.missed:

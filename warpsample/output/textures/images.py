@@ -35,6 +35,7 @@ class Filled:
         mean: Mean of the values at the points.
         inside: Number of points inside closed bodies that are filled.
         enclosed: Number of points inside closed bodies that keep their values.
+        mostly_inside: Number of charts with more than half of their points filled for being inside.
         missed: Number of points without a hit on a finer mesh.
         lost: Number of points without a value for another reason.
         rays: Number of rays for the values.
@@ -47,6 +48,7 @@ class Filled:
     mean: float
     inside: int
     enclosed: int
+    mostly_inside: int
     missed: int
     lost: int
     rays: int
@@ -85,7 +87,8 @@ def fill_texture(
     within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, bodies.inside & ~buried & ~missed, missed))
     value[buried] = np.nan
     image, errors, mean = _images(job, how, value, error)
-    counts = {"inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
+    charts = bodies.count_mostly_buried(buried)
+    counts = {"mostly_inside": charts, "inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
     return Filled(job, image, errors, mean, **counts, rays=rays, inside_rays=bodies.rays)
 
 

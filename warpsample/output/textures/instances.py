@@ -15,6 +15,7 @@ from warpsample.texture.sets import TextureOptions
 
 _BLOCK = 8  # texels along a side: a shadow 1 texel wide moves the mean of a block by an eighth of its depth
 _SIGMAS = 6.0  # by chance about one block of 10^9 differs by more
+_SIGMAS_WHOLE = 4.0  # of the mean over a whole picture, one number: by chance about 1 of 16,000 differs by more
 _STEP = 1 / 255  # of the largest number: differences that a picture of 8 bits does not show
 
 
@@ -74,7 +75,7 @@ def _picture(filled: Filled, job: TextureJob) -> Picture:
 
 
 def _differ(known: Filled, other: Filled) -> bool:
-    """Return whether the means of two places over some block of texels differ by more than their errors.
+    """Return whether the means of two places, over some block of texels or over all, differ by more than their errors.
 
     Errors of single texels do not do: they are 0 where all rays of each stratum agree.
     """
@@ -91,6 +92,8 @@ def _differ(known: Filled, other: Filled) -> bool:
     for gap, own in zip((value[1] - value[0]).T, squares.T, strict=True):
         variance = (np.bincount(block, own) / count + own.mean()) / count
         if (np.abs(np.bincount(block, gap)) / count > _SIGMAS * np.sqrt(variance) + step).any():
+            return True
+        if abs(gap.sum()) > _SIGMAS_WHOLE * np.sqrt(own.sum()) + step * len(gap):
             return True
     return False
 

@@ -17,7 +17,7 @@ from warpsample.output.source import input_files
 from warpsample.output.textures.choice import texture_options
 from warpsample.texture.glb_file import GlbFile, convert_read_errors
 from warpsample.texture.high import HighMesh
-from warpsample.texture.jobs import TextureJob, is_flat, plan_jobs
+from warpsample.texture.jobs import TextureJob, plan_jobs
 from warpsample.texture.materials import slot_for_quantity
 from warpsample.texture.notes import (
     describe_coarse_texels,
@@ -27,7 +27,7 @@ from warpsample.texture.notes import (
     join_names,
 )
 from warpsample.texture.pictures import check_library
-from warpsample.texture.primitives import group_by_material, list_primitives
+from warpsample.texture.primitives import group_by_material, is_flat, list_primitives, visible_primitives
 from warpsample.texture.sets import TextureOptions
 
 DATA = ".bin"
@@ -96,12 +96,13 @@ def _check_scene(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[Te
             file.check_no_trailing_bytes()
         group = [one for job in jobs for one in job.group]
         notes = list(describe_materials(file.part, group, slot_for_quantity(run.quantity).name))
-        placed = list_primitives(file.part, file.data)
+        mesh = jobs[0].points.mesh
+        placed = visible_primitives(list_primitives(file.part, file.data), mesh)
         if how.high is None and run.quantity not in _WITHOUT_LIGHT:  # a finer mesh has none of these materials
-            notes += describe_light(file.part, placed, jobs[0].points.mesh.transmittance)
+            notes += describe_light(file.part, placed, mesh)
         groups = group_by_material(placed)
         several = join_names(one.name for job in jobs for one in job.group if one.others)
-        flat = join_names(one.name for group in groups if is_flat(jobs[0].points.mesh, group) for one in group)
+        flat = join_names(one.name for group in groups if is_flat(mesh, group) for one in group)
     if several and how.strict and how.instances == "mean":
         raise ValueError(f"--strict: got --instances mean for {several} in several places, want split")
     if flat:

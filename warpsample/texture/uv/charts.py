@@ -1,4 +1,4 @@
-"""Charts: groups of faces connected by corners with equal texture coordinates."""
+"""Groups of faces: charts, connected by corners with equal texture coordinates, and closed parts of a mesh."""
 
 import numpy as np
 
@@ -22,3 +22,66 @@ def label_charts(corners: np.ndarray) -> np.ndarray:
     links = sparse.coo_array((np.ones(2 * len(a), np.bool_), (np.r_[a, b], np.r_[b, c])), (count, count))
     _, chart = imported("scipy.sparse.csgraph").connected_components(links, directed=False)
     return chart[a].astype(np.int32)
+
+
+def label_closed(faces: np.ndarray) -> np.ndarray:
+    """Return the (N,) number of the closed part that each face (N, 3) belongs to, from 0 on; -1 in open parts.
+
+    In a closed part each edge is used equally often in either direction, so parity is defined. At first, faces are joined
+    over edges of two faces: bodies that share a vertex or an edge are counted apart, and may overlap. Then, faces without a
+    closed part are joined over vertices, as in two crates that share the faces of a wall.
+    """
+    found = np.full(len(faces), -1, np.int64)
+    for over_edges in (True, False):
+        rows = np.flatnonzero(found < 0)
+        label = _label_balanced(faces[rows], over_edges)
+        found[rows] = np.where(label < 0, -1, label + found.max(initial=-1) + 1)
+    return found
+
+
+def _label_balanced(faces: np.ndarray, over_edges: bool) -> np.ndarray:
+    """Return the (N,) number of each face's part, from 0 on; -1 in parts whose edges do not balance.
+
+    Args:
+        faces: (N, 3) int64 vertices.
+        over_edges: True joins faces over edges of two faces with the same orientation; False joins faces over vertices.
+    """
+    if not len(faces):
+        return np.zeros(0, np.int64)
+    vertex, corner = np.unique(faces, return_inverse=True)
+    faces, count = corner.reshape(faces.shape).astype(np.int64), len(vertex)
+    start, end = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+    along, back = start * count + end, end * count + start
+    label = _join_over_edges(along, back) if over_edges else _join_over_vertices(start, end, count)
+    _, edge = np.unique(np.minimum(along, back), return_inverse=True)
+    pairs, pair = np.unique(np.repeat(label, 3) * len(edge) + edge.ravel(), return_inverse=True)
+    surplus = np.bincount(pair.ravel(), np.where(along < back, 1, -1), minlength=len(pairs))
+    closed = np.ones(int(label.max()) + 1, np.bool_)
+    closed[pairs[surplus != 0] // len(edge)] = False
+    return np.where(closed, np.cumsum(closed) - 1, -1)[label]
+
+
+def _join_over_edges(along: np.ndarray, back: np.ndarray) -> np.ndarray:
+    """Return the (N,) number of each face's part, where edges of exactly two faces, one in either direction, join faces.
+
+    Args:
+        along: (3 N,) keys of the edges of each face in its direction.
+        back: (3 N,) keys of the same edges in the other direction.
+    """
+    order = np.argsort(along, kind="stable")
+    known, first, uses = np.unique(along[order], return_index=True, return_counts=True)
+    place = np.minimum(np.searchsorted(known, back), len(known) - 1)
+    single = (known[place] == back) & (uses[place] == 1) & (uses[np.searchsorted(known, along)] == 1)
+    mine = np.flatnonzero(single)
+    return _connect(mine // 3, order[first[place[mine]]] // 3, len(along) // 3)
+
+
+def _join_over_vertices(start: np.ndarray, end: np.ndarray, count: int) -> np.ndarray:
+    """Return the (N,) number of each face's part, where vertices join faces; edges go from `start` to `end`, both (3 N,)."""
+    return _connect(start, end, count)[start[::3]]
+
+
+def _connect(start: np.ndarray, end: np.ndarray, count: int) -> np.ndarray:
+    """Return the (count,) int64 number of each node's part in a graph with edges from `start` to `end`."""
+    links = imported("scipy.sparse").coo_array((np.ones(len(start), np.bool_), (start, end)), (count, count))
+    return imported("scipy.sparse.csgraph").connected_components(links, directed=False)[1].astype(np.int64)

@@ -15,7 +15,7 @@ from warpsample.texture.uv.unwrapping import PADDING, MeshCharts, unwrap_meshes
 def charts_for(group: list[Primitive], mesh: Mesh, size: int) -> list[MeshCharts]:
     """Compute charts of the primitives of a group in one square image of `size` texels.
 
-    Positions are those of `load_mesh`, at the first place of each primitive.
+    Positions are those of `load_mesh`, at the first place with an area of each primitive.
     """
     return unwrap_meshes([(mesh.vertices[one.vertices], one.triangles) for one in group], size, PADDING)
 

@@ -1,0 +1,70 @@
+"""`bake` of rasters into files: a GeoTIFF without Dask, a picture, a report, and what `info` prints."""
+
+import subprocess
+import sys
+from io import BytesIO
+
+import city_files
+import numpy as np
+import pytest
+from matplotlib.image import imread
+
+rasterio = pytest.importorskip("rasterio")
+raster_cases = pytest.importorskip("raster_cases")
+
+
+@pytest.fixture
+def dsm(tmp_path, monkeypatch):
+    """A tower of 4 x 4 cells on level ground, and a cell without data."""
+    heights = np.zeros((24, 30), np.float32)
+    heights[10:14, 10:14] = 12.0
+    heights[0, 0] = np.nan
+    monkeypatch.chdir(tmp_path)
+    return raster_cases.write_tif(tmp_path / "dsm.tif", heights)
+
+
+@pytest.mark.slow
+def test_a_geotiff_needs_no_dask(dsm, call, child_environment):
+    hidden = "import sys; sys.modules.update(dict.fromkeys(('dask', 'distributed', 'zarr')))\n"
+    script = hidden + "from warpsample.cli import main; sys.argv[0] = 'warpsample'; main()"
+    given = ["bake", "dsm.tif", "-o", "alone.tif", "--quantity", "sky", "--samples", "16", "--tile", "12"]
+    command = [sys.executable, "-c", script, *given]
+    done = subprocess.run(command, check=False, env=child_environment, capture_output=True, text=True)
+    assert (done.returncode, done.stdout[:12]) == (0, "alone.tif: s"), done.stderr
+    assert call(*(name.replace("alone", "other") for name in given), "--processes", 2)[0] == 0
+    assert dsm.with_name("alone.tif").read_bytes() == dsm.with_name("other.tif").read_bytes()
+
+
+@pytest.mark.slow
+def test_a_picture_and_a_report_show_the_cells(dsm, call, can_render):
+    given = ("bake", "dsm.tif", "--quantity", "sky", "--samples", "64", "--report", "r.html")
+    status, out, err = call(*given, "-o", "sky.png")
+    assert (status, err) == (0, "")
+    assert "sky view factor of 24 x 30 cells in 1 tile" in out
+    pixels = imread(BytesIO(dsm.with_name("sky.png").read_bytes()))[..., :3]
+    assert np.count_nonzero(np.ptp(pixels, axis=-1) > 0.2) > 20_000
+    page = dsm.with_name("r.html").read_text()
+    assert "<td>without a number: " not in page.replace("<td>without a number: ", "", 1)  # the only cell without data
+    for text in ("<td>points</td><td>720</td>", "median", "<td>samples</td><td>64</td>", "data:image/png;base64,"):
+        assert text in page
+    assert sorted(path.name for path in dsm.parent.iterdir()) == ["dsm.tif", "r.html", "sky.png"]
+    assert call(*given, "-o", "sky.tif")[0] == 0
+    with rasterio.open("sky.tif") as file:
+        value = file.read(1).astype(float)
+    assert f"mean {np.nanmean(value):.4f}, from {np.nanmin(value):.4g} to {np.nanmax(value):.4g}; standard error" in out
+
+
+def test_info_describes_rasters_cities_and_parts(dsm, call, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "120")
+    status, out, err = call("info", "dsm.tif")
+    assert (status, err) == (0, "")
+    rows = {cells[1].strip(): cells[2].strip() for line in out.splitlines() if len(cells := line.split("│")) == 5}
+    assert (rows["cells"], rows["heights from, to"], rows["cells without data"]) == ("24 x 30", "0, 12", "1")
+    assert "Slovene" in rows["reference system"]
+    city_files.written(dsm.with_name("a.city.json"), city_files.house())
+    out = call("info", "a.city.json")[1]
+    assert all(text in out for text in ("type RoofSurface", "surfaces, 96 m2", "surfaces, 240 m2"))
+    lines = ["v 0 0 0", "v 1 0 0", "v 0 1 0", "o a[/b]", "f 1 2 3", "o rest", "f 1 3 2"]
+    dsm.with_name("parts.obj").write_text("\n".join(lines))
+    out = call("info", "parts.obj")[1]
+    assert all(text in out for text in ("named parts", "part a[/b]", "part rest", "faces, 0.5 square units"))
