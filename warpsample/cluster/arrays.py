@@ -29,7 +29,7 @@ _SAMPLES = {"pdf", "distance", "face", "vectors"}
 
 
 def dataset_of(job: Job) -> xr.Dataset:
-    """Build the lazy dataset of a job.
+    """Build the xarray Dataset of a job's results as Dask arrays, without computing any value.
 
     Each chunk has one task for its result, one for its points, and one for each array taken out of the result.
 
@@ -58,12 +58,12 @@ def dataset_of(job: Job) -> xr.Dataset:
 
 
 def blocks_of(job: Job) -> dict[str, list[Any]]:
-    """Return the Dask keys of the chunks of a job's input arrays, as lists by array name."""
+    """Return the Dask keys of the chunks of each input array of a job, as lists keyed by array name."""
     return {name: list(flatten(array.__dask_keys__())) for name, array in (job.given | job.rows).items()}
 
 
 def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
-    """Return (dtype, shape of a row) of each point array by name; empty if the call takes no SurfacePoints."""
+    """Return the dtype and row shape of each array of a job's SurfacePoints, keyed by name; empty without SurfacePoints."""
     if job.given:
         return {name: (array.dtype, GIVEN_ARRAYS[name][1]) for name, array in job.given.items()}
     return POINT_ARRAYS if job.call.at else {}
@@ -72,7 +72,7 @@ def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
 def _array(
     job: Job, base: HighLevelGraph, layer: str, task: tuple[Any, ...], kind: tuple[np.dtype, tuple[int, ...]]
 ) -> Array:
-    """Build one Dask array by taking an item out of every chunk's result.
+    """Build the Dask array of one named result by taking the result's item out of every chunk.
 
     Args:
         job: The job.
@@ -95,6 +95,6 @@ def _with_dimensions(arrays: dict[str, Array]) -> dict[str, tuple[tuple[str, ...
 
 
 def dimensions(name: str, count: int) -> tuple[str, ...]:
-    """Return the names of the first `count` dimensions of an array."""
+    """Return the xarray dimension names of an array with `count` dimensions, such as ("point", "sample", "axis")."""
     second = "sample" if name in _SAMPLES else "axis" if name in POINT_ARRAYS else "channel"
     return ("point", second, "axis")[:count]
