@@ -59,7 +59,7 @@ def lamp_light(
 
 
 def estimate(tree: Any, points: np.ndarray, to_lamp: bool, count: int, seed: int) -> np.ndarray:
-    """Return the irradiance at points of the floor, (P, 3), and its standard error, as (P, 2)."""
+    """Estimate the irradiance at points of the floor, (P, 3); return irradiance and standard error as (P, 2)."""
     inputs = [wp.array(points, dtype=wp.vec3, device="cpu"), tree, to_lamp, count, wp.uint64(seed)]
     out = wp.empty(len(points), dtype=wp.vec2, device="cpu")
     wp.launch(lamp_light, dim=len(points), inputs=inputs, outputs=[out], device="cpu")
@@ -67,7 +67,9 @@ def estimate(tree: Any, points: np.ndarray, to_lamp: bool, count: int, seed: int
 
 
 def scene(side: int) -> tuple[Any, np.ndarray]:
-    """Return the search tree of the bunny, with height 1 on a floor at z = 0, and points of the floor, (side^2, 3).
+    """Build the search tree of the Stanford bunny, and points of the floor on which it stands, (side^2, 3).
+
+    The bunny has height 1, and the floor is at z = 0.
 
     The points are in rows from +y to -y.
     """

@@ -184,7 +184,7 @@ _FIGURE = Template("""<h2>$title</h2>
 
 
 def make(command: str, file: Path) -> str:
-    """Run the command of a Shot in the root of the checkout, and write its picture to `file`.
+    """Make one picture of the gallery: run its command in the root of the checkout, which writes the picture to `file`.
 
     Returns:
         the command's line about the picture.

@@ -27,7 +27,9 @@ def radiance(picture: wp.array2d[wp.vec3], w: wp.vec3) -> wp.vec3:
 
 @wp.kernel(enable_backward=False)
 def reflect(picture: wp.array2d[wp.vec3], normals: wp.array[wp.vec3], alpha: float, count: int, out: wp.array[wp.vec3]):
-    """Average the light that the facets of a rough surface reflect to an eye at its normal z, weighted by its cosine.
+    """Average the light that the facets of a rough surface reflect to an eye in the direction of the normal, z.
+
+    The weight of the light is the cosine of its angle to the normal.
 
     A facet with normal h reflects the light from 2 (z.h) h - z.
     """
@@ -44,8 +46,11 @@ def reflect(picture: wp.array2d[wp.vec3], normals: wp.array[wp.vec3], alpha: flo
     out[p] = light / weight
 
 
-def reflected(picture: np.ndarray, normals: np.ndarray, alpha: float, count: int) -> np.ndarray:
-    """Return the radiance, (..., 3), that surfaces with unit normals, (..., 3), reflect of an environment, (H, W, 3)."""
+def compute_reflection(picture: np.ndarray, normals: np.ndarray, alpha: float, count: int) -> np.ndarray:
+    """Compute the radiance, (..., 3), that rough surfaces with unit normals, (..., 3), reflect from an environment map.
+
+    The map is an equirectangular picture, (H, W, 3).
+    """
     flat = wp.array(normals.reshape(-1, 3), dtype=wp.vec3, device="cpu")
     inputs = [wp.array(picture, dtype=wp.vec3, device="cpu"), flat, alpha, count]
     out = wp.empty_like(flat)
@@ -93,8 +98,8 @@ def main(
     wp.config.log_level = wp.LOG_WARNING  # no line for each kernel
     picture, columns, ball = environment(), {}, ball_directions(192)
     for alpha in ALPHAS:
-        seen = np.where(ball[..., 1:2] < 1.0, reflected(picture, ball, alpha, samples), np.nan)
-        columns[f"roughness α = {alpha:g}"] = [reflected(picture, map_directions(64), alpha, samples), seen]
+        seen = np.where(ball[..., 1:2] < 1.0, compute_reflection(picture, ball, alpha, samples), np.nan)
+        columns[f"roughness α = {alpha:g}"] = [compute_reflection(picture, map_directions(64), alpha, samples), seen]
     summary = f"{samples:,} directions for each pixel"
     rows = "map over all\ndirections", "ball with this surface"
     figure = light_sheet(columns, rows, (1.0, 2.0), f"environment as surfaces reflect it, from smooth to rough; {summary}")

@@ -47,7 +47,10 @@ def meadow() -> ws.Mesh:
 
 
 def map_points(mesh: ws.Mesh, side: float) -> tuple[ws.SurfacePoints, np.ndarray]:
-    """Return the points that an oblique map of a square about the middle shows, and the pixels with points, (R, R) bool."""
+    """Return the points of a mesh that an oblique map shows, and the mask of pixels with a point, (R, R) bool.
+
+    The map shows a square about the middle.
+    """
     middle, low, high = mesh.bounds.mean(axis=0), mesh.bounds[0, 2], mesh.bounds[1, 2] + 1.0
     off = side * ((np.arange(PIXELS) + 0.5) / PIXELS - 0.5)
     right, up = np.meshgrid(middle[0] + off, middle[1] + LEAN * low - off)
@@ -62,14 +65,14 @@ def map_points(mesh: ws.Mesh, side: float) -> tuple[ws.SurfacePoints, np.ndarray
 
 
 def irradiation_map(mesh: ws.Mesh, points: ws.SurfacePoints, shown: np.ndarray, **options: object) -> np.ndarray:
-    """Return the irradiation of the points of a map on 21 June, (R, R), kWh/m²; NaN in pixels without a point."""
+    """Compute the irradiation of the points of a map on 21 June, (R, R), kWh/m²; NaN in pixels without a point."""
     values = np.full(shown.shape, np.nan)
     values[shown] = ws.irradiation(mesh, points, period=DAY, patches="tregenza", **options).value
     return values
 
 
 def courtyards(mesh: ws.Mesh, **options: object) -> list[Map]:
-    """Return maps of a courtyard with black faces and with reflecting faces, in the same colours."""
+    """Compute maps of the irradiation of a courtyard with black faces and with reflecting faces, in the same colours."""
     side = 1.1 * float(np.ptp(mesh.bounds[:, :2], axis=0).max())
     points, shown = map_points(mesh, side)
     values = [irradiation_map(ws.as_mesh(mesh, reflectance=rho), points, shown, **options) for rho in (0.0, REFLECTANCE)]
@@ -82,7 +85,7 @@ def courtyards(mesh: ws.Mesh, **options: object) -> list[Map]:
 
 
 def shade(**options: object) -> Map:
-    """Return the map of the ground below a tree: irradiation on 21 June."""
+    """Compute the map of the irradiation of the ground below a tree on 21 June."""
     off = MEADOW * ((np.arange(PIXELS) + 0.5) / PIXELS - 0.5)
     x, y = np.meshgrid(off, -off)
     shown = np.hypot(x, y) > 1.05 * TRUNK[0][0]

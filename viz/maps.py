@@ -19,7 +19,7 @@ PIXELS = 1200  # along a side of the map of buildings
 
 
 def hills(path: Path, samples: int, seed: int) -> list[Map]:
-    """Return maps of the heights of a raster and of the visible sky of its cells."""
+    """Compute two maps of a raster: the heights, and the fraction of the sky that is visible from each cell."""
     from warpsample import rasters  # noqa: PLC0415  (an import error names the extra)
 
     surface = rasters.surface(path)
@@ -42,7 +42,10 @@ def hills(path: Path, samples: int, seed: int) -> list[Map]:
 
 
 def town(path: Path, weather: Path, side: float, seed: int) -> Map:
-    """Return the map of a year's irradiation, the mean of each roof and wall, in a square about the middle building."""
+    """Compute a map of the irradiation of a year on buildings, averaged over each roof and each wall.
+
+    The map shows a square about the middle building.
+    """
     city = ws.load_city(path, split=True)
     points = city.points(seed=seed)
     year = ws.irradiation(city.mesh, points, weather, seed=seed)
@@ -58,7 +61,7 @@ def town(path: Path, weather: Path, side: float, seed: int) -> Map:
 
 
 def seen_from_above(mesh: ws.Mesh, part: np.ndarray, side: float) -> np.ndarray:
-    """Return the part of the mesh that each pixel of an oblique map shows, (R, R); -1 where a pixel shows no face."""
+    """Return the number of the mesh part that each pixel of an oblique map shows, (R, R); -1 for no face."""
     middle = np.median(mesh.vertices[mesh.faces].mean(axis=1), axis=0)
     high = mesh.vertices[:, 2].max() + 1.0
     off = side * ((np.arange(PIXELS) + 0.5) / PIXELS - 0.5)

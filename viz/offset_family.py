@@ -38,7 +38,7 @@ def panel(
     count: int,
     seed: int,
 ) -> SetPanel:
-    """Compare the angles of `count` independent directions with their density, and return the panel of their set.
+    """Sample `count` directions of an offset set, test their angles against the density, and return the panel to draw.
 
     Args:
         title: text above the panel.

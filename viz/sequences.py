@@ -18,7 +18,7 @@ INTEGRANDS_SHOWN = ("sky gradient", "20° cap", "narrow lobe")
 
 
 def errors(names: tuple[str, ...], randomisations: int, seed: int) -> list[Convergence]:
-    """Compute the errors of means over the cosine lobe for each integrand and sequence at COUNTS samples.
+    """Compute the errors of means over the cosine lobe for each integrand and sequence, with COUNTS samples.
 
     Args:
         names: names of the integrands.
@@ -37,7 +37,10 @@ def errors(names: tuple[str, ...], randomisations: int, seed: int) -> list[Conve
 
 
 def _rmse(integrand: KnownIntegral, w: np.ndarray) -> float:
-    """Return the root mean square error of the means over directions, (randomisations, N, 3)."""
+    """Return the root mean square error, over all randomisations, of the mean of an integrand over N directions.
+
+    The directions are (randomisations, N, 3).
+    """
     means = evaluate(integrand, w).mean(axis=1, dtype=np.float64)
     return float(np.sqrt(np.mean((means - integrand.mean) ** 2)))
 

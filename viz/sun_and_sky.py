@@ -22,7 +22,7 @@ PATHS = ("12-21", "03-21", "06-21")
 
 
 def find_enclosed(points: ws.SurfacePoints, shares: np.ndarray, up: np.ndarray) -> int:
-    """Return the row of the upward-facing point that sees the least sky."""
+    """Return the row, in an array of points, of the upward-facing point that sees the least sky."""
     level = points.normal.astype(np.float64) @ up > 0.9
     return int(np.argmin(np.where(level, shares.sum(axis=1, dtype=np.float64), np.inf)))
 
@@ -33,13 +33,13 @@ def sun_angles(weather: Weather) -> np.ndarray:
 
 
 def name_day(day: str) -> str:
-    """Return a day such as "06-21" in words: "21 June"."""
+    """Convert a day such as "06-21" to words: "21 June"."""
     month, number = day.split("-")
     return f"{int(number)} {date(2000, int(month), int(number)):%B}"
 
 
 def sky_map(matrix: ws.SkyMatrix, row: int, weather: Any, day: str) -> SkyMap:
-    """Return the sky above one point, with the paths of the sun and the sun in the hours of a day."""
+    """Compute the map of the sky above one point, with the paths of the sun and the sun in the hours of a day."""
     paths = {name_day(path): sun_angles(read_weather(weather, (path, path))) for path in PATHS}
     paths = {name: path[path[:, 0] > 0.0] for name, path in paths.items()}
     patches = matrix.patches

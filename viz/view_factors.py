@@ -17,7 +17,9 @@ ABOVE = 2.0  # height of the camera: walls do not hide the ground
 
 
 def make_panels(factors: ws.ViewFactors, face: int) -> list[Panel]:
-    """Return panels with numbers at the corners of the faces, (3 F,): view factors from `face`, errors, and sky view.
+    """Compute three panels to draw: view factors from the face `face`, their standard errors, and sky view factors.
+
+    The numbers are at the corners of the faces, (3 F,).
 
     Faces that `face` does not see have NaN. The last colours are round numbers above nine of ten numbers.
     """
@@ -53,7 +55,10 @@ def outline(plotter: Any, mesh: ws.Mesh, face: int, up: str, panels: int) -> Non
 
 
 def _round_above(values: np.ndarray) -> float:
-    """Return a round number above nine of ten positive values, so that the largest do not darken the picture."""
+    """Return a round number above 90 % of the positive values, as the end of a colour bar.
+
+    The largest values would darken the picture.
+    """
     positive = values[values > 0.0]
     return rendering.round_ticks(float(np.quantile(positive, 0.9)) if positive.size else 1.0, 5)[-1]
 

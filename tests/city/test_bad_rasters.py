@@ -88,7 +88,7 @@ def array_of(values=HEIGHTS, **coordinates):
         (
             array_of().assign_attrs(scale_factor=0),
             ValueError,
-            "heights of scale 0 and offset 0, want finite ones, the scale",
+            "heights of scale 0 and offset 0, want finite numbers, and a scale",
         ),
     ],
 )
@@ -120,7 +120,7 @@ def test_a_model_and_a_receiver_that_are_none_are_refused():
         rasters.surface((HEIGHTS, UTM, None), model="mesh")
     with pytest.raises(ValueError, match="receiver: got 'tilted', want one of horizontal, surface"):
         rasters.surface((HEIGHTS, UTM, None)).points("tilted")
-    with pytest.raises(ValueError, match="source: got 1 x 4 cells, no 2 x 2 of which have heights"):
+    with pytest.raises(ValueError, match="source: got 1 x 4 cells without a block of 2 x 2 cells with heights"):
         rasters.surface((HEIGHTS[:1], UTM, None), model="tin")
     with pytest.raises(ValueError, match=r"values: got shape \(3,\), want \(12,\), a number for each cell"):
         rasters.surface((HEIGHTS, UTM, None)).to_raster(np.zeros(3), np.arange(12))
@@ -130,7 +130,7 @@ def test_what_is_too_large_is_refused_before_it_is_read(tmp_path, monkeypatch):
     monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10**9))
     huge = np.broadcast_to(np.float32(0.0), (4096, 4096))  # 4 bytes in all
     with pytest.raises(
-        MemoryError, match=r"the surface of 4,096 x 4,096 cells need 16\.8 GB and 1\.0 GB are free; take it in"
+        MemoryError, match=r"the surface of 4,096 x 4,096 cells need 16\.8 GB and 1\.0 GB are free; split it"
     ):
         rasters.surface((huge, UTM, None))
     path = tmp_path / "sparse.tif"
@@ -139,5 +139,8 @@ def test_what_is_too_large_is_refused_before_it_is_read(tmp_path, monkeypatch):
         path, "w", "GTiff", **size, transform=UTM, crs="EPSG:3794", sparse_ok=True, tiled=True, compress="deflate"
     ):
         pass
-    with pytest.raises(ValueError, match="source: got 17,000 x 17,000 cells, want 1 to 268,435,456; take it in tiles"):
+    with pytest.raises(
+        ValueError,
+        match="source: got 17,000 x 17,000 cells, want 1 to 268,435,456; split it into tiles",
+    ):
         rasters.surface(path)

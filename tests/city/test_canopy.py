@@ -175,7 +175,7 @@ def test_shares_by_date():
     ("canopy", "options", "message"),
     [
         (-np.eye(3), {}, "canopy: got heights from -1 to 0, want heights above the ground, 0 where there are no crowns"),
-        (np.ones((2, 3)), {}, "canopy: got 2 x 3 cells, want 3 x 3, those of the heights"),
+        (np.ones((2, 3)), {}, "canopy: got 2 x 3 cells, want 3 x 3, as in the raster of heights"),
         (np.ones(3), {}, r"canopy: got an array of shape \(3,\), want \(rows, columns\)"),
         (np.eye(3), {"trunk": 1.5}, "trunk: got 1.5, want a number from 0 to 1"),
         (np.eye(3), {"trunk": (np.ones((4, 3)), NORTH_UP, None)}, "trunk: got 4 x 3 cells, want 3 x 3"),
@@ -201,7 +201,7 @@ def test_what_is_said_of_crowns_without_any_is_refused(options, got):
     [
         (
             (np.eye(3), Affine.translation(0.5, 0.0) @ NORTH_UP, None),
-            "canopy: got cells that are 0.5 off those of the heights",
+            "canopy: got cells that are 0.5 away from the cells of the heights",
         ),
         ((np.eye(3), NORTH_UP, "EPSG:32633"), "canopy: got coordinates of WGS 84 / UTM zone 33N, want Slovenia"),
         ("missing.tif", "canopy: got 'missing.tif', which is missing"),
@@ -224,7 +224,7 @@ def test_crowns_without_height_are_told():
 
 
 def test_crowns_without_a_trunk_height_are_told():
-    with pytest.warns(UserWarning, match=r"^trunk: got none for 1 crowns, which then reach down to the ground$"):
+    with pytest.warns(UserWarning, match=r"^trunk: got no height for 1 crowns, which then reach down to the ground$"):
         with_crowns(np.zeros((3, 3)), np.eye(3) * 5.0, trunk=(np.diag([1.0, np.nan, 1.0]), NORTH_UP, None))
 
 

@@ -113,7 +113,7 @@ def test_the_sun_stands_by_true_north():
         assert found.value.attrs["units"] == {"sun_hours": "h", "irradiation": "kWh m-2"}[call]
         assert found.attrs["north"] == " ".join(str(item) for item in made.north)
         assert found.attrs["period"] == "03-20 03-25"
-        assert ("upwards" in found.attrs["definition"]) == (receiver == "horizontal")
+        assert ("the normal of the receiver is up" in found.attrs["definition"]) == (receiver == "horizontal")
 
 
 def sun_hours_of():

@@ -228,7 +228,7 @@ def test_crowns_beyond_the_margin_are_seen_from_a_clearing():
         ({"tile": 8, "margin": 0}, "margin: got 0"),
         ({"margin": 8}, "margin: got 8 without tile, want tile, too"),
         ({"far": "missing.tif"}, "far: got 'missing.tif', which is missing"),
-        ({"transmittance": [0.5] * 12}, "transmittance: got 12 shares for the sky view factor, want one: it has no date"),
+        ({"transmittance": [0.5] * 12}, "transmittance: got 12 shares for the sky view factor, want one share"),
         ({"trunk": 0.5}, "trunk: got 0.5 without canopy, want canopy"),
         ({"transmittance": 0.5}, "transmittance: got 0.5 without canopy, want canopy"),
         ({"model": "mesh"}, "model: got 'mesh'"),

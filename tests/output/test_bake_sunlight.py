@@ -1,6 +1,7 @@
 """`warpsample bake` of irradiation, sun hours and sky matrices: the numbers in the files, and what is refused."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -55,12 +56,14 @@ def test_irradiation_of_faces(call, athens, yard, tmp_path, monkeypatch):
     found = pv.read(output).cell_data
     for name in ("value", "standard_error", "direct", "diffuse", "ground", "rays", "status"):
         assert np.array_equal(found[name], getattr(right, name)), name
-    first, second, third, fourth, *_ = out.splitlines()
+    first, second, third, fourth, fifth, *_ = out.splitlines()
     assert first == f"{output}: irradiation of 2,080 faces"
-    assert second.startswith(f"  mean {right.value.mean():.4f} kWh/m2; standard error ")
+    ends = f"from {right.value.min():.4g} to {right.value.max():.4g}"
+    assert second.startswith(f"  mean {right.value.mean():.4f} kWh/m2, {ends}; standard error ")
     assert third.startswith(f"  {right.rays.sum():,} rays cast in ")
     skipped = right.skipped
-    assert fourth == f"  sky patches without rays: {skipped.open_patches:,} open, {skipped.closed_patches:,} closed"
+    assert re.fullmatch(r"  took \d+\.\d\d s, with reading, compiling and writing", fourth)
+    assert fifth == f"  sky patches without rays: {skipped.open_patches:,} open, {skipped.closed_patches:,} closed"
 
 
 def test_irradiation_in_columns_and_by_default_of_the_year(call, yard, tmp_path):
@@ -111,7 +114,10 @@ def test_sun_hours_of_points(call, athens, yard, tmp_path):
     found = sun_hours(yard, points, athens, period=("03-21T06", "03-21T20"), up=(0, 1, 0), north=(0, 0, -1))
     assert np.array_equal(found.to_polydata(points)["value"], right)
     assert status == 0
-    assert out.splitlines()[:2] == [f"{output}: sun hours of 50 points", f"  mean {right.mean():.4f} h"]
+    assert out.splitlines()[:2] == [
+        f"{output}: sun hours of 50 points",
+        f"  mean {right.mean():.4f} h, from {right.min():.4g} to {right.max():.4g}",
+    ]
 
 
 def test_shades_of_what_is_more_than_1_are_of_the_largest(call, tmp_path):
@@ -176,8 +182,11 @@ def test_a_sky_matrix_that_does_not_fit_is_refused(call, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["-o", "x.ply", "--quantity", "sky-matrix"], "--output: got 'x.ply', want a file that ends in one of .npz .mtx"),
-        (["-o", "x.mtx"], "--output: got 'x.mtx', want a file that ends in one of .ply .vtp .glb .npz .csv"),
+        (
+            ["-o", "x.ply", "--quantity", "sky-matrix"],
+            "--output: got 'x.ply' for sky-matrix, want a file that ends in one of .npz .mtx",
+        ),
+        (["-o", "x.mtx"], "--output: got 'x.mtx' for ao, want a file that ends in one of .ply .vtp .glb .npz .csv"),
         (["-o", "x.csv", "--quantity", "irradiation"], "--weather: got None for irradiation, want an EPW weather file"),
         (["-o", "x.csv", "--quantity", "sun-hours"], "--weather: got None for sun-hours, want an EPW weather file"),
         (["-o", "x.csv", "--weather", "a.epw"], "--weather: got a.epw for ao; it applies only to irradiation and sun-hours"),

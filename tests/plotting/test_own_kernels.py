@@ -42,7 +42,7 @@ def smooth(w):
 def test_the_roughest_surface_reflects_the_mean_irradiance(glossy):
     """For alpha = 1 the reflected directions fill the sphere evenly: the cosine-weighted mean is irradiance / pi."""
     picture, normals = smooth(glossy.map_directions(128)), unit_normals(50)
-    found = glossy.reflected(picture, normals, 1.0, 4096)
+    found = glossy.compute_reflection(picture, normals, 1.0, 4096)
     points = ws.SurfacePoints(np.zeros((50, 3)), normals)
     expected = ws.irradiance((BELOW, [[0, 1, 2]]), points, picture, 4096).value / pi
     assert np.abs(found - expected).max() <= 3e-3
@@ -50,7 +50,7 @@ def test_the_roughest_surface_reflects_the_mean_irradiance(glossy):
 
 def test_a_polished_surface_is_a_mirror(glossy):
     w = glossy.map_directions(32)
-    assert np.abs(glossy.reflected(smooth(w), w, 1e-3, 256) - smooth(w)).max() <= 0.01
+    assert np.abs(glossy.compute_reflection(smooth(w), w, 1e-3, 256) - smooth(w)).max() <= 0.01
 
 
 @pytest.mark.parametrize("alpha", [0.1, 0.3, 0.6])
@@ -60,7 +60,7 @@ def test_roughness_is_that_of_the_ggx_lobe(glossy, alpha):
     weight = np.maximum(2.0 * (1.0 - u) / (1.0 + (alpha**2 - 1.0) * u) - 1.0, 0.0)  # the cosine of what a facet reflects
     expected = (weight * weight**2).sum() / weight.sum()
     height = glossy.map_directions(512)[..., 2:]
-    found = glossy.reflected(np.repeat(height**2, 3, axis=2), np.array([[0.0, 0.0, 1.0]]), alpha, 16384)
+    found = glossy.compute_reflection(np.repeat(height**2, 3, axis=2), np.array([[0.0, 0.0, 1.0]]), alpha, 16384)
     assert found[0].tolist() == pytest.approx([expected] * 3, rel=2e-3)
 
 

@@ -18,7 +18,7 @@ from warpsample.plotting.overlay_sheet import overlay
 from warpsample.plotting.panels import Panel, fit_view
 from warpsample.plotting.sequence_sheet import Convergence, sequence_sheet
 from warpsample.plotting.sky_scene import map_patches, map_positions
-from warpsample.proof.defects import Wrong
+from warpsample.proof.defects import WrongSampler
 
 PNG_SCRIPTS = ("shirley_overlay", "offset_family", "sequences", "glossy_reflection", "direct_light")
 
@@ -66,7 +66,7 @@ def test_the_offset_family_is_what_it_says(script, plausible):
     for planar in panels[:2]:
         assert np.abs(np.linalg.norm(planar.directions, axis=1) - 1.0).max() <= 1e-6
     title, _, *rest = family.SETS[2]
-    wrong = family.panel(title, Wrong(ws.OffsetSphere(), sample=ws.OffsetBall().sample), *rest, 40_000, 1)
+    wrong = family.panel(title, WrongSampler(ws.OffsetSphere(), sample=ws.OffsetBall().sample), *rest, 40_000, 1)
     assert wrong.test.p_value < ALPHA
 
 
@@ -128,7 +128,7 @@ def test_the_overlay_is_drawn(can_render, script, tmp_path, capsys):
 
 def ball_for_sphere(module, monkeypatch):
     title, _, *rest = module.SETS[2]
-    ball = (title, Wrong(ws.OffsetSphere(), sample=ws.OffsetBall().sample), *rest)
+    ball = (title, WrongSampler(ws.OffsetSphere(), sample=ws.OffsetBall().sample), *rest)
     monkeypatch.setattr(module, "SETS", (*module.SETS[:2], ball, module.SETS[3]))
 
 

@@ -10,7 +10,7 @@ import warpsample as ws
 from warpsample.distributions.own import UserDistribution, user_distributions
 from warpsample.proof import twins
 from warpsample.proof.advice import advise
-from warpsample.proof.defects import Wrong
+from warpsample.proof.defects import WrongSampler
 from warpsample.proof.diagnosis import PARTS, Conflict, find_conflicts, find_smallest_sets
 from warpsample.proof.evidence import Subject
 from warpsample.proof.verify import Verdict
@@ -117,7 +117,7 @@ def subject_of():
                 own[where] = function
         twin = tuple(lambda _, x, f=f: f(right, x) for f in twin)
         user_distributions["on_trial"] = UserDistribution(type(right), twin)
-        return Subject("OnTrial()", Wrong(right, **own), Wrong(right, name="on_trial"))
+        return Subject("OnTrial()", WrongSampler(right, **own), WrongSampler(right, name="on_trial"))
 
     yield build
     user_distributions.clear()

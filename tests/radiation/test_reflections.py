@@ -62,13 +62,13 @@ def test_the_system_of_three_surfaces(rho):
 
 
 def one_sided(monkeypatch):
-    met = patches.Patches.met
+    find_hit = patches.Patches.find_hit
 
     def fronts(self, face, directions, *where):
         back = np.einsum("ij,ij->i", self.mesh.face_normals[face], directions) > 0.0
-        return np.where(back, -1, met(self, face, directions, *where))
+        return np.where(back, -1, find_hit(self, face, directions, *where))
 
-    monkeypatch.setattr(patches.Patches, "met", fronts)
+    monkeypatch.setattr(patches.Patches, "find_hit", fronts)
 
 
 def one_order(monkeypatch):
@@ -76,7 +76,7 @@ def one_order(monkeypatch):
 
 
 def a_factor_pi(monkeypatch):
-    monkeypatch.setattr(by_pictures, "_with_reflected", _weaker(by_pictures._with_reflected))
+    monkeypatch.setattr(by_pictures, "_add_reflected", _weaker(by_pictures._add_reflected))
 
 
 def _weaker(add):
@@ -84,7 +84,7 @@ def _weaker(add):
 
 
 def no_reflection(monkeypatch):
-    monkeypatch.setattr(by_pictures, "_with_reflected", lambda found, _more: found)
+    monkeypatch.setattr(by_pictures, "_add_reflected", lambda found, _more: found)
 
 
 @pytest.mark.parametrize("wrong", [one_sided, one_order, a_factor_pi, no_reflection])

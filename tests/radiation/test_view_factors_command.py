@@ -79,7 +79,7 @@ def test_an_interrupted_run_leaves_the_old_file(call, cube_inwards, tmp_path, mo
     output = tmp_path / "factors.npz"
     output.write_text("old")
     before = set(tmp_path.iterdir())
-    monkeypatch.setattr(casting.Casting, "_block", lambda *_: (_ for _ in ()).throw(stop))
+    monkeypatch.setattr(casting.Casting, "_cast_block", lambda *_: (_ for _ in ()).throw(stop))
     status, _, err = call("view-factors", cube_inwards, "-o", output)
     assert status != 0
     assert len(err.splitlines()) == 1

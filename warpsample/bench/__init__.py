@@ -7,5 +7,8 @@ from warpsample.host.registry import records_of
 
 
 def benchmarks() -> dict[str, Benchmark]:
-    """Return every benchmark by name: the `RECORD` of each file or folder of this room."""
+    """Return all benchmarks of the `warpsample bench` command, keyed by name.
+
+    A benchmark is the `RECORD` of a file or folder of this room.
+    """
     return dict(sorted(records_of(sys.modules[__name__]).items()))

@@ -1,4 +1,4 @@
-"""`bench city`: error and time of the visible sky in the cells of rasters, by horizons, by rays and by other tools."""
+"""`bench city`: error and time of the visible fraction of the sky in raster cells, for each tool."""
 
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -25,7 +25,7 @@ _SEED = 1 << 40  # far from the seeds of the estimates
 
 @dataclass(frozen=True)
 class CellSky(ToolRow):
-    """Error and time of one tool on one raster."""
+    """Row of `bench city`: error and time of one tool that computes the visible sky in the cells of one raster."""
 
     scene: str = column("raster")
     cells: int = column("cells")
@@ -39,7 +39,7 @@ class CellSky(ToolRow):
 
 
 def build_yard(side: int = 21, around: int = 60) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return (heights, judged cells, exact visible sky) of a square yard with walls of 20 m.
+    """Return the raster of a square yard with walls of 20 m: (heights, cells to judge, exact visible sky there).
 
     The visible sky is exact but for the sum over azimuths.
     """
@@ -55,7 +55,10 @@ def build_yard(side: int = 21, around: int = 60) -> tuple[np.ndarray, np.ndarray
 
 
 def build_slope(degrees: float = 30.0, side: int = 401) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return (heights, judged cells, exact visible sky) of a plane that rises to the east; the cells are near its middle."""
+    """Return the raster of a plane that rises to the east: (heights, cells to judge, exact visible sky there).
+
+    The cells are near the middle of the plane.
+    """
     rise = np.tan(np.radians(degrees))
     heights = rise * np.arange(side) * np.ones((side, 1))
     up = np.maximum(rise * np.cos(2.0 * np.pi * (np.arange(_AZIMUTHS) + 0.5) / _AZIMUTHS), 0.0)
@@ -65,7 +68,10 @@ def build_slope(degrees: float = 30.0, side: int = 401) -> tuple[np.ndarray, np.
 
 
 def load_terrain(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return (heights, judged cells, visible sky) of a raster, by 16,384 rays per judged cell on the triangulated raster."""
+    """Read a raster of heights and return (heights, cells to judge, reference visible sky there).
+
+    The reference traces 16,384 rays per judged cell on the triangulated raster.
+    """
     from warpsample import rasters
 
     surface = rasters.surface(path, model="tin")
@@ -76,7 +82,10 @@ def load_terrain(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def build_sky(tool: str, scene: str, raster: Path | None, workers: int) -> ChildJob:
-    """Build a tool's visible sky in all cells of a raster; the report has the errors in the judged cells."""
+    """Build the job that computes the visible sky in all cells of a raster with one tool.
+
+    The job's report has the errors in the judged cells.
+    """
     heights, cells, right = SCENES[scene]() if raster is None else load_terrain(raster)
     library, make, _ = RASTER_TOOLS[tool]
     model = {"model": "tin"} if raster is not None and library == "warpsample" else {}
@@ -105,7 +114,7 @@ def measure(
     ] = None,
     repeats: Repeats = 3,
 ) -> RowsByPart:
-    """Measure one raster after the other."""
+    """Measure the visible sky of rasters with all tools, one raster after the other; return the rows."""
     scenes: dict[str, Path | None] = dict.fromkeys(SCENES)
     scenes |= {} if raster is None else {raster.name: raster}
     rows = [row for name in track(scenes, len(scenes)) for row in measure_scene(name, scenes[name], repeats)]
@@ -113,7 +122,7 @@ def measure(
 
 
 def measure_scene(scene: str, raster: Path | None, repeats: int) -> list[CellSky]:
-    """Compare all tools on one raster, with alternating runs."""
+    """Measure all tools on one raster, with alternating runs; return one row per tool."""
     heights = SCENES[scene]()[0] if raster is None else load_terrain(raster)[0]
     case = {"scene": scene, "workers": check_workers(None)}
     turns = run_tools(build_sky, RASTER_TOOLS, repeats, raster=raster, **case)

@@ -1,4 +1,4 @@
-"""`bench cluster`: processes against threads, the cost of a chunk over Dask, and a plan for 10^9 points."""
+"""`bench cluster`: processes compared with threads, the cost of a chunk over Dask, and a plan for 10^9 points."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -28,7 +28,10 @@ PLANNED = 10**9
 
 @dataclass(frozen=True)
 class WayTime(Timed):
-    """Time of one way to use two cores, on ambient occlusion of the bunny with 256 rays per point."""
+    """Row of `bench cluster`: time of ambient occlusion of the bunny on two cores, by two threads or two processes.
+
+    Each point casts 256 rays.
+    """
 
     way: str = column("way")
     points: int = column("points")
@@ -38,7 +41,10 @@ class WayTime(Timed):
 
 @dataclass(frozen=True)
 class Overhead:
-    """Cost of one more chunk with two processes, in the client, the scheduler and the workers together."""
+    """Row of `bench cluster`: cost of one more chunk of work over Dask with two processes.
+
+    The cost includes the client, the scheduler and the workers.
+    """
 
     chunk: str = column("chunk")
     milliseconds: Spread = column("ms")
@@ -46,7 +52,7 @@ class Overhead:
 
 @dataclass(frozen=True)
 class PlannedHours:
-    """Planned hours for 10^9 points with 256 rays each, extrapolated from the other parts."""
+    """Row of `bench cluster`: planned hours for 10^9 points with 256 rays each, extrapolated from the other rows."""
 
     threads: int = column("threads")
     hours: float = column("hours", show=format_digits)
@@ -54,7 +60,10 @@ class PlannedHours:
 
 
 def plan_hours(rows: RowsByPart) -> list[PlannedHours]:
-    """Compute the hours with 1 to 16,384 threads, from whole rounds of chunks and from the scheduler's rate."""
+    """Compute the planned hours for 10^9 points with 1 to 16,384 threads.
+
+    The hours follow from whole rounds of chunks and from the scheduler's rate.
+    """
     way, overhead = rows["ways"][-1], max(1e-6, rows["overheads"][-1].milliseconds.median / 1e3)
     chunks, chunk_seconds = ceil(PLANNED / CHUNK), 2 * way.duration.median * CHUNK / way.points
     at_most = max(1, int(chunk_seconds / overhead))
@@ -76,7 +85,7 @@ def measure(
     points: Annotated[int, typer.Option(help="Number of points of the timed call.", min=1000)] = 262_144,
     repeats: Repeats = 3,
 ) -> RowsByPart:
-    """Measure each part in separate processes, with alternating runs.
+    """Measure run times and the overhead of Dask, each in separate processes with alternating runs; return the rows.
 
     Raises:
         ModuleNotFoundError: Dask is missing; names the extra.

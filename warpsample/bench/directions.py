@@ -1,4 +1,4 @@
-"""`bench directions`: directions per second of every map and sequence into an existing array, beside NumPy's fill."""
+"""`bench directions`: directions per second of every map and sequence, compared with filling the array by NumPy."""
 
 import re
 from collections.abc import Callable
@@ -37,7 +37,10 @@ def shorten_distribution(distribution: str) -> str:
 
 @dataclass(frozen=True)
 class DirectionSpeed(Timed):
-    """Speed of one map or sequence. Maps use 64 independent samples; sequences use the polar cosine lobe."""
+    """Row of `bench directions`: directions per second of one map or sequence.
+
+    Maps use 64 independent samples; sequences use the polar cosine lobe.
+    """
 
     table: str = column("table")
     distribution: str = column(
@@ -65,13 +68,16 @@ def measure(
     ] = 65_536,
     repeats: Repeats = 15,
 ) -> RowsByPart:
-    """Time every map with 64 samples, and every sequence with the cosine lobe."""
+    """Time the sampling of directions by every map with 64 samples, and by every sequence with the cosine lobe."""
     chosen = list_groups(points)
     return {"rows": [row for group in track(chosen, len(chosen)) for row in measure_group(*group, repeats)]}
 
 
 def list_maps() -> list[Distribution]:
-    """Return the cosine lobe by every method, then a typical case of every other distribution, planar ones last."""
+    """Return the distributions to time: every method of the cosine lobe, then a typical case of each other one.
+
+    Planar distributions come last.
+    """
     all_cases = [distributions.get(name).cases() for name in distributions.names()]
     chosen = [
         case for cases in all_cases for case in (cases if cases[0] == CosineHemisphere() else [cases[len(cases) // 2]])
@@ -80,7 +86,7 @@ def list_maps() -> list[Distribution]:
 
 
 def list_groups(points: int) -> list[tuple[str, int, int, list[Any]]]:
-    """Return groups (table, points, samples, cases) of alternating runs.
+    """Return the groups of cases to time in alternation, as tuples (table, points, samples, cases).
 
     A case is (map, sequence, workers, with pdf).
 
@@ -98,7 +104,7 @@ def list_groups(points: int) -> list[tuple[str, int, int, list[Any]]]:
 
 
 def measure_group(table: str, points: int, samples: int, cases: list[Any], repeats: int) -> list[DirectionSpeed]:
-    """Time the cases in alternation, with a fill of the array after each case; return one row per case and fill."""
+    """Time cases of sampling in alternation, with a fill of the array after each; return a row per case and fill."""
     normals = np.random.default_rng(SEED).normal(size=(points, 3)).astype(np.float32)
     out = np.zeros((points, samples, 3), np.float32)
     fill = partial(out.fill, 0.0)

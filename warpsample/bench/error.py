@@ -1,4 +1,4 @@
-"""`bench error`: error of means of known integrals against run time, for every sequence."""
+"""`bench error`: error of the means of known integrals compared with run time, for every sequence."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -24,7 +24,7 @@ _LEAST_WORK = (
 
 @dataclass(frozen=True)
 class ErrorPoint(Timed):
-    """Error and run time of one sequence on one integrand with one number of samples."""
+    """Row of `bench error`: error and run time of one sequence on one integrand with one number of samples."""
 
     integrand: str = column("integrand")
     sequence: str = column("sequence")
@@ -39,7 +39,7 @@ _INTEGRANDS = {i.name: f"{i.name} ({i.kind}), mean {i.mean:.6f}" for i in INTEGR
 
 @dataclass(frozen=True)
 class TimeToTarget:
-    """Time of one sequence to an RMSE on one integrand."""
+    """Row of `bench error`: time that one sequence takes to reach a target RMSE on one integrand."""
 
     integrand: str = column("integrand", show=_INTEGRANDS.get)
     sequence: str = column("sequence")
@@ -51,16 +51,19 @@ class TimeToTarget:
 
 
 def fit_slope(points: list[ErrorPoint]) -> float | None:
-    """Fit the slope of log RMSE over log N for N >= 16; return None with fewer than two points above the floor."""
+    """Fit the convergence rate of a sequence: the slope of log RMSE over log N for N >= 16.
+
+    Return None with fewer than two points above the floor.
+    """
     logarithms = [(log(p.count), log(p.rmse)) for p in points if p.count >= 16 and p.rmse > FLOOR]
     return float(np.polyfit(*np.array(logarithms).T, 1)[0]) if len(logarithms) > 1 else None
 
 
 def estimate_time(points: list[ErrorPoint], rmse: float) -> tuple[float, bool] | None:
-    """Return (microseconds to that RMSE, True if outside the measured counts); None if the RMSE is out of reach.
+    """Return the time to reach an RMSE: (microseconds, True if extrapolated beyond the measured sample counts).
 
-    Between two counts, interpolate linearly in logarithms. Beyond the last count, extrapolate by the fitted slope. Below the
-    first count, return the time of the first count.
+    Return None if the RMSE is out of reach. Between two counts, interpolate linearly in logarithms. Beyond the last count,
+    extrapolate by the fitted slope. Below the first count, return the time of the first count.
     """
     for a, b in pairwise(points):
         if a.rmse >= rmse >= b.rmse:
@@ -77,7 +80,7 @@ def estimate_time(points: list[ErrorPoint], rmse: float) -> tuple[float, bool] |
 
 
 def list_times(points: list[ErrorPoint], rmse: float) -> list[TimeToTarget]:
-    """Return the time to an RMSE for each sequence and integrand, as text."""
+    """Return the rows with the time of each sequence to reach an RMSE on each integrand."""
     rows = []
     for case, group in group_rows(points, "integrand sequence").items():
         time = estimate_time(group, rmse)
@@ -96,7 +99,7 @@ def measure(
     largest: Annotated[int, typer.Option(help="Maximum number of samples of an estimate.", min=16)] = 65_536,
     repeats: Repeats = 7,
 ) -> RowsByPart:
-    """Measure one integrand after the other; the sequences alternate."""
+    """Measure the errors and times of all sequences, one integrand after the other; the sequences alternate."""
     cases = [_measure_integrand(i, randomisations, largest, repeats) for i in track(INTEGRANDS, len(INTEGRANDS))]
     points = [point for points in cases for point in points]
     return {"points": points, "times": list_times(points, rmse)}

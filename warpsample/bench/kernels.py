@@ -35,7 +35,7 @@ _TOTAL = 1 << 22  # directions of a timed run
 
 @dataclass(frozen=True)
 class WayCost(Timed):
-    """Cost of one way to a result, on one thread."""
+    """Row of `bench kernels`: cost of one method to compute a result, such as a user-defined kernel, on one thread."""
 
     way: str = column("way")
     scene: str = column("mesh")
@@ -52,7 +52,10 @@ def gradient(w: wp.vec3) -> float:
 
 @wp.kernel(module="unique", enable_backward=False, module_options={"cpu_compiler_flags": wide_flags()})
 def occlusion(tree: Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3], count: int, out: wp.array[float]):
-    """Estimate ambient occlusion: the kernel of the `tracing` README, with the compiler flag given there."""
+    """Estimate ambient occlusion in a user-defined kernel, as in the README of `tracing`.
+
+    The kernel is built with the compiler flag given there.
+    """
     p = wp.tid()
     frame = frame_about(normal[p])
     origin = offset_origin(tree, position[p], normal[p])
@@ -69,7 +72,7 @@ def measure(
     points: Annotated[int, typer.Option(help="Number of points on each mesh, placed uniformly by area.", min=64)] = 8192,
     repeats: Repeats = 15,
 ) -> RowsByPart:
-    """Time all ways to each result, alternating."""
+    """Time user-defined integrands and kernels and the built-in calls in alternation; return the rows."""
     groups = [("", count, build_means(count)) for count in COUNTS]
     groups += [(scene, RAYS, build_occlusions(scene, points)) for scene in SCENES]
     rows = []
@@ -84,7 +87,7 @@ def measure(
 
 
 def build_means(count: int) -> dict[str, Callable[[], object]]:
-    """Build the ways to the mean of a cheap function over the cosine lobe.
+    """Build one function per method that computes the mean of a cheap integrand over the cosine lobe.
 
     The ways are a fused call, directions alone into an array, and directions with a mean by NumPy.
     """
@@ -106,7 +109,10 @@ def _sample(normals: np.ndarray, count: int, out: np.ndarray | None = None) -> n
 
 
 def build_occlusions(scene: str, points: int) -> dict[str, Callable[[], object]]:
-    """Build the ways to ambient occlusion: a user-defined kernel, and the built-in call with and without skipping."""
+    """Build functions that compute ambient occlusion: by a user-defined kernel, and by the built-in call.
+
+    The built-in call runs with and without skipping.
+    """
     mesh = SCENES[scene]()
     at = sample_surface(mesh, points, seed=SEED)
     ray_tree = tree(mesh)

@@ -1,4 +1,4 @@
-"""`bench light`: light reflected or transmitted by faces, by warpsample, Mitsuba and Radiance, to the same error."""
+"""`bench light`: time of warpsample, Mitsuba and Radiance to compute reflected or transmitted light to the same error."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ _MOST_RMSE = 0.01  # RMSE of the mean of the runs; a wrong factor pi or one orde
 
 @dataclass(frozen=True)
 class LightTime(ToolRow):
-    """Time and error of one tool for light reflected or transmitted by the faces of a city."""
+    """Row of `bench light`: time and error of one tool for light that the faces of a city reflect or transmit."""
 
     task: str = column("light by")
     faces: int = column("faces")
@@ -53,7 +53,10 @@ class LightTime(ToolRow):
 
 
 def build_lit_city(task: str, side: int, points: int) -> tuple[Mesh, SurfacePoints]:
-    """Build a city of side x side blocks for a task, and points on it: uniform by area, in the order of the faces."""
+    """Build a city whose faces reflect or transmit, as a task requires, and points on the city.
+
+    The city has side x side blocks. The points are uniform by area, in the order of the faces.
+    """
     mesh = build_mesh(f"city {side}")
     ((name, share),) = TASKS[task].items()
     chosen = np.random.default_rng(SEED).random(len(mesh.faces) // 2).repeat(2) < (
@@ -64,7 +67,10 @@ def build_lit_city(task: str, side: int, points: int) -> tuple[Mesh, SurfacePoin
 
 
 def build_light(tool: str, task: str, side: int, *, points: int, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
-    """Build a tool's irradiance of a city; the report compares the irradiance with the reference."""
+    """Build the job that computes the irradiance at points of a city with one tool.
+
+    The job's report compares the irradiance with the reference.
+    """
     scene, make = build_lit_city(task, side, points), LIGHT_TOOLS[tool].make
     run = make(*scene, workers)
     fixed = build_stopwatch(lambda: run(_FEWEST, 1))
@@ -89,14 +95,17 @@ def measure(
     rays: Annotated[int, typer.Option(help="Number of rays per point.", min=64)] = 1024,
     repeats: Repeats = 3,
 ) -> RowsByPart:
-    """Measure both tasks with all threads."""
+    """Measure the tasks of reflected and transmitted light with all threads; return the rows."""
     tools, workers = list(LIGHT_TOOLS), check_workers(None)
     case_sizes = {"side": side, "points": points, "rays": rays, "workers": workers}
     return {"rows": [row for task in track(TASKS, len(TASKS)) for row in compare(task, tools, repeats, **case_sizes)]}
 
 
 def compare(task: str, tools: Sequence[str], repeats: int, **case_sizes: int) -> list[LightTime]:
-    """Compare tools at one task with alternating runs; the reference is warpsample with 16,384 rays and four runs."""
+    """Measure several tools at one task (reflected or transmitted light), with alternating runs.
+
+    The reference is warpsample with 16,384 rays and four runs.
+    """
     mesh, at = build_lit_city(task, case_sizes["side"], case_sizes["points"])
     right = LIGHT_TOOLS[OURS].make(mesh, at, case_sizes["workers"])(_REFERENCE_RAYS, _RUNS).mean(axis=0, dtype=float)
     turns = run_tools(build_light, tools, repeats, task=task, reference=right, **case_sizes)

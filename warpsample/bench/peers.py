@@ -1,4 +1,4 @@
-"""`bench peers`: 64 directions of the cosine lobe at each normal by other tools, alternating, one process per tool."""
+"""`bench peers`: time of other tools to sample 64 cosine-weighted directions at each normal, one process per tool."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ _MOST_DEVIATION = 4.5  # standard errors; 13 tools with 7 means each exceed this
 
 @dataclass(frozen=True)
 class PeerSpeed(ToolRow):
-    """Speed of one tool, and the deviation of its means."""
+    """Row of `bench peers`: directions per second of one tool, and the deviation of its means."""
 
     library: str = optional_column("version")
     threads: int = optional_column("threads")
@@ -40,7 +40,10 @@ class PeerSpeed(ToolRow):
 
 
 def build_directions(tool: str, points: int, workers: int) -> ChildJob:
-    """Build the job of one tool; its report judges the means of all integrands."""
+    """Build the job that samples directions with one tool.
+
+    The job's report judges the means of all integrands.
+    """
     normals = np.random.default_rng(SEED).normal(size=(points, 3))
     normals = (normals / np.linalg.norm(normals, axis=1, keepdims=True)).astype(np.float32)
     work, result = DIRECTIONS[tool].make(normals, SAMPLES, workers)
@@ -55,7 +58,10 @@ def build_directions(tool: str, points: int, workers: int) -> ChildJob:
 
 
 def find_worst_deviation(means: Iterable[tuple[np.ndarray, float]]) -> float:
-    """Return the largest deviation in standard errors over pairs (values, exact mean); NaN if a value is NaN."""
+    """Return the largest deviation of estimates from their exact mean, in standard errors.
+
+    Each pair holds (estimates, exact mean). The result is NaN if an estimate is NaN.
+    """
     errors = [
         (v.mean(dtype=np.float64) - exact, v.std(dtype=np.float64) / np.sqrt(len(v)) + _ROUNDING) for v, exact in means
     ]
@@ -63,7 +69,7 @@ def find_worst_deviation(means: Iterable[tuple[np.ndarray, float]]) -> float:
 
 
 def judge(tool: Tool, workers: int, worst: float) -> dict[str, Any]:
-    """Return the fields of a row for a tool with the worst deviation `worst`, in standard errors."""
+    """Return the fields of a row: version, threads, worst deviation in standard errors, and whether the tool agrees."""
     return {
         "library": f"{tool.library} {version(tool.library)}",
         "threads": workers if tool.threaded else 1,
@@ -78,12 +84,12 @@ def measure(
     points: Annotated[int, typer.Option(help="Number of normals, with 64 directions each.", min=1)] = 65_536,
     repeats: Repeats = 15,
 ) -> RowsByPart:
-    """Compare all tools, with alternating runs."""
+    """Measure the sampling speed of all tools, with alternating runs; return the rows."""
     return {"rows": compare(list(track(DIRECTIONS, len(DIRECTIONS))), points, repeats)}
 
 
 def compare(tools: Iterable[str], points: int, repeats: int) -> list[PeerSpeed]:
-    """Compare some tools with alternating runs; the first tool is the baseline."""
+    """Measure the sampling speed of the given tools with alternating runs; the first tool is the baseline."""
     turns = run_tools(build_directions, tools, repeats, points=points, workers=check_workers(None))
     baseline = next(iter(turns.seconds.values()))
 

@@ -1,4 +1,4 @@
-"""Pictures of benchmark rows: curves with column headings as labels."""
+"""Pictures of benchmark results: curves whose labels are column headings."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -26,7 +26,9 @@ _MOST_ACROSS = 5  # plots side by side
 
 @dataclass(frozen=True)
 class Picture:
-    """Layout of a part's rows as a picture. Several fields are one text, separated by blanks.
+    """Layout of one picture of a benchmark: the rows and fields that it shows.
+
+    Several fields are one text, separated by blanks.
 
     Attributes:
         name: name of the file.
@@ -52,7 +54,7 @@ class Picture:
 
 
 def check_matplotlib(argument: str) -> None:
-    """Raise an error if matplotlib is missing, before minutes of work.
+    """Raise an error if matplotlib is missing, before a benchmark runs for minutes.
 
     Raises:
         ModuleNotFoundError: matplotlib is missing; the message explains how to install it.
@@ -73,7 +75,7 @@ def save_figures(figures: dict[str, "Figure"], folder: Path, source: str = "") -
 
 
 def draw_figure(picture: Picture, rows: list[Any], caption: str) -> "Figure":
-    """Draw the figure of a picture: one plot for each panel, and a caption below."""
+    """Draw the figure of a benchmark's rows: one plot for each panel, and a caption below."""
     from matplotlib.figure import Figure
 
     rows = [row for row in picture.where(rows) if None not in _get_values(picture, row)]
@@ -105,7 +107,7 @@ def draw_figure(picture: Picture, rows: list[Any], caption: str) -> "Figure":
 
 
 def _get_values(picture: Picture, row: Any) -> list[Any]:
-    """Return the x value and each y value of a row."""
+    """Return the x value and all y values of a benchmark row, as a picture plots them."""
     x = picture.x(row) if callable(picture.x) else getattr(row, picture.x)
     return [x, *(getattr(row, name) for name in picture.y.split())]
 
@@ -116,7 +118,7 @@ def _list_titles(picture: Picture, rows: list[Any]) -> list[str]:
 
 
 def _get_label(picture: Picture, rows: list[Any], name: str) -> str:
-    """Return the label of a field: from LABELS, or the heading of its column."""
+    """Return the label of a field of a picture: from LABELS, or the heading of its column."""
     if (picture.name, name) in LABELS:
         return LABELS[picture.name, name]
     columns = get_columns(type(rows[0]))
@@ -124,7 +126,10 @@ def _get_label(picture: Picture, rows: list[Any], name: str) -> str:
 
 
 def _draw_curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> None:
-    """Draw a curve through the medians of each series, with whiskers where there is a spread; bars over an x of texts."""
+    """Draw a curve through the medians of each series, with whiskers where repeats differ.
+
+    Draw bars instead if the x values are texts.
+    """
     if isinstance(_get_values(picture, rows[0])[0], str) and isinstance(getattr(rows[0], name), Spread):
         bars = {LABELS.get((picture.name, of), of): mine for (of,), mine in group_rows(rows, picture.series).items()}
         draw_bars(axes, {of: {getattr(row, picture.x): getattr(row, name) for row in mine} for of, mine in bars.items()})
@@ -146,17 +151,20 @@ def _draw_curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> 
 
 
 def _choose_marker(label: str, number: int) -> str:
-    """Return the marker of a sequence, the same in all pictures; for other labels one by the number of the series."""
+    """Return the plot marker of a sequence, the same in all pictures.
+
+    For other labels, return the marker of the given series number.
+    """
     return sequences.get(label).marker if label in sequences.names() else _MARKERS[number % len(_MARKERS)]
 
 
 def _choose_colour(label: str) -> str | None:
-    """Return the colour of a sequence, the same in all pictures; None for other labels."""
+    """Return the plot colour of a sequence, the same in all pictures; None for other labels."""
     return sequences.get(label).colour if label in sequences.names() else None
 
 
 def _draw_legend(figure: "Figure", grid: Any, title: str | None) -> None:
-    """Draw one legend for all plots if there is more than one curve."""
+    """Draw one legend for all plots of a figure if there is more than one curve."""
     named = {label: handle for axes in grid.ravel() for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)}
     if len(named) > 1:
         figure.legend(named.values(), named, loc="outside right center", frameon=False, fontsize=10, title=title)

@@ -1,4 +1,4 @@
-"""`bench radiation`: cost of sky matrices and sun positions beside Radiance and Mitsuba, and of a year's irradiation."""
+"""`bench radiation`: cost of sky matrices, sun positions and a year's irradiation, with Radiance and Mitsuba."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -39,7 +39,10 @@ _FEWEST, _FIXED_RUNS, _RUNS, _FEWER = 2, 3, 2, 4
 
 @dataclass(frozen=True)
 class SkyTime(ToolRow):
-    """Time and error of one tool's matrix of 145 sky patches on one scene, with 1,024 rays per point."""
+    """Row of `bench radiation`: time and error of one tool for the matrix of 145 sky patches on one scene.
+
+    Each point casts 1,024 rays.
+    """
 
     scene: str = column("scene")
     workers: int = column("threads")
@@ -62,7 +65,10 @@ class SkyTime(ToolRow):
 
 @dataclass(frozen=True)
 class SunTime(ToolRow):
-    """Time of one tool for the suns of a year, whether in front of or behind the points."""
+    """Row of `bench radiation`: time of one tool to test a year of sun positions from all points of one scene.
+
+    Suns behind the points count, too.
+    """
 
     scene: str = column("scene")
     workers: int = column("threads")
@@ -79,7 +85,10 @@ class SunTime(ToolRow):
 
 @dataclass(frozen=True)
 class YearTime(ToolRow):
-    """Time of a year's irradiation of a scene, with the sun of each hour and 2,305 patches, in a separate process."""
+    """Row of `bench radiation`: time of a year's irradiation of a scene, in a separate process.
+
+    The computation uses the sun of each hour and 2,305 sky patches.
+    """
 
     scene: str = column("scene")
     workers: int = column("threads")
@@ -94,7 +103,10 @@ class YearTime(ToolRow):
 
 
 def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
-    """Build a tool's sky matrix of Tregenza's patches; the report compares the matrix with the reference."""
+    """Build the job that computes the matrix of Tregenza's sky patches with one tool.
+
+    The job's report compares the matrix with the reference.
+    """
     make = SKY_TOOLS[tool].make
     mesh, at = sample_clear_points(scene, points)
     run = make(mesh, at, workers)
@@ -117,7 +129,10 @@ def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, re
 
 
 def compute_errors(runs: np.ndarray, right: np.ndarray) -> tuple[float, float, float]:
-    """Return (mean square error of a run, variance of the mean of the runs, mean square error of that mean)."""
+    """Return the mean square errors of one run and of the mean of all runs, and the variance of that mean.
+
+    The order is (mean square error of a run, variance of the mean, mean square error of the mean).
+    """
     runs = runs.astype(np.float64)
     mean = runs.mean(axis=0)
     variance = np.mean(runs.var(axis=0, ddof=1)) / len(runs)
@@ -125,15 +140,18 @@ def compute_errors(runs: np.ndarray, right: np.ndarray) -> tuple[float, float, f
 
 
 def build_sun(tool: str, scene: str, points: int, *, workers: int, reference: np.ndarray) -> ChildJob:
-    """Build a tool's test of a year's suns; the report compares the result with the reference (P, T) bool."""
+    """Build the job that tests which suns of a year the points see, with one tool.
+
+    The job's report compares the result with the reference (P, T) bool.
+    """
     work, lit = keep_last_result(SUN_TOOLS[tool].make(*sample_clear_points(scene, points), compute_year_of_suns(), workers))
     return ChildJob(work, lambda: {"different": float(np.mean(lit() != reference))})
 
 
 def build_year(tool: str, scene: str, points: int, workers: int) -> ChildJob:
-    """Build a year of `irradiation` under 2,305 patches; `tool` is the weather.
+    """Build the job that computes a year of `irradiation` under 2,305 sky patches.
 
-    The report has the peak memory and the seconds for 16 points.
+    The argument `tool` is the weather. The report has the peak memory and the seconds for 16 points.
     """
     mesh, at = sample_clear_points(scene, points)
     year = partial(irradiation, mesh, weather=tool, patches="reinhart4", workers=workers)
@@ -142,7 +160,10 @@ def build_year(tool: str, scene: str, points: int, workers: int) -> ChildJob:
 
 
 def compute_sky_reference(mesh: Mesh, points: SurfacePoints, workers: int) -> np.ndarray:
-    """Compute the reference (P, 145) float64 by `sky_matrix` with 65,536 rays in place of 1,024, and another seed."""
+    """Compute the reference sky matrix (P, 145) float64 by `sky_matrix` with 65,536 rays per point.
+
+    The tools use 1,024 rays per point and another seed.
+    """
     matrix = sky_matrix(mesh, points, _REFERENCE_RAYS, seed=_REFERENCE_SEED, workers=workers)
     return matrix.value.astype(np.float64)
 
@@ -155,7 +176,10 @@ def measure(
     year_points: Annotated[int, typer.Option(help="Number of points of the year's irradiation.", min=64)] = 4096,
     repeats: Repeats = 3,
 ) -> RowsByPart:
-    """Measure one scene after the other; the hills have no suns, and the first scene has a year."""
+    """Measure sky matrices, sun positions and a year's irradiation on each scene; return the rows.
+
+    The hills have no suns, and only the first scene has a year.
+    """
     names = scene or list(DEFAULT_SCENES)
     rows: RowsByPart = {"sky": [], "sun": []}
     threads = sorted({1, check_workers(None)})
@@ -168,7 +192,7 @@ def measure(
 
 
 def compare_skies(scene: str, points: int, workers: int, repeats: int, tools: Sequence[str]) -> list[SkyTime]:
-    """Compare the tools' sky matrices, with alternating runs."""
+    """Measure the sky matrices of several tools on one scene, with alternating runs."""
     right = compute_sky_reference(*sample_clear_points(scene, points), workers)
     turns = run_tools(build_sky, tools, repeats, scene=scene, workers=workers, points=points, rays=RAYS, reference=right)
 
@@ -188,7 +212,7 @@ def compare_skies(scene: str, points: int, workers: int, repeats: int, tools: Se
 def compare_at_equal_error(
     seconds: list[float], facts: dict[str, float], ours: list[float], our_facts: dict[str, float]
 ) -> Spread:
-    """Compute the ratio of a tool's time to warpsample's time, both to the RMSE of warpsample.
+    """Compute the ratio of a tool's time to warpsample's time, both scaled to the RMSE of warpsample.
 
     The rays are extrapolated by the tool's own rate; the fixed time of a run is not.
     """
@@ -198,7 +222,7 @@ def compare_at_equal_error(
 
 
 def compare_suns(scene: str, points: int, workers: int, repeats: int, tools: Sequence[str]) -> list[SunTime]:
-    """Compare the tools on a year of suns, with alternating runs."""
+    """Measure several tools that test a year of sun positions on one scene, with alternating runs."""
     mesh, at = sample_clear_points(scene, points)
     suns = compute_year_of_suns()
     directions = np.array(np.broadcast_to(suns, (points, *suns.shape)))
@@ -217,7 +241,7 @@ def compare_suns(scene: str, points: int, workers: int, repeats: int, tools: Seq
 
 
 def measure_year(scene: str, points: int, workers: int) -> list[YearTime]:
-    """Measure the year of 16 points and then of all points, in one process."""
+    """Measure a year's irradiation of 16 points and then of all points, in one process."""
     turns = run_tools(build_year, [_WEATHER], 0, scene=scene, points=points, workers=workers)
     case = {"scene": scene, "workers": workers, "points": points}
     return turns.rows(YearTime, lambda weather: {"took": turns.seconds[weather][0], **turns.reports[weather]}, **case)

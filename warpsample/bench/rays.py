@@ -1,4 +1,4 @@
-"""`bench rays`: rays per second by warpsample, wp.Mesh, Embree and Open3D on the same rays and threads, and build times."""
+"""`bench rays`: rays per second and build times of warpsample, wp.Mesh, Embree and Open3D on the same rays."""
 
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -20,7 +20,7 @@ from warpsample.mesh.mesh import Mesh
 
 @dataclass(frozen=True)
 class RaySpeed(Timed):
-    """Speed of one tool on one set of rays."""
+    """Row of `bench rays`: rays per second of one tool on one set of rays."""
 
     scene: str = column("scene")
     triangles: int = column("triangles")
@@ -46,7 +46,10 @@ class RaySpeed(Timed):
 
 @dataclass(frozen=True)
 class BuildTime(Timed):
-    """Time of a tool from vertices and faces in memory until it can trace the first ray of a scene."""
+    """Row of `bench rays`: time of one tool to prepare a scene in memory for its first ray.
+
+    The time starts with vertices and faces in memory.
+    """
 
     scene: str = column("scene")
     triangles: int = column("triangles")
@@ -57,7 +60,7 @@ class BuildTime(Timed):
 
 @dataclass(frozen=True)
 class MissingTool:
-    """Tool that is not installed."""
+    """Row of `bench rays`: tool that is not installed, with the reason."""
 
     tool: str = column("tool")
     failure: str = column("why it did not run, and what to install")
@@ -70,7 +73,7 @@ def measure(
     rays: Annotated[int, typer.Option(help="Number of rays of each kind.", min=64)] = 131_072,
     repeats: Repeats = 5,
 ) -> RowsByPart:
-    """Measure one scene after the other; the compared runs alternate."""
+    """Measure tracing speed and build times on each scene; the compared runs alternate."""
     worker_counts = sorted({1, check_workers(None)})
     names = scene or list(SCENES)
     rows: RowsByPart = {"rows": [], "builds": []}
@@ -88,7 +91,7 @@ def measure(
 
 
 def build_tracers(mesh: Mesh, kind: str, count: int, missing: dict[str, str]) -> dict[str, RayTool]:
-    """Build the installed tools of `TRACERS`; add the reason for each missing tool to `missing`."""
+    """Build the installed ray tracers of `TRACERS`; add the reason for each missing tool to `missing`."""
     tools = {name: _tracer_or_reason(tool.make, tool.library, mesh, kind, count) for name, tool in TRACERS.items()}
     missing |= {name: tool for name, tool in tools.items() if isinstance(tool, str)}
     return {name: tool for name, tool in tools.items() if not isinstance(tool, str)}
@@ -104,7 +107,7 @@ def _tracer_or_reason(make: Any, library: str, *rays: Any) -> RayTool | str:
 def compare(
     tools: dict[str, RayTool], worker_counts: list[int], repeats: int, visited: dict[str, float], **case: Any
 ) -> list[RaySpeed]:
-    """Compare all tools on one set of rays and one query, with alternating runs.
+    """Measure the tracing speed of all tools on one set of rays and one query, with alternating runs.
 
     Args:
         tools: tools by name, with their rays; "wide" must be one of the names.

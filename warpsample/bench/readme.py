@@ -1,4 +1,4 @@
-"""Generate the tables, headlines and pictures of this room's pages from the files in `results/`.
+"""Generate the tables, headlines and pictures of the benchmark pages from the files in `results/`.
 
 `README.md` shows the first kind of processor, AVX-512, and `AVX2.md` shows every other kind. The text around the tables is
 hand-written. `python -m warpsample.bench.readme` writes both pages without a new measurement.
@@ -25,7 +25,7 @@ _PICTURE = re.compile(r"viz/bench_(\w+)\.png")
 
 
 def check_checkout(argument: str) -> None:
-    """Raise an error unless the package is a checkout whose pages, results and pictures can be written.
+    """Raise an error unless the package is a checkout whose benchmark pages and results can be written.
 
     Raises:
         ValueError: the package is installed without its pictures, or a page or folder cannot be written.
@@ -39,12 +39,15 @@ def check_checkout(argument: str) -> None:
 
 
 def list_pages() -> dict[Path, slice]:
-    """Return the pages, each with the slice of `processors` that the page shows."""
+    """Return the benchmark pages, each with the slice of processors that the page shows."""
     return {README: slice(1), README.with_name(SECOND_PAGE): slice(1, None)}
 
 
 def write_pages() -> list[Path]:
-    """Write both pages and the README's pictures, which show the first processor; return the files."""
+    """Write both benchmark pages and the README's pictures; return the files.
+
+    The pictures show the first processor.
+    """
     kinds = list_processors(RESULTS)
     text = README.read_text(encoding="utf-8")
     files = []
@@ -59,12 +62,12 @@ def write_pages() -> list[Path]:
 
 
 def find_pictures(text: str) -> list[str]:
-    """Return the names of the pictures in the text of a page."""
+    """Return the names of the pictures that the text of a benchmark page includes."""
     return list(dict.fromkeys(_PICTURE.findall(text)))
 
 
 def fill_page(text: str, folder: Path, shown: list[str]) -> str:
-    """Return the text of a page with new tables and headlines between its marks.
+    """Return the text of a benchmark page with new tables and headlines between its marks.
 
     Args:
         text: page with marks `<!-- bench NAME -->`, `<!-- headline -->` and `<!-- end -->`.
@@ -87,12 +90,12 @@ def fill_page(text: str, folder: Path, shown: list[str]) -> str:
 
 
 def list_processors(folder: Path) -> list[str]:
-    """Return the kinds of processor that `folder` holds results of, AVX-512 before AVX2."""
+    """Return the kinds of processor with results in `folder`, AVX-512 before AVX2."""
     return sorted({path.stem.rpartition("-")[2] for path in folder.glob("*.json")}, reverse=True)
 
 
 def list_headlines(processor: str, folder: Path = RESULTS) -> list[str]:
-    """Return the headlines of a processor: phrases for the start of a page, with the processor's name last."""
+    """Return a processor's headline results as phrases for the start of a page, the processor's name last."""
     results = load_results(processor, benchmarks(), folder)
     if not {"peers", "rays", "visibility"} <= results.keys():
         return []
@@ -112,7 +115,7 @@ def list_headlines(processor: str, folder: Path = RESULTS) -> list[str]:
 
 
 def describe_source(path: Path) -> str:
-    """Return the name and the SHA-256 digest of a file of results, which a picture keeps as its source."""
+    """Return the name and the SHA-256 digest of a results file, which a picture records as its source."""
     return f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
 
 

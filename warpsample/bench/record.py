@@ -1,4 +1,4 @@
-"""Record of a benchmark: the command line, result files, tables and pictures follow from it."""
+"""Declaration of a benchmark, from which its command line, result files, tables and pictures follow."""
 
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -35,7 +35,7 @@ RowsByPart = dict[str, list[Any]]
 
 @dataclass(frozen=True)
 class Result:
-    """One run of a benchmark.
+    """Result of running one benchmark: machine, settings and rows.
 
     Attributes:
         machine: machine and versions of the run.
@@ -50,7 +50,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Benchmark:
-    """A benchmark: function that measures, options, rows, tables and pictures.
+    """Declaration of a benchmark: the function that measures, its options, rows, tables and pictures.
 
     Attributes:
         name: name of the command and of the result files.
@@ -70,21 +70,21 @@ class Benchmark:
     pictures: Sequence[Picture]
 
     def has_disagreement(self, rows: RowsByPart) -> bool:
-        """Return True if a tool disagrees with the reference; the command then exits with status 1."""
+        """Return True if a tool's result disagrees with the reference; the command then exits with status 1."""
         return any(getattr(row, "agrees", None) is False for rows in rows.values() for row in rows)
 
     @property
     def options(self) -> dict[str, inspect.Parameter]:
-        """Options of the command, with their defaults."""
+        """Options of the benchmark's command, with their defaults."""
         parameters = inspect.signature(self.measure).parameters
         return {name: each for name, each in parameters.items() if each.kind is inspect.Parameter.KEYWORD_ONLY}
 
     def settings(self, **chosen: Any) -> dict[str, Any]:
-        """Return the value of every option: `chosen` where given, otherwise the default."""
+        """Return the value of every option of the benchmark: from `chosen`, otherwise the default."""
         return {name: option.default for name, option in self.options.items()} | chosen
 
     def report(self, result: Result) -> list[Table | str]:
-        """Return the command's output: every table, notes on the columns, and tools that did not run."""
+        """Return the output of the benchmark's command: all tables, column notes, and tools that did not run."""
         lines = [self.provenance(result), tables.SPREAD_NOTE]
         for view in self.views:
             rows = [row for row in result.rows[view.part] if view.where(row)]
@@ -93,7 +93,7 @@ class Benchmark:
         return [line for i, line in enumerate(lines) if line not in lines[:i]]
 
     def build_page(self, result: Result) -> list[Table | str]:
-        """Return the page's tables, then a paragraph with versions, missing tools, command and machine."""
+        """Return the benchmark's part of a page: tables, then versions, missing tools, command and machine."""
         shown = [
             table for view in self.views if view.page_rows
             for table in tables.build_tables(view, view.page_rows(list(filter(view.where, result.rows[view.part]))))
@@ -101,12 +101,12 @@ class Benchmark:
         return [*shown, " ".join([*tables.describe_tools(result.rows.values()), f"({self.provenance(result)})"])]
 
     def figures(self, result: Result, names: Sequence[str] | None = None) -> dict[str, "Figure"]:
-        """Return the pictures by name: every picture, or the pictures in `names`."""
+        """Return the benchmark's pictures as figures by name: all of them, or those in `names`."""
         chosen = [picture for picture in self.pictures if names is None or picture.name in names]
         return {each.name: pictures.draw_figure(each, result.rows[each.part], str(result.machine)) for each in chosen}
 
     def provenance(self, result: Result) -> str:
-        """Return one line with the command, its settings and the machine."""
+        """Return one line with the command that produced a result, its settings and the machine."""
         shown = {
             name: format_value(value, "g" if isinstance(value, float) else None) for name, value in result.settings.items()
         }

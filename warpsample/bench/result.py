@@ -1,4 +1,4 @@
-"""Result files of benchmarks.
+"""Files with the results of benchmarks.
 
 `bench --json` writes every repeat. The files in `results/`, the source of the pages, keep medians and quartiles to four
 digits. There is one file for each benchmark and kind of processor, with one line for each row.
@@ -18,13 +18,13 @@ RESULTS = Path(__file__).parent / "results"
 
 
 def save_repeats(path: Path, benchmark: Benchmark, result: Result) -> None:
-    """Write machine, settings and every row with all repeats to a JSON file, atomically."""
+    """Write a benchmark's result to a JSON file, atomically: machine, settings, and every row with all repeats."""
     rows = {part: [asdict(row) for row in rows] for part, rows in result.rows.items()}
     write_bytes(path, json.dumps({**_describe_run(benchmark, result), **rows}, indent=1, default=str).encode())
 
 
 def save_summary(benchmark: Benchmark, result: Result, folder: Path = RESULTS) -> Path:
-    """Write the file of medians and quartiles for this benchmark and processor; return its path."""
+    """Write a benchmark's medians and quartiles for this processor to a file; return the path."""
     path = folder / f"{benchmark.name}-{result.machine.instructions}.json"
     parts = {
         key: json.dumps(value, ensure_ascii=False, default=str) for key, value in _describe_run(benchmark, result).items()
@@ -36,7 +36,7 @@ def save_summary(benchmark: Benchmark, result: Result, folder: Path = RESULTS) -
 
 
 def load(benchmark: Benchmark, path: Path) -> Result:
-    """Read a result from a file of `save_summary`; the rows have no repeats.
+    """Read a benchmark's result from a file written by `save_summary`; the rows have no repeats.
 
     Raises:
         ValueError: the file is damaged or from another version; names the file.
@@ -52,7 +52,7 @@ def load(benchmark: Benchmark, path: Path) -> Result:
 
 
 def load_results(instructions: str, benchmarks: dict[str, Benchmark], folder: Path = RESULTS) -> dict[str, Result]:
-    """Return the results in `folder` for one kind of processor, keyed by benchmark."""
+    """Return the benchmark results in `folder` for one kind of processor, keyed by benchmark."""
     files = {name: folder / f"{name}-{instructions}.json" for name in benchmarks}
     return {name: load(benchmarks[name], path) for name, path in files.items() if path.is_file()}
 
@@ -86,5 +86,5 @@ def _build_row(kind: type, values: list[Any], names: list[str]) -> Any:
 
 
 def _build_value(kind: Any, value: Any) -> Any:
-    """Return a JSON list as a `Spread` where the field is one, and any other value unchanged."""
+    """Convert a JSON list to a `Spread` where the field is one; return any other value unchanged."""
     return Spread(*value) if Spread in (kind, *get_args(kind)) and value is not None else value

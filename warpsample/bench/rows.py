@@ -1,4 +1,4 @@
-"""Rows of benchmarks: each field declares its column once, for the terminal, the page and the pictures."""
+"""Rows of benchmark tables; each field declares its column once, for the terminal, the page and the pictures."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import MISSING, Field, dataclass, field
@@ -23,19 +23,19 @@ class Spread:
 
     @classmethod
     def of(cls, figures: Sequence[float]) -> "Spread":
-        """Compute the median and quartiles of at least one figure."""
+        """Compute the median and quartiles of one or more numbers."""
         low, _, high = quantiles(figures, method="inclusive") if len(figures) > 1 else [figures[0]] * 3
         return cls(median(figures), low, high)
 
     @classmethod
     def of_ratios(cls, numerators: Sequence[float], denominators: Sequence[float]) -> "Spread":
-        """Compute the median and quartiles of the ratios of each round."""
+        """Compute the median and quartiles of the ratios of paired numbers, such as the times of each round."""
         return cls.of([a / b for a, b in zip(numerators, denominators, strict=True)])
 
 
 @dataclass(frozen=True)
 class Timed:
-    """Base class of rows, which are frozen dataclasses with columns as fields.
+    """Base class of benchmark rows, which are frozen dataclasses with columns as fields.
 
     Attributes:
         seconds: run time of each repeat; empty in rows from a file in `results/`.
@@ -48,7 +48,7 @@ Show = str | Callable[[Any], str] | None
 
 
 def column(heading: str, note: str = "", *, show: Show = None, default: Any = MISSING, kw_only: bool = False) -> Any:
-    """Declare a field of a row as a column.
+    """Declare a dataclass field of a benchmark row as a table column.
 
     Args:
         heading: heading of the column, with the unit.
@@ -66,7 +66,10 @@ optional_column = partial(column, default=None)
 
 @dataclass(frozen=True)
 class ToolRow(Timed):
-    """Base class of rows of one tool. The columns of results are None for a tool that did not run."""
+    """Base class of benchmark rows of one tool.
+
+    The columns of results are None for a tool that did not run.
+    """
 
     tool: str = column("tool", kw_only=True)
     version: str | None = optional_column("version", kw_only=True)
@@ -74,17 +77,17 @@ class ToolRow(Timed):
 
 
 def get_columns(kind: type) -> dict[str, Field[Any]]:
-    """Return the columns of a class of rows, keyed by field name."""
+    """Return the table columns of a class of benchmark rows, keyed by field name."""
     return {name: each for name, each in kind.__dataclass_fields__.items() if each.metadata}
 
 
 def format_field(row: Any, name: str, show: Show = None) -> str:
-    """Return a field of a row as text; `show` replaces the column's own format."""
+    """Return a field of a benchmark row as text; `show` replaces the column's own format."""
     return format_value(getattr(row, name), show or get_columns(type(row))[name].metadata["show"])
 
 
 def format_value(value: Any, show: Show = None) -> str:
-    """Return a value as text; a dash for None."""
+    """Return a value of a benchmark table as text; a dash for None."""
     if value is None:
         return "–"
     if show is not None:

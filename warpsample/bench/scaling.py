@@ -1,4 +1,4 @@
-"""`bench scaling`: cost per direction and peak memory against points, samples and workers, one process per case."""
+"""`bench scaling`: time per direction and peak memory for different numbers of points, samples and workers."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -21,7 +21,10 @@ _TOTAL = 1 << 22
 
 @dataclass(frozen=True)
 class ScaledCost(Timed):
-    """Cost of one case: Sobol' directions of the cosine lobe, computed in parts."""
+    """Row of `bench scaling`: time and memory to compute Sobol' directions of the cosine lobe in one case.
+
+    The directions are computed in parts.
+    """
 
     axis: str = column("varied")
     points: int = column("points")
@@ -34,7 +37,10 @@ class ScaledCost(Timed):
 
 
 def list_cases(largest: int) -> list[tuple[str, int, int, int]]:
-    """Return cases (axis, points, samples, workers): 1,000 to `largest` points, 1 to 4,096 samples, 1 to all workers."""
+    """Return the cases to measure as tuples (axis, points, samples, workers); `axis` names the varied number.
+
+    The points vary from 1,000 to `largest`, the samples from 1 to 4,096, and the workers from 1 to all.
+    """
     everyone = check_workers(None)
     workers = sorted({min(2**k, everyone) for k in range(everyone.bit_length() + 1)})
     return [
@@ -50,7 +56,7 @@ def measure(
     largest: Annotated[int, typer.Option(help="Maximum number of points.", min=1000)] = 100_000_000,
     repeats: Repeats = 5,
 ) -> RowsByPart:
-    """Time all cases alternately, with one process for each case."""
+    """Measure the computation of directions in all cases alternately, with one process for each case."""
     chosen = list_cases(largest)
     turns = run_tools(build_stream, track(chosen, len(chosen)), repeats)
     rows = []
@@ -61,7 +67,7 @@ def measure(
 
 
 def build_stream(tool: tuple[str, int, int, int], part: int = PART) -> ChildJob:
-    """Build the job that computes all directions of a case, part by part into one array.
+    """Build the job that computes all directions of a case, part by part, into one array.
 
     The normals repeat every 65,536 points.
     """

@@ -1,4 +1,4 @@
-"""Scenes of the benchmarks, with sets of rays and points on the scenes."""
+"""Meshes for the benchmarks, with sets of rays and points on the meshes."""
 
 from collections.abc import Callable
 from functools import cache
@@ -29,7 +29,7 @@ _LOOKS = 64  # directions per point of the test for close faces
 
 
 def bunny(subdivisions: int) -> Mesh:
-    """Load the bunny that comes with warp-lang; each subdivision splits the 12,200 triangles in four.
+    """Load the bunny mesh that comes with warp-lang; each subdivision splits its 12,200 triangles in four.
 
     Raises:
         ModuleNotFoundError: `subdivisions` is positive and trimesh is missing; the message explains how to install it.
@@ -47,7 +47,7 @@ def bunny(subdivisions: int) -> Mesh:
 
 
 def hills() -> Mesh:
-    """Load PyVista's random hills, 19,602 triangles."""
+    """Load PyVista's random hills as a mesh of 19,602 triangles."""
     try:
         from pyvista.examples import load_random_hills
     except ModuleNotFoundError:
@@ -56,7 +56,10 @@ def hills() -> Mesh:
 
 
 def city(side: int = 64) -> Mesh:
-    """Build side x side boxes of random height on a square plane: mostly long, thin, upright triangles."""
+    """Build a city mesh of side x side boxes with random heights on a square plane.
+
+    Most triangles are long, thin and upright.
+    """
     rng = np.random.default_rng(0)
     corners = np.array([[x, y, z] for z in (0.0, 1.0) for y in (0.0, 1.0) for x in (0.0, 1.0)])
     quads = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
@@ -83,7 +86,7 @@ SCENES: dict[str, Callable[[], Mesh]] = {
 
 @cache
 def build_rays(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Build about `count` rays: origins (P, 3) or (3,) and directions, float32, seed 0.
+    """Build about `count` rays of one kind for a mesh: origins (P, 3) or (3,) and directions, float32, seed 0.
 
     Args:
         mesh: mesh that the rays are made for.
@@ -114,14 +117,16 @@ def build_rays(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarra
 
 
 def sample_scene(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
-    """Return a scene and points on it: uniform by area, in the order of the faces, seed 0."""
+    """Return a scene's mesh and points on it: uniform by area, in the order of the faces, seed 0."""
     mesh = look_up(SCENES, scene, "scene")()
     samples = sample_surface(mesh, points, seed=SEED)
     return mesh, samples.take(np.argsort(samples.face, kind="stable"))
 
 
 def sample_clear_points(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
-    """Return a scene and points on it, without points that have a face in front within 10^-4 of the mesh's size.
+    """Return a scene's mesh and points on it that have no other face close in front.
+
+    Close is within 10^-4 of the mesh's size.
 
     Raises:
         ValueError: too few points remain.
@@ -138,9 +143,9 @@ def sample_clear_points(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
 
 
 def compute_year_of_suns() -> np.ndarray:
-    """Compute the directions (T, 3) float32 of the suns above the horizon, about 4,400, for the hours of a year.
+    """Compute the directions (T, 3) float32 towards the sun in each hour of a year with the sun above the horizon.
 
-    The Earth's orbit is circular; +x is east and +y is north.
+    There are about 4,400. The Earth's orbit is circular; +x is east and +y is north.
     """
     hours = np.arange(8760) + 0.5
     declination = -np.radians(_TILT) * np.cos(2.0 * np.pi * (hours / 24.0 + 10.0) / 365.0)
@@ -152,6 +157,6 @@ def compute_year_of_suns() -> np.ndarray:
 
 
 def check_scenes(names: list[str] | None) -> None:
-    """Raise a ValueError with the known names if a name is not a scene."""
+    """Raise a ValueError if a name is not that of a benchmark scene; the message lists the names."""
     for name in names or []:
         look_up(SCENES, name, "scene")

@@ -1,4 +1,4 @@
-"""`bench startup`: seconds until a new process has its first results."""
+"""`bench startup`: seconds that a new Python process takes to its first results."""
 
 import os
 import subprocess
@@ -48,7 +48,7 @@ STEPS = [step for steps in _SCRIPTS.values() for step in steps]
 
 @dataclass(frozen=True)
 class Wait(Timed):
-    """Waiting time of a new process for one step."""
+    """Row of `bench startup`: seconds that a new Python process takes for one step."""
 
     step: str = column("step")
     cache: str = column("kernel cache", show="{} cache".format)
@@ -60,14 +60,17 @@ def measure(
     *,
     repeats: Annotated[int, typer.Option(help="Number of new processes for each script and cache.", min=1)] = 5,
 ) -> RowsByPart:
-    """Start the processes one after the other and time the steps."""
+    """Measure the steps of new Python processes, one process after the other; return the rows."""
     runs = [start_processes() for _ in track(range(repeats), repeats)]
     seconds_by_case = {(step, cache): [one[cache, step] for one in runs] for step in STEPS for cache in CACHES}
     return {"waits": [Wait(*key, Spread.of(seconds), seconds=seconds) for key, seconds in seconds_by_case.items()]}
 
 
 def start_processes() -> dict[tuple[str, str], float]:
-    """Return seconds by (cache, step); each script runs in two processes, the first with a cold kernel cache."""
+    """Run each script in two new processes and return the seconds keyed by (cache, step).
+
+    The first process of a script has a cold kernel cache.
+    """
     seconds = {}
     for script, steps in _SCRIPTS.items():
         with tempfile.TemporaryDirectory(prefix="warpsample-bench-") as folder:

@@ -1,4 +1,4 @@
-"""Tables of benchmark rows, for a terminal or as Markdown for the page."""
+"""Tables of benchmark results, for a terminal or as Markdown."""
 
 import re
 from collections.abc import Callable, Iterable, Sequence
@@ -16,7 +16,7 @@ SPREAD_NOTE = "Figures are medians. Brackets: 25th to 75th percentile of the rep
 
 @dataclass(frozen=True)
 class Cell:
-    """A column of a view.
+    """Column of a benchmark table: the field that it shows, and the rows that it takes the field from.
 
     Attributes:
         field: field of the row.
@@ -31,7 +31,7 @@ class Cell:
     where: tuple[tuple[str, Any], ...] = ()
 
     def format_line(self, rows: list[Any]) -> str:
-        """Return the text of this column for the rows of a line; empty if no row matches `where`."""
+        """Return the text of this column for one line of the table; empty if no row matches `where`."""
         chosen = [row for row in rows if all(getattr(row, name) == value for name, value in self.where)]
         return format_field(chosen[0], self.field, self.show) if chosen else ""
 
@@ -42,7 +42,9 @@ def _did_run(row: Any) -> bool:
 
 @dataclass(frozen=True)
 class TableView:
-    """Layout of a part's rows as tables. Several fields are one text, separated by blanks.
+    """Layout of the tables of benchmark rows.
+
+    Several fields are one text, separated by blanks.
 
     Attributes:
         part: name of the part.
@@ -67,7 +69,7 @@ class TableView:
 
 @dataclass(frozen=True)
 class Table:
-    """Formatted texts under headings; the first `names` columns identify a line."""
+    """Formatted texts under column headings; the first `names` columns identify a line."""
 
     title: str
     headings: list[str]
@@ -76,12 +78,12 @@ class Table:
 
 
 def build_tables(view: TableView, rows: Iterable[Any]) -> list[Table]:
-    """Return the tables of a view."""
+    """Build the tables of a view from benchmark rows."""
     return [_build_table(view, key, group) for key, group in group_rows(filter(view.where, rows), view.split).items()]
 
 
 def group_rows(rows: Iterable[Any], names: str) -> dict[tuple[Any, ...], list[Any]]:
-    """Group rows by the values of the named fields, in order of first appearance."""
+    """Group benchmark rows by the values of the named fields, in order of first appearance."""
     groups: dict[tuple[Any, ...], list[Any]] = {}
     for row in rows:
         groups.setdefault(tuple(getattr(row, name) for name in names.split()), []).append(row)
@@ -89,13 +91,13 @@ def group_rows(rows: Iterable[Any], names: str) -> dict[tuple[Any, ...], list[An
 
 
 def select_all_workers(rows: list[Any]) -> list[Any]:
-    """Return the rows with the highest number of workers."""
+    """Return the benchmark rows with the highest number of workers."""
     most = max((row.workers for row in rows), default=0)
     return [row for row in rows if row.workers == most]
 
 
 def list_notes(view: TableView, rows: list[Any]) -> list[str]:
-    """Return one sentence for each column of a view that has a note."""
+    """Return one sentence for each column of a table view that has an explanatory note."""
     columns = get_columns(type(rows[0])) if rows else {}
     names = dict.fromkeys([*view.lines.split(), *(cell.field for cell in _list_cells(view))])
     described = [(columns[name].metadata["heading"], columns[name].metadata["note"]) for name in names if name in columns]
@@ -119,7 +121,7 @@ def describe_tools(parts: Iterable[list[Any]]) -> list[str]:
 
 
 def _drop_settings(tool: str) -> str:
-    """Return the name of a tool without settings: "Blender" of "Blender, 64 rays"."""
+    """Return the name of a tool without its settings: "Blender" for "Blender, 64 rays"."""
     return tool.partition(",")[0]
 
 
@@ -153,7 +155,7 @@ def _list_cells(view: TableView) -> list[Cell]:
 
 
 def _repeat_across(view: TableView, rows: list[Any]) -> list[Cell]:
-    """Return the cells with headings, repeated for each combination of values of the `across` fields."""
+    """Return the columns of a table, repeated for each combination of values of the `across` fields."""
     cells = [cell if cell.heading else replace(cell, heading=_get_heading(rows, cell.field)) for cell in _list_cells(view)]
     if not view.across:
         return cells
@@ -171,7 +173,7 @@ def _get_heading(rows: list[Any], name: str) -> str:
 
 
 def format_named(row: Any, name: str) -> str:
-    """Return a value as text, preceded by the heading of its column if the value is a bare number."""
+    """Return a field of a row as text, preceded by its column heading if the value is a bare number."""
     value = format_field(row, name)
     is_clear = isinstance(getattr(row, name), str) or get_columns(type(row))[name].metadata["show"]
     return value if is_clear else f"{get_columns(type(row))[name].metadata['heading']} {value}"

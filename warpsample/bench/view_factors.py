@@ -1,4 +1,4 @@
-"""`bench view-factors`: time, error and memory of all view factors of a mesh, for each tool, with alternating runs."""
+"""`bench view-factors`: time, error and memory of all view factors of a mesh, for each tool."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,7 +33,7 @@ _FEWER = 16  # divisor of embreex's rays: all rays would take half a minute on t
 
 @dataclass(frozen=True)
 class FactorTime(ToolRow):
-    """Time and error of one tool on one scene."""
+    """Row of `bench view-factors`: time and error of one tool on one mesh."""
 
     scene: str = column("scene")
     faces: int = column("faces")
@@ -63,12 +63,15 @@ class FactorTime(ToolRow):
 
 
 def choose_judged_faces(mesh: Mesh) -> np.ndarray:
-    """Return the faces whose rows are compared with the reference, spread evenly over all faces."""
+    """Return the faces whose view factors are compared with the reference, spread evenly over all faces."""
     return np.unique(np.linspace(0, len(mesh.faces) - 1, _JUDGED).astype(int))
 
 
 def compute_reference_rows(mesh: Mesh, workers: int, rays: int = _REFERENCE_RAYS, seed: int = _REFERENCE_SEED) -> np.ndarray:
-    """Compute the judged rows (R, F) float64 by `view_factors` with many more rays and another seed."""
+    """Compute reference rows (R, F) float64 of the view-factor matrix by `view_factors`.
+
+    They use many more rays and another seed.
+    """
     faces = choose_judged_faces(mesh)
     active = np.zeros(len(mesh.faces), bool)
     active[faces] = True
@@ -76,7 +79,10 @@ def compute_reference_rows(mesh: Mesh, workers: int, rays: int = _REFERENCE_RAYS
 
 
 def build_factors(tool: str, scene: str, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
-    """Build all view factors of a scene by a tool, or the tracing of rays alone from the judged faces."""
+    """Build the job that computes all view factors of a mesh with one tool.
+
+    A further "tool" only traces the rays from the judged faces.
+    """
     mesh = build_mesh(scene)
     faces = choose_judged_faces(mesh)
     if tool == TRACE:
@@ -109,7 +115,10 @@ def build_factors(tool: str, scene: str, *, rays: int, workers: int, reference: 
 
 
 def _compute_rate(mesh: Mesh, right: np.ndarray, rays: int, mse: float, workers: int) -> float:
-    """Return the exponent of the ray count in warpsample's RMSE, from a quarter of the rays."""
+    """Return the convergence rate of warpsample: the exponent of the ray count in its RMSE.
+
+    It is measured with a quarter of the rays.
+    """
     fewer = np.mean((compute_reference_rows(mesh, workers, max(4, rays // _QUARTER), seed=_ANOTHER_SEED) - right) ** 2)
     return float(0.5 * np.log(fewer / mse) / np.log(_QUARTER))
 
@@ -123,7 +132,10 @@ def measure(
     rays: Annotated[int, typer.Option(help="Number of rays per face.", min=64)] = 4096,
     repeats: Repeats = 3,
 ) -> RowsByPart:
-    """Measure the small city with one thread and with all, the boxes with all, and the large city once with all."""
+    """Measure the view factors of the small city, the boxes and the large city; return the rows.
+
+    The small city runs with one thread and with all, the boxes with all, and the large city once with all.
+    """
     most = check_workers(None)
     tools = [*FACTOR_TOOLS, TRACE]
     boxes, city = SMALL_SCENES
@@ -133,7 +145,10 @@ def measure(
 
 
 def compare(scene: str, workers: int, tools: Sequence[str], repeats: int, rays: int) -> list[FactorTime]:
-    """Compare tools on one scene with alternating runs; warpsample and the tracing alone must be among the tools."""
+    """Measure the view factors of one mesh with several tools, with alternating runs.
+
+    Warpsample and the tracing alone must be among the tools.
+    """
     mesh = build_mesh(scene)
     arguments = {"scene": scene, "workers": workers, "rays": rays, "reference": compute_reference_rows(mesh, workers)}
     turns = run_tools(build_factors, tools, repeats, **arguments)

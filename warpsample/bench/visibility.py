@@ -1,4 +1,4 @@
-"""`bench visibility`: time of ambient occlusion to an RMSE, by warpsample with and without skipping, and by other tools."""
+"""`bench visibility`: time of ambient occlusion to an RMSE, with and without skipping, and by other tools."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -35,7 +35,10 @@ _TRIAL, _TRIALS = 64, 2  # rays of the first trial; number of trials
 
 @dataclass(frozen=True)
 class TimeToError(ToolRow):
-    """Time of one tool on one scene to an RMSE over all points, after the mesh's tree is built."""
+    """Row of `bench visibility`: time of one tool on one scene to reach an RMSE over all points.
+
+    The time excludes building the mesh's tree.
+    """
 
     scene: str = column("scene")
     target: float = column("RMSE", show="to {:g}".format)
@@ -54,7 +57,7 @@ class TimeToError(ToolRow):
 
 @dataclass(frozen=True)
 class Many(ToolRow):
-    """Run of warpsample with many points, in a separate process."""
+    """Row of `bench visibility`: run of ambient occlusion with many points, in a separate process."""
 
     scene: str = column("scene")
     points: int = column("points")
@@ -67,9 +70,9 @@ class Many(ToolRow):
 
 
 def build_estimate(tool: str, scene: str, points: int, *, workers: int, target: float, reference: np.ndarray) -> ChildJob:
-    """Build a tool's estimate with the number of rays that reaches the target RMSE over all points.
+    """Build the job that estimates ambient occlusion with one tool, with enough rays for the target RMSE.
 
-    Two trials find the number of rays.
+    The RMSE is that over all points. Two trials find the number of rays.
     """
     library, make, _ = ESTIMATORS[tool]
     run: Estimator = make(*sample_scene(scene, points), workers)
@@ -97,7 +100,10 @@ def _compute_rmse(values: np.ndarray, right: np.ndarray) -> float:
 
 
 def build_many_points(tool: str, scene: str, points: int, rays: int, workers: int) -> ChildJob:
-    """Build warpsample's estimate of many points; the job reports the peak memory of its process."""
+    """Build the job that estimates ambient occlusion of many points by warpsample.
+
+    The job reports the peak memory of its process.
+    """
     mesh, at = sample_scene(scene, points)
     ESTIMATORS[tool].make(mesh, at.take(slice(64)), workers)(rays)  # load kernels
     run = ESTIMATORS[tool].make(mesh, at, workers)
@@ -111,7 +117,7 @@ def measure(
     points: Annotated[int, typer.Option(help="Number of points on each scene, placed uniformly by area.", min=16)] = 4096,
     repeats: Repeats = 3,
 ) -> RowsByPart:
-    """Measure one scene after the other, then many points on the first scene."""
+    """Measure ambient occlusion on one scene after the other, then many points on the first scene; return the rows."""
     names = scene or list(DEFAULT_SCENES)
     rows: RowsByPart = {"rows": [], "many": []}
     for name in track(names, len(names)):
@@ -123,7 +129,7 @@ def measure(
 def measure_scene(
     scene: str, points: int, repeats: int, targets: Sequence[float] = TARGETS, tools: Sequence[str] = TOOLS
 ) -> list[TimeToError]:
-    """Compare tools on a scene, for each of the targets."""
+    """Measure the ambient occlusion of a scene with all tools, for each of the target errors."""
     workers = check_workers(None)
     right = compute_reference(*sample_scene(scene, points), workers).value
     case = {"scene": scene, "workers": workers, "points": points}
@@ -131,12 +137,15 @@ def measure_scene(
 
 
 def compute_reference(mesh: Mesh, at: SurfacePoints, workers: int, rays: int = 1 << 16) -> Estimate:
-    """Compute the reference by `ambient_occlusion` with its defaults: Fibonacci points and the package's own tracer."""
+    """Compute reference ambient occlusion by `ambient_occlusion` with Fibonacci points and the package's tracer."""
     return ambient_occlusion(mesh, at, rays, seed=_REFERENCE_SEED, workers=workers)
 
 
 def compare(tools: Sequence[str], repeats: int, reference: np.ndarray, **case: Any) -> list[TimeToError]:
-    """Compare tools on one case with alternating runs; the case has the fields that are known before the runs."""
+    """Measure the ambient occlusion of one case with several tools, with alternating runs.
+
+    The case has the fields that are known before the runs.
+    """
     turns = run_tools(build_estimate, tools, repeats, reference=reference, **case)
     equal_times = {tool: [t * facts["to_target"] for t in turns.seconds[tool]] for tool, facts in turns.reports.items()}
 
@@ -149,7 +158,7 @@ def compare(tools: Sequence[str], repeats: int, reference: np.ndarray, **case: A
 
 
 def measure_many(scene: str, points: int, rays: int) -> list[Many]:
-    """Measure time and memory of many points, with the defaults of `ambient_occlusion`."""
+    """Measure time and memory of ambient occlusion of many points, with the default options."""
     same = {"scene": scene, "points": points, "rays": rays, "workers": check_workers(None)}
     turns = run_tools(build_many_points, ["warpsample"], 0, **same)
     return turns.rows(Many, lambda tool: {"took": turns.seconds[tool][0], **turns.reports[tool]}, **same)

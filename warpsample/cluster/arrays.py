@@ -34,7 +34,7 @@ _SECOND = {**dict.fromkeys(("pdf", "distance", "face", "vectors"), "sample"), "t
 
 
 def dataset_of(job: Job) -> xr.Dataset:
-    """Build the lazy dataset of a job.
+    """Build the xarray Dataset of a job's results as Dask arrays, without computing any value.
 
     Each chunk has one task for its result, one for its points, and one for each array taken out of the result.
 
@@ -63,12 +63,12 @@ def dataset_of(job: Job) -> xr.Dataset:
 
 
 def blocks_of(job: Job) -> dict[str, list[Any]]:
-    """Return the Dask keys of the chunks of a job's input arrays, as lists by array name."""
+    """Return the Dask keys of the chunks of each input array of a job, as lists keyed by array name."""
     return {name: list(flatten(array.__dask_keys__())) for name, array in (job.given | job.rows).items()}
 
 
 def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
-    """Return (dtype, shape of a row) of each point array by name; empty if the call takes no SurfacePoints."""
+    """Return the dtype and row shape of each array of a job's SurfacePoints, keyed by name; empty without SurfacePoints."""
     if job.given:
         return {name: (array.dtype, GIVEN_ARRAYS[name][1]) for name, array in job.given.items()}
     return POINT_ARRAYS if job.call.at else {}
@@ -77,7 +77,7 @@ def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
 def _array(
     job: Job, base: HighLevelGraph, layer: str, task: tuple[Any, ...], kind: tuple[np.dtype, tuple[int, ...]]
 ) -> Array:
-    """Build one Dask array by taking an item out of every chunk's result.
+    """Build the Dask array of one named result by taking the result's item out of every chunk.
 
     Args:
         job: The job.

@@ -1,4 +1,7 @@
-"""`cluster.bake`: compute a call into a Zarr store, one task per chunk, and skip chunks that are complete."""
+"""`cluster.bake`: compute a `warpsample` function at all points and write a Zarr store, chunk by chunk.
+
+Chunks that are complete in an existing store are skipped.
+"""
 
 from collections.abc import Callable
 from contextlib import closing
@@ -25,7 +28,9 @@ from warpsample.output.run_record import SUMMARY, RunRecord, summarize
 
 
 def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool = False, **options: Any) -> xr.Dataset:
-    """Compute a call into a Zarr store, chunk by chunk, with the current Client or the configured scheduler of Dask.
+    """Compute a `warpsample` function with Dask, and write the results into a Zarr store, chunk by chunk.
+
+    The current Client computes the chunks, or without a Client the configured scheduler of Dask.
 
     The worker that computes a chunk also writes the chunk, so all workers must be able to reach the path.
     Each file appears complete, with a checksum.
@@ -63,7 +68,7 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
 
 
 def bake_job(job: Job, store: Path, resume: bool, argument: str, record: RunRecord) -> None:
-    """Create or open a store, and compute the chunks that are missing.
+    """Create or open the Zarr store of a job, and compute and write the chunks that are missing.
 
     Args:
         job: Job to compute.
@@ -91,7 +96,7 @@ def bake_job(job: Job, store: Path, resume: bool, argument: str, record: RunReco
 
 
 def _run(job: Job, folder: Path, chunks: list[int], heard: Callable[[np.void], None]) -> None:
-    """Compute and write the chunks, and call `heard` with the summary of each.
+    """Compute and write the given chunks with Dask, and call `heard` with the summary of each finished chunk.
 
     Tasks are given to Dask in graphs of limited size: one graph of all tasks can take gigabytes.
     """

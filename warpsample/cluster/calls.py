@@ -1,4 +1,4 @@
-"""Lazy versions of the calls of `warpsample`, computed over chunks of points."""
+"""Lazy versions of the functions of `warpsample`, which Dask computes in chunks of points."""
 
 from collections.abc import Callable
 from typing import Any
@@ -15,21 +15,21 @@ from warpsample.host.options import PointKeywords, RayKeywords, SeedKeywords
 
 
 class ChunkKeywords(RayKeywords, total=False):
-    """Options of a call over chunks of points."""
+    """Keyword options of every lazy function over chunks of points."""
 
     chunk: int
     """Number of points of a task, an integer; results do not depend on it. Default: 65536."""
 
 
 class LazyKeywords(ChunkKeywords, total=False):
-    """Options of a call over chunks with rays of limited length."""
+    """Keyword options of lazy functions that cast rays of limited length."""
 
     max_distance: float | None
     """Distance from which on hits are ignored, a float in mesh units. Default: None, no limit."""
 
 
 class DirectionKeywords(SeedKeywords, PointKeywords, total=False):
-    """Options of `sample_directions` over chunks."""
+    """Keyword options of the lazy `sample_directions`."""
 
     sequence: str
     """Sequence of the points of the square, a name in `warpsample.sequences.names()`. Default: "sobol"."""
@@ -38,7 +38,7 @@ class DirectionKeywords(SeedKeywords, PointKeywords, total=False):
 
 
 def call_of(name: str) -> Callable[..., xr.Dataset]:
-    """Return the function that computes a quantity lazily over Dask.
+    """Build the lazy version of a quantity's function, which returns Dask arrays.
 
     Raises:
         AttributeError: no quantity has a call of that name.

@@ -31,7 +31,7 @@ BY_POINT = "distribution."
 
 @dataclass(frozen=True)
 class Call:
-    """Small description of a call, the same for all chunks and sent with every task.
+    """Function name and options of a call over chunks, small enough to send with every Dask task.
 
     Attributes:
         name: Name of the call, a key of FUNCTIONS.
@@ -58,7 +58,7 @@ class Call:
 
 
 def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray]) -> SurfacePoints | None:
-    """Return the points of a chunk, or None if the call takes no SurfacePoints.
+    """Build the SurfacePoints of one chunk; return None if the function takes no SurfacePoints.
 
     Args:
         call: The call.
@@ -81,7 +81,7 @@ def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray
 def numbers_in(
     call: Call, span: range, shared: list[Any], given: list[np.ndarray], rows: list[np.ndarray]
 ) -> dict[str, Any]:
-    """Return the fields of a chunk's result by name.
+    """Compute one chunk, and return the fields of the result, keyed by name.
 
     The points are made in the same task: a task of their own takes longer.
     """
@@ -89,7 +89,7 @@ def numbers_in(
 
 
 def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[Any], rows: list[Any]) -> dict[str, Any]:
-    """Call the function of `call` for the rows of one chunk, and return the fields of the result by name.
+    """Call the function that `call` names for the rows of one chunk, and return the result's fields, keyed by name.
 
     One thread computes, unless the option `workers` is set: Dask runs one task on each thread of a worker.
 

@@ -22,7 +22,7 @@ _TUNED = {
 
 
 def check_processes(processes: int | None) -> None:
-    """Check a number of processes.
+    """Raise an error unless the number of processes is None or from 1 to 1024.
 
     Raises:
         TypeError, ValueError: a number outside 1 to 1024.
@@ -52,30 +52,30 @@ def computing(address: str | None, processes: int | None, threads: int | None) -
             with dask.config.set(scheduler="threads", num_workers=check_workers(threads)):
                 yield
             return
-        with _client(address, processes):
+        with _open_client(address, processes):
             yield
     finally:
         logging.disable(before)
 
 
 @contextmanager
-def _client(address: str | None, processes: int | None) -> Iterator[None]:
-    """Open a Client for the body of a `with` statement, of the scheduler at `address` or of new local processes."""
+def _open_client(address: str | None, processes: int | None) -> Iterator[None]:
+    """Open a Dask Client within a `with` statement, connected to the scheduler at `address` or to new local processes."""
     from distributed import Client, LocalCluster
 
     if address is None:
         options = {"n_workers": processes, "threads_per_worker": 1, "host": _ITS_OWN, "dashboard_address": f"{_ITS_OWN}:0"}
-        with _left_to_us(signal.SIGINT), dask.config.set(_TUNED):
+        with _block_signal(signal.SIGINT), dask.config.set(_TUNED):
             own = LocalCluster(**options, silence_logs=logging.CRITICAL)
         with own, Client(own):
             yield
         return
-    with _connected(Client, address):
+    with _connect(Client, address):
         yield
 
 
 @contextmanager
-def _left_to_us(number: signal.Signals) -> Iterator[None]:
+def _block_signal(number: signal.Signals) -> Iterator[None]:
     """Block a signal in the body of a `with` statement, so that processes and threads started there do not get the signal.
 
     A terminal sends Ctrl-C to all processes of a command, and only the main process should handle it.
@@ -91,8 +91,8 @@ def _left_to_us(number: signal.Signals) -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _connected(client: Any, address: str) -> Any:
-    """Return a Client connected to the scheduler at an address.
+def _connect(client: Any, address: str) -> Any:
+    """Connect a Dask Client to the scheduler at an address, and return the Client.
 
     Raises:
         ConnectionError: if no scheduler answers, or the address is valid only inside another process.

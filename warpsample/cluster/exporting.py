@@ -20,7 +20,7 @@ from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb
 
 
 def export_store(store: Path, mesh: Path, output: Path) -> str:
-    """Write the results in a finished store, and their mesh, to a file like one of `warpsample bake`.
+    """Write the results of a finished store to a mesh file, such as `warpsample bake` writes.
 
     Args:
         store: Path of the store.
@@ -38,7 +38,7 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
     """
     if output.suffix not in WRITERS:
         raise ValueError(f"--output: got {str(output)!r}, want a file that ends in one of {' '.join(WRITERS)}")
-    about = _about(store)
+    about = _read_attributes(store)
     quantity = CALLS[about["call"]]
     run = _run(quantity, about, mesh, output)
     check_output(output, "--output", mesh)
@@ -49,7 +49,7 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
         raise ValueError(f"mesh: got {str(mesh)!r}, which is not the mesh of {str(store)!r}")
     if output.suffix == ".glb":
         check_glb(run, shape)
-    arrays = _arrays(store, _names(store, quantity))
+    arrays = _read_arrays(store, _list_arrays(store, quantity))
     points = SurfacePoints(*map(arrays.pop, POINT_ARRAYS))
     found = quantity.result(**arrays, **dict.fromkeys(quantity.shared))
     with complete_or_absent(output) as file:
@@ -57,8 +57,8 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
     return f"{output}: {quantity.title} of {len(points):,} {run.at or 'points'}"
 
 
-def _about(store: Path) -> dict[str, Any]:
-    """Check that a store is finished and of a quantity, and return its attributes.
+def _read_attributes(store: Path) -> dict[str, Any]:
+    """Return the attributes of a store; raise an error unless the store holds all chunks of a quantity.
 
     Raises:
         ValueError, FileNotFoundError: if the store is missing, unfinished, damaged or of another call.
@@ -69,7 +69,7 @@ def _about(store: Path) -> dict[str, Any]:
     about = about_of(path, "store")
     if about.get("call") not in CALLS:
         raise ValueError(f"store: got {str(store)!r} of {about.get('call')}, want one of {', '.join(CALLS)}")
-    whole = whole_chunks(path, _names(path, CALLS[about["call"]]), "store")
+    whole = whole_chunks(path, _list_arrays(path, CALLS[about["call"]]), "store")
     if missing := np.count_nonzero(~whole):
         raise ValueError(
             f"store: got {str(store)!r}, {missing:,} of whose {len(whole):,} chunks are missing, want a finished one: bake "
@@ -86,13 +86,13 @@ def _run(quantity: Quantity, about: dict[str, Any], mesh: Path, output: Path) ->
     return BakeRun(mesh, output, quantity.name, at, None if at else about["points"], options)
 
 
-def _names(store: Path, quantity: Quantity) -> list[str]:
+def _list_arrays(store: Path, quantity: Quantity) -> list[str]:
     """Return the names of the arrays to export: points, results of the quantity, and optional results in the store."""
     others = [name for name in quantity.sometimes if (store / name).is_dir()]
     return [*POINT_ARRAYS, *quantity.arrays, *others]
 
 
-def _arrays(store: Path, names: list[str]) -> dict[str, np.ndarray]:
+def _read_arrays(store: Path, names: list[str]) -> dict[str, np.ndarray]:
     """Read arrays of a store into memory.
 
     Raises:

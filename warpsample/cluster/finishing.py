@@ -64,7 +64,7 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
 
 
 def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks: list[int]) -> Iterator[tuple[int, Any]]:
-    """Submit the tasks in graphs, and yield (chunk, result) in order of completion.
+    """Submit the chunks' tasks to a Client once, and yield (chunk, result) in order of completion.
 
     The next graph is submitted when half of the tasks of the previous one are done.
     """

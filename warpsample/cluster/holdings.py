@@ -32,7 +32,7 @@ def about_of(path: Path, argument: str) -> dict[str, Any]:
     Raises:
         ValueError: if the metadata cannot be read.
     """
-    kept = _opened(path, argument).attrs.asdict()
+    kept = _open_group(path, argument).attrs.asdict()
     return {name: value for name, value in kept.items() if name not in _OF_XARRAY}
 
 
@@ -42,7 +42,7 @@ def file_of(name: str, place: Iterable[int]) -> str:
 
 
 def checksum_of(content: bytes) -> int | None:
-    """Return the CRC-32C at the end of a chunk's file, or None if the CRC-32C of the content is another one."""
+    """Return the CRC-32C checksum at the end of a chunk's file, or None if the content does not match the checksum."""
     kept = int.from_bytes(content[-_CHECKSUM:], "little")
     return kept if google_crc32c.value(content[:-_CHECKSUM]) == kept else None
 
@@ -52,7 +52,7 @@ def record_of(chunk: int) -> str:
     return f"{RECORDS}/chunks/{chunk}"
 
 
-def _opened(path: Path, argument: str) -> Any:
+def _open_group(path: Path, argument: str) -> Any:
     """Open a store for reading as a Zarr group.
 
     Raises:
@@ -79,7 +79,7 @@ def arrays_of(path: Path, names: Iterable[str], argument: str) -> dict[str, Any]
     Raises:
         ValueError: if an array is missing or cannot be read; the message names the array.
     """
-    group = _opened(path, argument)
+    group = _open_group(path, argument)
     return {name: _array(group, name, f"{argument}: got {str(path)!r}") for name in names}
 
 
@@ -117,18 +117,18 @@ def _grid_of(array: Any) -> tuple[int, ...]:
 
 
 def _is_whole(path: Path, arrays: dict[str, Any], chunk: int) -> bool:
-    """Check whether the files of a chunk match the checksums in the chunk's record."""
+    """Return whether the files of a chunk match the checksums in the chunk's record."""
     try:
-        record = json.loads(_content(path.joinpath(record_of(chunk))))
+        record = json.loads(_read_bytes(path.joinpath(record_of(chunk))))
         places = {name: np.unravel_index(chunk, _grid_of(array)) for name, array in arrays.items()}
         sums, checksum = (record[SUMS], checksum_of) if SUMS in record else (record, crc32)
-        whole = (sums[name] == checksum(_content(path / file_of(name, place))) for name, place in places.items())
+        whole = (sums[name] == checksum(_read_bytes(path / file_of(name, place))) for name, place in places.items())
         return record[INDEX] == chunk and all(whole)
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return False
 
 
-def _content(file: Path) -> bytes:
+def _read_bytes(file: Path) -> bytes:
     """Read the bytes of a regular file.
 
     Raises:

@@ -1,4 +1,4 @@
-"""A checked call over chunks: the inputs of each chunk, and the dtypes and shapes of the results."""
+"""Jobs: calls of a `warpsample` function over chunks of points, with checked arguments and known result shapes."""
 
 import inspect
 import json
@@ -48,10 +48,10 @@ _OF_THE_WORKERS = ("workers",)
 
 @dataclass(frozen=True)
 class Job:
-    """A checked call over chunks.
+    """Call of a `warpsample` function over chunks of points, with checked arguments.
 
     Attributes:
-        call: Small description of the call, sent with every task.
+        call: Function name and small options, sent with every task.
         shared: Large arguments, by name.
         given: Dask arrays of the points' fields by name, split into the chunks; empty if workers make the points.
         rows: Dask arrays of the arguments with a row per point by name, split into the chunks.
@@ -76,7 +76,7 @@ class Job:
         return max(1, -(-self.total // self.chunk))
 
     def rows_of(self, index: int) -> int:
-        """Return the number of rows of a chunk."""
+        """Return the number of rows of the chunk with an index."""
         return min(self.chunk, self.total - index * self.chunk)
 
     def check_count(self) -> None:
@@ -98,7 +98,7 @@ class Job:
 
 
 def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk: Any, on: Any = None) -> Job:
-    """Check the arguments of a call, and return its job.
+    """Check the arguments of a `warpsample` function, and build the Job that computes the function in chunks.
 
     Args:
         name: Name of the call, a key of FUNCTIONS.
@@ -116,10 +116,10 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
     for unwanted in _OF_THE_CLIENT:
         if not isinstance(value := taken.pop(unwanted, None), bool | None) or value:
             raise ValueError(f"{unwanted}: got a value for a call over Dask, want none: its arrays and bars are Dask's")
-    shared = _shared(taken, on)
+    shared = _pop_large_arguments(taken, on)
     at, seed = _AT.get(name, "points"), check_seed(taken.get("seed", 0))
-    place, total, given = _place(taken[at], at, shared.get("mesh"))
-    rows = _rows(taken, [*([] if place else [at]), "directions"])
+    place, total, given = _find_placement(taken[at], at, shared.get("mesh"))
+    rows = _pop_rows(taken, [*([] if place else [at]), "directions"])
     if not place and not rows:
         raise TypeError(f"{at}: got {told(taken[at])}, want {_POINTS}, or an array (P, 3)")
     total = total if place else len(next(iter(rows.values())))
@@ -134,12 +134,12 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
         taken.pop(at)
     taken = {argument: named(argument, value, taken.get("integrand")) for argument, value in taken.items()}
     call = Call(name, taken, tuple(shared), tuple(rows), at if place else None, place or "", tuple(given), seed, first)
-    about = _about(call, {**shared, **given, **rows}, total, chunk)
-    given, rows = ({key: _cut(array, chunk) for key, array in arrays.items()} for arrays in (given, rows))
-    return Job(call, shared, given, rows, total, min(chunk, max(total, 1)), _gives(call, shared, rows), about)
+    about = _identify_run(call, {**shared, **given, **rows}, total, chunk)
+    given, rows = ({key: _split_into_chunks(array, chunk) for key, array in arrays.items()} for arrays in (given, rows))
+    return Job(call, shared, given, rows, total, min(chunk, max(total, 1)), _result_types(call, shared, rows), about)
 
 
-def _shared(taken: dict[str, Any], on: Any) -> dict[str, Any]:
+def _pop_large_arguments(taken: dict[str, Any], on: Any) -> dict[str, Any]:
     """Remove the mesh and the picture from the arguments of a call, and return a dictionary of both.
 
     A mesh is converted to a Mesh. A picture is read or copied, so that later changes of the caller's array have no effect.
@@ -155,8 +155,10 @@ def _shared(taken: dict[str, Any], on: Any) -> dict[str, Any]:
     return shared
 
 
-def _place(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, dict[str, Any]]:
-    """Return (placement, number, arrays of the fields) of the points; (None, 0, {}) if the argument is an array of rows.
+def _find_placement(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, dict[str, Any]]:
+    """Return how a call's points are placed, the number of points, and the arrays of given points.
+
+    The result is (None, 0, {}) if the argument is an array of rows and not one of the kinds of points.
 
     Raises:
         TypeError, ValueError: if the argument is none of the accepted kinds of points, or there is no mesh to place
@@ -166,9 +168,9 @@ def _place(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, di
         given = {name: getattr(points, name) for name in ("position", "normal", "face", "id", "raised", "tangent")}
         return "given", len(points), {name: array for name, array in given.items() if array is not None}
     named = isinstance(points, str)
-    if at == "points" and not named and mesh is not None and not _whole(points):
+    if at == "points" and not named and mesh is not None and not _is_integer(points):
         raise TypeError(f"{at}: got {told(points)}, want {_POINTS}")
-    if not named and not _whole(points):
+    if not named and not _is_integer(points):
         return None, 0, {}
     if named and points not in ("faces", "vertices"):
         raise ValueError(f"{at}: got {told(points)}, want {_POINTS}")
@@ -179,15 +181,15 @@ def _place(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, di
     return "area", check_integer(points, at, 1, 2**62), {}
 
 
-def _whole(value: Any) -> bool:
-    """Check whether a value is an integer.
+def _is_integer(value: Any) -> bool:
+    """Return whether a value is an integer, and neither a bool nor an array.
 
     Arrays of Dask, PyTorch and JAX have an `__index__` too, and are not accepted.
     """
     return hasattr(value, "__index__") and not isinstance(value, bool | np.ndarray) and not getattr(value, "ndim", 0)
 
 
-def _rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
+def _pop_rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
     """Remove the arrays with a row per point from the arguments of a call, and return a dictionary of the arrays.
 
     A one-dimensional array stays in the arguments: it is one origin for all rays.
@@ -212,15 +214,15 @@ def _rows_of_parameters(taken: dict[str, Any]) -> dict[str, np.ndarray]:
     return {f"{BY_POINT}{name}": table for name, table in distribution.by_point.items()}
 
 
-def _cut(array: Any, chunk: int) -> Array:
+def _split_into_chunks(array: Any, chunk: int) -> Array:
     """Return a Dask array split into chunks of rows; a NumPy array is copied first."""
     wanted = (chunk, *array.shape[1:])
     if isinstance(array, Array):
         return array.rechunk(wanted)
-    return from_array(array.copy(), wanted, name=_content(array, chunk))
+    return from_array(array.copy(), wanted, name=_identify_content(array, chunk))
 
 
-def _content(value: Any, *more: Any) -> str:
+def _identify_content(value: Any, *more: Any) -> str:
     """Return a text that identifies the content of a large argument.
 
     Args:
@@ -234,34 +236,36 @@ def _content(value: Any, *more: Any) -> str:
     return f"{digest_of(value)}{''.join(f'-{tokenize(item)}' for item in more)}"
 
 
-def _gives(call: Call, shared: dict[str, Any], rows: dict[str, Array]) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
-    """Return (dtype, shape of a row) of each array of the result, by calling the function without points.
+def _result_types(call: Call, shared: dict[str, Any], rows: dict[str, Array]) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
+    """Return the dtype and row shape of each result array, keyed by name, by calling the function without points.
 
     The call checks all remaining arguments. A triangle replaces the mesh. `sample_directions` is called with one point.
     """
     points = int(call.name == "sample_directions")
     few = SurfacePoints(np.zeros((points, 3)), np.tile(np.float32([0.0, 0.0, 1.0]), (points, 1)))
     parts = [np.ones((points, *array.shape[1:]), array.dtype) for array in rows.values()]
-    found = numbers(call, 0, few, [_small(value) if name == "mesh" else value for name, value in shared.items()], parts)
+    found = numbers(
+        call, 0, few, [_one_triangle(value) if name == "mesh" else value for name, value in shared.items()], parts
+    )
     return {name: (array.dtype, array.shape[1:]) for name, array in found.items() if isinstance(array, np.ndarray)}
 
 
-def _small(mesh: Mesh) -> Mesh:
+def _one_triangle(mesh: Mesh) -> Mesh:
     """Return a mesh of one triangle that transmits or reflects light if any face of `mesh` does."""
     optics = {"transmittance": 0.5 * mesh.transmits, "reflectance": 0.5 * mesh.reflects}
     return Mesh(np.eye(3), [[0, 1, 2]], **{name: share for name, share in optics.items() if share})
 
 
-def _about(call: Call, large: dict[str, Any], total: int, chunk: int) -> dict[str, Any]:
-    """Return the attributes that identify a run, by name; large arguments are represented by their digests."""
+def _identify_run(call: Call, large: dict[str, Any], total: int, chunk: int) -> dict[str, Any]:
+    """Return the attributes that identify a run, keyed by name, with digests in place of large arguments."""
     options = {name: value for name, value in call.options.items() if name not in _OF_THE_WORKERS}
     mesh = large.get("mesh")
     shape = None if mesh is None else digest_of(mesh.vertices, mesh.faces)
     return {
         "call": call.name,
         **({} if mesh is None or shape == mesh.digest else {SHAPE: shape}),
-        **{name: _plain(value) for name, value in options.items()},
-        **{name: _content(value) for name, value in large.items()},
+        **{name: _convert_for_json(value) for name, value in options.items()},
+        **{name: _identify_content(value) for name, value in large.items()},
         "place": call.place,
         "points": total,
         "chunk": chunk,
@@ -270,7 +274,7 @@ def _about(call: Call, large: dict[str, Any], total: int, chunk: int) -> dict[st
     }
 
 
-def _content_of_own(distribution: Distribution) -> dict[str, Any]:
+def _identify_distribution(distribution: Distribution) -> dict[str, Any]:
     """Return the parameters and functions that identify a user-defined distribution, by name."""
     maps = distribution.maps
     functions = (function for function in (maps.sample, maps.pdf, maps.about, maps.redraw) if function is not None)
@@ -278,12 +282,12 @@ def _content_of_own(distribution: Distribution) -> dict[str, Any]:
     return {**contents, WHAT: str(distribution)}
 
 
-def _plain(value: Any) -> Any:
-    """Convert a value for JSON; return its text if JSON cannot represent the value."""
+def _convert_for_json(value: Any) -> Any:
+    """Convert a value to a form that JSON can store; return the value's text if there is no such form."""
     if isinstance(value, Named):
         return value.content
     if isinstance(value, Distribution) and not type(value).__module__.startswith("warpsample."):
-        return _content_of_own(value)
+        return _identify_distribution(value)
     if isinstance(value, np.ndarray | np.generic | tuple | list):
         value = np.asarray(value).tolist()
     try:

@@ -29,10 +29,10 @@ def locked(path: Path) -> Iterator[None]:
     """
     file, held = path.with_name(lock_name(path)), []
     try:
-        uninterrupted(partial(_take, path, file, held))
+        uninterrupted(partial(_acquire, path, file, held))
         yield
     finally:
-        uninterrupted(partial(_give_back, file, held))
+        uninterrupted(partial(_release, file, held))
 
 
 def lock_name(path: Path) -> str:
@@ -40,8 +40,8 @@ def lock_name(path: Path) -> str:
     return f".{path.name}.lock"
 
 
-def _take(path: Path, file: Path, held: list[Any]) -> None:
-    """Lock the file of a store's lock, and append the open file to the list `held`.
+def _acquire(path: Path, file: Path, held: list[Any]) -> None:
+    """Open and lock the lock file of a store, and append the open file to the list `held`.
 
     Args:
         path: Path of the store, for error messages.
@@ -53,7 +53,7 @@ def _take(path: Path, file: Path, held: list[Any]) -> None:
     """
     while True:  # again, if the previous owner removed the file in between
         try:
-            opened = os.fdopen(_ordinary(file), "a")
+            opened = os.fdopen(_open_regular_file(file), "a")
         except OSError as error:
             raise WriteError(f"{path} cannot be written: its lock {file.name}: {error.strerror}") from error
         if not _lock(opened):
@@ -66,7 +66,7 @@ def _take(path: Path, file: Path, held: list[Any]) -> None:
         opened.close()
 
 
-def _ordinary(file: Path) -> int:
+def _open_regular_file(file: Path) -> int:
     """Open or create a regular file for appending, and return its file descriptor.
 
     Links are not followed, and a pipe does not block.
@@ -82,8 +82,8 @@ def _ordinary(file: Path) -> int:
     return opened
 
 
-def _give_back(file: Path, held: list[Any]) -> None:
-    """Close the lock files, and delete empty ones; a file with content belongs to the user."""
+def _release(file: Path, held: list[Any]) -> None:
+    """Close the open lock files, and delete the lock file if it is empty; a file with content belongs to the user."""
     for opened in held:
         if os.fstat(opened.fileno()).st_size == 0:
             file.unlink(missing_ok=True)

@@ -1,4 +1,4 @@
-"""Metadata of a Zarr store: created in memory for a run, and compared with an existing store."""
+"""Metadata files of a Zarr store: created in memory for a run, and compared with an existing store."""
 
 import json
 import warnings
@@ -83,11 +83,11 @@ def check_metadata(path: Path, job: Job, argument: str) -> None:
     wanted = {name: _read(content) for name, content in metadata_of(job).items()}
     for name in kinds:
         file = f"{name}/{_FILE}"
-        if flaw := _difference(_read((path / file).read_bytes()), wanted[file]):
+        if flaw := _describe_difference(_read((path / file).read_bytes()), wanted[file]):
             raise ValueError(f"{got}, whose {file} {flaw}; bake it anew")
-    if flaw := _flaw(_read((path / _FILE).read_bytes()), wanted[_FILE]):
+    if flaw := _describe_flaw(_read((path / _FILE).read_bytes()), wanted[_FILE]):
         raise ValueError(f"{got}, whose {_FILE} {flaw}; bake it anew")
-    if flaw := _unreadable(path):
+    if flaw := _find_read_error(path):
         raise ValueError(f"{got}, whose {_FILE} cannot be read: {flaw}; bake it anew")
 
 
@@ -100,14 +100,14 @@ def _read(content: bytes) -> dict[str, Any]:
     return found if isinstance(found, dict) else {}
 
 
-def _difference(kept: Any, wanted: dict[str, Any]) -> str:
+def _describe_difference(kept: Any, wanted: dict[str, Any]) -> str:
     """Return the end of an error message about the first difference between two arrays' metadata; "" if there is none."""
     if not isinstance(kept, dict):
         return "is damaged"
     return next((f"has another {key} than its run" for key in _COMPARED if kept.get(key) != wanted.get(key)), "")
 
 
-def _flaw(kept: dict[str, Any], wanted: dict[str, Any]) -> str:
+def _describe_flaw(kept: dict[str, Any], wanted: dict[str, Any]) -> str:
     """Return the end of an error message about differences in a store's own and consolidated metadata; "" without any."""
     attributes = "attributes", "coordinates"
     if kept[attributes[0]].get(attributes[1]) != wanted[attributes[0]][attributes[1]]:
@@ -120,11 +120,11 @@ def _flaw(kept: dict[str, Any], wanted: dict[str, Any]) -> str:
             return "has other arrays than its run"
     except (TypeError, KeyError):
         return "is damaged"
-    flaws = ((name, _difference(kept[name], wanted[name])) for name in wanted)
+    flaws = ((name, _describe_difference(kept[name], wanted[name])) for name in wanted)
     return next((f"{flaw} at {name!r}" for name, flaw in flaws if flaw), "")
 
 
-def _unreadable(path: Path) -> str:
+def _find_read_error(path: Path) -> str:
     """Return the reason why xarray cannot open a store; "" if xarray can."""
     try:
         with making, warnings.catch_warnings():  # xarray warns if metadata are not consolidated

@@ -1,4 +1,4 @@
-"""User functions and their data, in a form that Dask can send to tasks and to other processes."""
+"""User-defined functions and their data, wrapped so that Dask can send both to tasks and to other processes."""
 
 import importlib
 import json
@@ -18,7 +18,7 @@ _ARRAYS = ("__array__", "__array_interface__", "__dlpack__", "__cuda_array_inter
 
 @dataclass(frozen=True)
 class Named:
-    """User function or its data, as an argument of tasks.
+    """User-defined function, or the data of a function, wrapped as an argument of Dask tasks.
 
     Within a process the value itself is used. Other processes import a function by its module and name.
 
@@ -33,7 +33,7 @@ class Named:
     content: dict[str, Any]
 
     def taken(self) -> Any:
-        """Return the function or data, after a check that a function is still the one of the call.
+        """Return the wrapped function or data; raise an error if a function has changed since the call.
 
         Raises:
             ValueError: if the function has changed since the call was made, or differs in this process.
@@ -55,7 +55,7 @@ class Named:
                 f"{self.argument}: got {self.content[WHAT]}, which other processes cannot import, "
                 "want a wp.func at the top of a module that they have, without data, or Dask's threads"
             )
-        return _named, (self.argument, function.__module__, function.__qualname__, self.content)
+        return _import_named, (self.argument, function.__module__, function.__qualname__, self.content)
 
     def __dask_tokenize__(self) -> tuple[str, str]:
         """Return the values that Dask hashes into the names of tasks."""
@@ -63,7 +63,7 @@ class Named:
 
 
 def named(argument: str, value: Any, function: Any) -> Any:
-    """Protect an argument against later changes by the caller, and return the protected form.
+    """Copy or wrap an argument of a call, so that later changes by the caller have no effect.
 
     Args:
         argument: Name of the argument.
@@ -81,6 +81,6 @@ def named(argument: str, value: Any, function: Any) -> Any:
     return value
 
 
-def _named(argument: str, module: str, name: str, content: dict[str, Any]) -> Named:
-    """Import a function by module and name, and return it as a Named; used to unpickle one."""
+def _import_named(argument: str, module: str, name: str, content: dict[str, Any]) -> Named:
+    """Import a function by module and name, and wrap the function as a Named, to unpickle a Named."""
     return Named(argument, getattr(importlib.import_module(module), name), content)

@@ -1,4 +1,4 @@
-"""Tiles of a raster in a Zarr store, and tiles that are computed by several processes."""
+"""Computation of a raster's tiles by several processes, or into a Zarr store."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, closing, nullcontext
@@ -27,14 +27,14 @@ from warpsample.output.rasters.tile_files import ABOUT, DIGESTS, TileFiles, put_
 from warpsample.output.run_record import SUMMARY
 
 Put = Any
-"""Function (folder, index, run, arrays) that writes a tile."""
+"""Function (folder, index of the tile, run, arrays of the tile) that writes a tile."""
 
 
 class ProcessTiles(TileFiles):
-    """Tiles in a folder of files, computed by several processes."""
+    """Folder of tile files, which several processes compute and write."""
 
     def __init__(self, output: Path, resume: bool, processes: int) -> None:
-        """Choose the folder for an output, and the number of processes with one thread each."""
+        """Prepare the folder of tiles for an output file, for `processes` processes with one thread each."""
         check_processes(processes)
         super().__init__(output, resume)
         self.processes = processes
@@ -47,7 +47,7 @@ class ProcessTiles(TileFiles):
 
 
 class ZarrTiles:
-    """Tiles as the chunks of a Zarr store, which is the output.
+    """Zarr store with one chunk per tile of a raster; the store is the output.
 
     Attributes:
         path: Path of the store.
@@ -87,11 +87,11 @@ class ZarrTiles:
         return about_of(self.path, "--output")
 
     def remove(self) -> None:
-        """Keep the store, which is the output."""
+        """Do nothing: the store is the output and is not removed at the end of the run."""
 
 
 def _compute(job: RasterJob, folder: Path, tiles: list[int], put: Put) -> Iterator[np.void]:
-    """Compute tiles, and yield a SUMMARY for each: on the Client's workers, or one after another in this process."""
+    """Compute and write tiles on the Client's workers, or one by one in this process, and yield a SUMMARY for each tile."""
     if (client := current_client()) is not None:
         yield from finished(client, SimpleNamespace(shared={}), lambda some: _tasks(job, folder, some, put), tiles)
         return
@@ -100,7 +100,7 @@ def _compute(job: RasterJob, folder: Path, tiles: list[int], put: Put) -> Iterat
 
 
 def _tasks(job: RasterJob, folder: Path, tiles: list[int], put: Put) -> Array:
-    """Build a Dask array whose blocks compute and write the tiles."""
+    """Build a Dask array whose blocks compute and write one tile each, and return SUMMARY records."""
     name = f"raster-{uuid4().hex}"
     tasks = {(name, number): (bake_tile, job, str(folder), index, 1, put) for number, index in enumerate(tiles)}
     return Array(HighLevelGraph.from_collections(name, tasks), name, ((1,) * len(tiles),), dtype=SUMMARY)
@@ -128,7 +128,7 @@ def bake_tile(job: RasterJob, folder: str, index: int, workers: int | None, put:
 
 @lru_cache(maxsize=1)
 def _run_of(job: RasterJob, folder: Path, workers: int | None, put: Put) -> tuple[RasterRun, list[Any]]:
-    """Return (run, spans of the tiles) of a call in this process; cached, so that the far field is computed once.
+    """Return this process's run object for a job and the spans of all tiles, cached so that the far field is computed once.
 
     The run raises an error if the rasters change after the call began.
     """

@@ -24,7 +24,7 @@ _KIND = np.dtype(np.float32)
 
 
 def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument: str) -> np.ndarray:
-    """Create the store of a run without tiles, or check an existing one.
+    """Create the empty Zarr store of a raster run, or check that an existing store can be resumed.
 
     Args:
         path: Path of the store.
@@ -54,7 +54,7 @@ def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument:
 
 
 def put_tile(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.ndarray]) -> None:
-    """Write a tile of each array, then a record of the tile's checksums.
+    """Write one tile of every array into the store, then a record of the tile's checksums.
 
     Args:
         folder: Folder of the writing call.

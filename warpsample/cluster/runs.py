@@ -13,7 +13,7 @@ from warpsample.output.run_record import RunRecord
 
 
 def bake_run(run: BakeRun) -> str:
-    """Compute a run of `warpsample bake` into the store `run.output`.
+    """Compute a run of `warpsample bake`, and write the results into the Zarr store `run.output`.
 
     Returns:
         a report for the terminal, in lines.

@@ -32,21 +32,21 @@ def current_client() -> Any | None:
 
 
 class Tasks(MaterializedLayer):
-    """Layer of a Dask graph whose tasks use data sent to a Client, and fail when the Client is closed."""
+    """Layer of a Dask graph with tasks that use data sent to a Client; the tasks fail when that Client is closed."""
 
     def __init__(self, mapping: Mapping[Any, Any]) -> None:
-        """Store the tasks by key, together with the current Client, if there is one."""
+        """Store a mapping from keys to tasks, together with the current Client, if there is one."""
         super().__init__(mapping)
         self.client: Any = current_client()
 
     def __iter__(self) -> Iterator[Any]:
-        """Iterate over the keys.
+        """Iterate over the keys of the tasks.
 
         Raises:
             RuntimeError: if the Client is closed. Schedulers without a Client iterate first, so the error reaches the user.
         """
-        if not self._of_this_time():
-            _refuse()
+        if not self._is_usable():
+            _raise_closed()
         return super().__iter__()
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -54,14 +54,14 @@ class Tasks(MaterializedLayer):
 
         An error raised while pickling would reach the user without its message.
         """
-        return MaterializedLayer, (self.mapping if self._of_this_time() else dict.fromkeys(self.mapping, (_refuse,)),)
+        return MaterializedLayer, (self.mapping if self._is_usable() else dict.fromkeys(self.mapping, (_raise_closed,)),)
 
-    def _of_this_time(self) -> bool:
-        """Check whether the layer's Client is still open, or there was none."""
+    def _is_usable(self) -> bool:
+        """Return whether the layer's Client is still open; True also for a layer without a Client."""
         return self.client is None or self.client.status == "running"
 
 
-def _refuse() -> None:
+def _raise_closed() -> None:
     """Raise the error of a dataset whose Client is closed.
 
     Raises:
@@ -74,7 +74,7 @@ def _refuse() -> None:
 
 
 def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
-    """Return (tasks of the large arguments, keys or futures that other tasks use in place of the arguments).
+    """Build tasks for a job's large arguments, and return (tasks, keys or futures of the arguments).
 
     Without a Client the arguments are tasks of the graph. With a Client each argument is sent once, as a task that returns
     the argument, and reused by later calls. If all workers with a copy are lost, the scheduler runs the task again.
@@ -89,12 +89,12 @@ def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
         future = _sent.get(key)
         if future is None or future.status not in ("pending", "finished"):
             with dask.config.set(_QUIETLY):
-                future = _sent[key] = client.submit(_itself, value, key=f"{type(value).__name__}-{key[1]}")
+                future = _sent[key] = client.submit(_return_unchanged, value, key=f"{type(value).__name__}-{key[1]}")
             _last_sent.append(future)
         called.append(future)
     return {}, called
 
 
-def _itself(value: Any) -> Any:
+def _return_unchanged(value: Any) -> Any:
     """Return the argument unchanged."""
     return value

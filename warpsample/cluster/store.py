@@ -26,7 +26,7 @@ SUFFIX = ".zarr"
 
 
 def check_store(path: Any, argument: str) -> Path:
-    """Check the path of a store, and return it absolute and without links.
+    """Check the path of a Zarr store, and return the absolute path with links resolved.
 
     Workers may run in another folder, so the path is absolute. Links are resolved so that each store has one lock.
 
@@ -55,7 +55,7 @@ def check_store(path: Any, argument: str) -> Path:
 
 
 def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
-    """Create the store of a job without chunks, or check an existing one.
+    """Create the empty store of a job, or check that an existing store can be resumed.
 
     Args:
         path: Path of the store.

@@ -80,7 +80,7 @@ def _end(folder: Path) -> None:
 
 
 def store_of(folder: Path) -> Path:
-    """Return the path of the store that contains a call's folder."""
+    """Return the path of the store that contains the folder of a writing call."""
     return folder.parents[1]
 
 
@@ -110,7 +110,9 @@ def _check(folder: Path) -> None:
 
 
 def put(folder: Path, index: int, place: tuple[int, ...], sides: tuple[int, ...], arrays: Mapping[str, np.ndarray]) -> None:
-    """Write a chunk of each array, then a record of the chunk's checksums. Each file appears complete.
+    """Write one chunk of every array into the store, then a record of the chunk's checksums.
+
+    Other processes never see a partly written file.
 
     Args:
         folder: Folder of the writing call.
@@ -134,15 +136,15 @@ def _put(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
     record = {INDEX: index, SUMS: {name: checksum_of(content) for name, (_, content) in files.items()}}
     try:
         for file, content in files.values():
-            _place(folder, file, content)
-        _place(folder, record_of(index), json.dumps(record).encode())
+            _move_into_store(folder, file, content)
+        _move_into_store(folder, record_of(index), json.dumps(record).encode())
     except OSError as error:
         _check(folder)
         raise WriteError(f"{error.filename2 or store_of(folder)} cannot be written: {error.strerror or error}") from None
 
 
 def _encode(folder: Path, name: str, index: int, array: np.ndarray, sides: tuple[int, ...]) -> bytes:
-    """Return the content of the file of a chunk of an array."""
+    """Encode one chunk of an array, and return the content of the chunk's file."""
     chunk = (*sides, *array.shape[len(sides) :])
     encoder, encoded = _encoder(folder, name, array.dtype, chunk)
     slot = index % MOST_CHUNKS
@@ -152,7 +154,7 @@ def _encode(folder: Path, name: str, index: int, array: np.ndarray, sides: tuple
 
 @lru_cache(maxsize=64)
 def _encoder(_: Path, name: str, dtype: np.dtype, chunk: tuple[int, ...]) -> tuple[Any, dict[str, Any]]:
-    """Return an array in memory that encodes chunks, one below the other, and the dictionary that receives the bytes.
+    """Return a Zarr array in memory that encodes chunks, and the dictionary that receives the encoded bytes.
 
     Keys of the dictionary are paths in the store. Threads share the dictionary, because no two tasks use the same path.
     The first argument is the folder of the writing call; it only makes the cache entry specific to the call.
@@ -163,7 +165,7 @@ def _encoder(_: Path, name: str, dtype: np.dtype, chunk: tuple[int, ...]) -> tup
     return array.with_config({"write_empty_chunks": True}), encoded
 
 
-def _place(folder: Path, file: str, content: bytes) -> None:
+def _move_into_store(folder: Path, file: str, content: bytes) -> None:
     """Write one file in the call's folder, and move it to its path in the store."""
     part, store, parts = folder / uuid4().hex, store_of(folder), Path(file).parts
     part.write_bytes(content)

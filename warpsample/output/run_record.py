@@ -144,7 +144,7 @@ class RunRecord:
 
     def describe(self) -> list[str]:
         """Return the report of a finished run: mean, range, standard error, rays and time, in lines."""
-        lines = [f"{self.there:,} of the {self.total:,} {self.things} were there already"] if self.there else []
+        lines = [f"{self.there:,} of the {self.total:,} {self.things} were complete before"] if self.there else []
         rays, known = int(self.sums["rays"]), int(self.sums["known"])
         if known:
             error = f"; standard error {self.error:.2g}, root mean square over the points" if self.error or rays else ""

@@ -26,7 +26,7 @@ _MOST_STEPS = 5  # between ticks of a colour bar
 
 
 class CloudActor:
-    """Points of a given size in pixels, coloured by density, with an optional colour bar below."""
+    """Cloud of points in a PyVista scene, coloured by density, with an optional colour bar below."""
 
     def __init__(self, plotter: "pyvista.Plotter", point_size: int, bar: bool):
         import pyvista as pv
@@ -50,7 +50,7 @@ class CloudActor:
             self._bar.SetBelowRangeAnnotation("")
 
     def show(self, position: np.ndarray, pdf: np.ndarray, peak: float) -> None:
-        """Replace the points, (N, 3), and the densities per steradian, (N,); the density `peak` has the last colour."""
+        """Replace the cloud's points, (N, 3), and densities per steradian, (N,); the density `peak` has the last colour."""
         import pyvista as pv
 
         cloud = pv.PolyData(position)
@@ -78,7 +78,7 @@ def label_bar(bar: Any, high: float) -> None:
 
 
 class LobeActor:
-    """Density of directions as a translucent surface over the tangent plane."""
+    """Lobe in a PyVista scene: the density of directions as a translucent surface over the tangent plane."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
         import pyvista as pv
@@ -87,7 +87,7 @@ class LobeActor:
         self.actor = plotter.add_mesh(pv.Plane(i_resolution=1, j_resolution=1), **style)
 
     def show(self, grid: np.ndarray) -> None:
-        """Replace the surface with (I, J, 3) points on I rings and J spokes."""
+        """Replace the lobe's surface by a grid of points, (I, J, 3), on I rings and J spokes."""
         rings, spokes = grid.shape[:2]
         first = (np.arange(rings - 1)[:, None] * spokes + np.arange(spokes - 1)).ravel()
         quads = np.stack([first, first + 1, first + spokes + 1, first + spokes], axis=1)
@@ -95,7 +95,7 @@ class LobeActor:
 
 
 class Sheet:
-    """Pixels that fill a renderer for every camera position."""
+    """Picture that fills a renderer of a PyVista scene, for every camera position."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
         import pyvista as pv
@@ -111,14 +111,14 @@ class Sheet:
         plotter.add_actor(self._actor, pickable=False)
 
     def show(self, pixels: np.ndarray) -> None:
-        """Replace the pixels with (H, W, 3) uint8."""
+        """Replace the picture by pixels, (H, W, 3) uint8."""
         import pyvista as pv
 
         self._actor.SetTexture(pv.Texture(pixels))
 
 
 class Pin:
-    """Line with a round head that marks a point."""
+    """Pin in a PyVista scene: a line with a round head that marks a point."""
 
     def __init__(self, plotter: "pyvista.Plotter", colour: str):
         import pyvista as pv
@@ -136,7 +136,7 @@ class Pin:
 
 
 class MeshPicker:
-    """Selection of a point of a mesh, and of its face, by a double click."""
+    """Mouse picking in a PyVista scene: a double click selects a point of a mesh and its face."""
 
     def __init__(self, plotter: "pyvista.Plotter", actor: Any, choose: Callable[[np.ndarray, int], None]):
         """Call `choose` with the point, (3,), and its face at each double click on an actor of the current renderer.
@@ -152,6 +152,9 @@ class MeshPicker:
         iren.track_click_position(lambda _: self.click(iren.get_event_position()), side="left", double=True, viewport=True)
 
     def click(self, at: tuple[int, int]) -> None:
-        """Act as a double click at a pixel, (x, y) from the lower left corner of the window, would."""
+        """Pick the point of the mesh at a pixel, as a double click does.
+
+        Pixels count from the lower left corner of the window.
+        """
         if self._renderer.IsInViewport(*at) and self._picker.Pick(*at, 0, self._renderer) and self._picker.GetCellId() >= 0:
             self._choose(np.array(self._picker.GetPickPosition()), self._picker.GetCellId())

@@ -11,7 +11,7 @@ _SURE = 1e-6  # p-values below this, or above 1 minus this, do not happen by cha
 
 @dataclass(frozen=True, eq=False)
 class AngleHistogram:
-    """Counts of an angle, and the counts that a density predicts.
+    """Histogram of an angle of directions, compared with the counts that a density predicts.
 
     Attributes:
         edges: (K + 1,) edges of the bins, degrees.
@@ -44,7 +44,7 @@ class AngleHistogram:
         return self.test is not None and self.test.p_value < _SURE
 
     def verdict(self) -> str:
-        """Return two lines: whether the directions agree with the compared density, and the numbers of the test."""
+        """Return two lines of text: whether the directions agree with the compared density, and the numbers of the test."""
         if self.test is None:
             return "cannot be judged\ntoo few directions"
         agreement = f"{'does NOT agree' if self.is_wrong else 'agrees'} with {self.claim}"

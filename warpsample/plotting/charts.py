@@ -23,13 +23,15 @@ _BAND = 2.0  # standard deviations
 
 
 class LobeCharts:
-    """Sheet with charts of theta and azimuth and with the projected disk; `size` is its width and height in pixels.
+    """Sheet with charts of the viewer: histograms of theta and azimuth, and the projected disk.
+
+    `size` is the width and height of the sheet in pixels.
 
     Fixed parts are drawn once (blitting): matplotlib takes 2 to 6 ms for a text, and a knob would respond half as fast.
     """
 
     def __init__(self, size: tuple[int, int]):
-        """Lay out a sheet with a width and height in pixels."""
+        """Arrange the charts on a sheet with a width and height in pixels."""
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
 
@@ -50,7 +52,7 @@ class LobeCharts:
         self._stills: dict[tuple[Any, ...], Any] = {}
 
     def draw(self, theta: AngleHistogram, azimuth: AngleHistogram, disk: np.ndarray) -> np.ndarray:
-        """Draw new data and return the pixels of the sheet, (H, W, 3) uint8.
+        """Draw the charts with new data, and return the pixels of the sheet, (H, W, 3) uint8.
 
         Args:
             theta: angles to the normal, 0 to 180 degrees.
@@ -67,7 +69,7 @@ class LobeCharts:
         return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
 
     def _draw_still(self) -> None:
-        """Draw all axes without their moving artists; axes with an unchanged range are copied from a cached sheet."""
+        """Draw the axes of all charts without data; axes with an unchanged range are copied from a cached sheet."""
         frames = tuple(part.frame for part in self._parts)
         if frames in self._stills:
             self._canvas.restore_region(self._stills[frames])
@@ -86,7 +88,7 @@ class LobeCharts:
 
 
 class HistogramChart:
-    """Histogram as bars, density as a line, verdict above and residuals below.
+    """Chart of one angle: histogram as bars, density as a line, verdict above and residuals below.
 
     Attributes:
         moving: (axes, artist) of each artist that every drawing replaces.
@@ -94,7 +96,7 @@ class HistogramChart:
     """
 
     def __init__(self, figure: Any, *, above: tuple[float, ...], below: tuple[float, ...], name: str, label: str):
-        """Add the chart to a figure.
+        """Add the chart of an angle, without data, to a figure.
 
         Args:
             figure: figure to draw into.
@@ -113,10 +115,10 @@ class HistogramChart:
         residuals = self._below.stairs(one, unit, fill=True, color=BARS, animated=True)
         self.moving = ((self._above, bars), (self._above, curve), (self._above, verdict), (self._below, residuals))
         self.handles = [bars, curve]
-        self._lay_out(f"{name} {label} [degrees]")
+        self._draw_fixed_parts(f"{name} {label} [degrees]")
 
-    def _lay_out(self, label: str) -> None:
-        """Draw the fixed parts: labels, ticks and the band of two standard deviations."""
+    def _draw_fixed_parts(self, label: str) -> None:
+        """Draw the fixed parts of the chart: labels, ticks and the band of two standard deviations."""
         self._above.set_ylabel("density [1/rad]", fontsize=_TEXT)
         self._above.set_xticklabels([])
         self._above.locator_params(axis="y", nbins=5)
@@ -134,7 +136,7 @@ class HistogramChart:
         return (*self._above.get_xlim(), *self._above.get_ylim())
 
     def draw_still(self, canvas: Any) -> None:
-        """Redraw the axes and the labels around the axes."""
+        """Redraw the axes of the chart and their labels."""
         pixels = np.asarray(canvas.buffer_rgba())
         height, width = pixels.shape[:2]
         left, bottom, right, top = self._box
@@ -144,7 +146,7 @@ class HistogramChart:
             axes.draw(canvas.get_renderer())
 
     def show(self, seen: AngleHistogram) -> None:
-        """Replace the histogram, the density and the verdict.
+        """Replace the histogram, the density and the verdict in the chart.
 
         The range of the axes changes in steps, so that most drawings need no new axes.
         """
@@ -154,14 +156,14 @@ class HistogramChart:
         verdict.set_text(f"{self._name} {seen.verdict()}")
         verdict.set_color(LOBE if seen.is_wrong else INK)
         residuals.set_data(np.clip(seen.residuals, -_MOST_SIGMA, _MOST_SIGMA), seen.edges)
-        self._span(float(seen.edges[0]), float(seen.edges[-1]))
+        self._set_range(float(seen.edges[0]), float(seen.edges[-1]))
         tallest = float(seen.expected.max(initial=1e-9))
         top = _round_up(1.15 * min(max(tallest, float(seen.observed.max())), _MOST_WRONG * tallest))
         if self._above.get_ylim() != (0.0, top):
             self._above.set_ylim(0.0, top)
 
-    def _span(self, low: float, high: float) -> None:
-        """Set the range of the horizontal axes, in degrees."""
+    def _set_range(self, low: float, high: float) -> None:
+        """Set the range of the chart's horizontal axes, in degrees."""
         if self._below.get_xlim() == (low, high):
             return
         ticks = np.linspace(low, high, 4)
@@ -172,13 +174,16 @@ class HistogramChart:
 
 
 class DiskChart:
-    """Directions seen along the normal: the projected hemisphere, which a cosine lobe fills uniformly (Nusselt).
+    """Chart of directions seen along the normal: the projected hemisphere, which a cosine lobe fills uniformly (Nusselt).
 
     `moving` has the meaning of `HistogramChart.moving`. The range of the axes never changes, so `frame` is empty.
     """
 
     def __init__(self, figure: Any, box: tuple[float, ...]):
-        """Add the chart to a figure; `box` is left, bottom, width and height as shares of the figure."""
+        """Add the chart of the projected hemisphere to a figure.
+
+        `box` is left, bottom, width and height as fractions of the figure.
+        """
         axes: Axes = figure.add_axes(box)
         (points,) = axes.plot([], [], "o", markersize=2.2, color=DOTS, markeredgewidth=0, animated=True)
         turn = np.linspace(0.0, 2.0 * np.pi, 181)
@@ -192,13 +197,13 @@ class DiskChart:
         axes.set_ylabel("ω·b, along the bitangent", fontsize=_TEXT, labelpad=-6)
 
     def show(self, disk: np.ndarray) -> None:
-        """Replace the points, (N, 2)."""
+        """Replace the drawn directions by components along tangent and bitangent, (N, 2)."""
         points, _, words = (artist for _, artist in self.moving)
         points.set_data(disk[:, 0], disk[:, 1])
         words.set_text(f"{len(disk):,} directions of the\npinned point, seen along n")
 
 
 def _round_up(x: float) -> float:
-    """Return the smallest number at or above x that is one of _STEPS times a power of ten."""
+    """Round x up to one of _STEPS times a power of ten."""
     scale = 10.0 ** np.floor(np.log10(x))
     return float(next(step * scale for step in _STEPS if step * scale >= x * (1 - 1e-9)))

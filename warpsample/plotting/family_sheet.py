@@ -18,7 +18,7 @@ _SYMBOL = 22
 
 @dataclass(frozen=True, eq=False)
 class SetPanel:
-    """Set about the tip of the normal, seen from the side, and the angles of its projection.
+    """Panel of a figure: a set of points about the tip of the normal, and the angles of their projection to directions.
 
     Attributes:
         title: text above the panel.
@@ -59,12 +59,12 @@ def family_sheet(sets: list[SetPanel], spheres: list[SetPanel], caption: str) ->
 
 
 def _draw_set(axes: "Axes", panel: SetPanel) -> None:
-    """Draw the points of a set and their projection, seen from the side."""
+    """Draw the points of an offset set and their projection to directions, seen from the side."""
     turn = np.linspace(-np.pi / 2, np.pi / 2, 91)
     axes.plot(np.sin(turn), np.cos(turn), color="0.75", linewidth=1)
     axes.plot(*panel.points.T, ".", color=BARS, markersize=4, label="n + point")
     axes.plot(*panel.directions.T, ".", color=LOBE, markersize=4, label="direction ω")
-    _arrow(axes, (0, 1), (0, 0), INK)
+    _draw_arrow(axes, (0, 1), (0, 0), INK)
     reach = max(1.0, float(np.abs(panel.points - [0.0, 1.0]).max()))
     axes.set(aspect="equal", xlim=(-1.3 * reach, 1.3 * reach), ylim=(min(-0.12, 0.95 - reach), 1.0 + 1.5 * reach))
     axes.locator_params(nbins=6)
@@ -77,7 +77,7 @@ def _draw_set(axes: "Axes", panel: SetPanel) -> None:
 
 
 def _draw_density(axes: "Axes", panel: SetPanel) -> None:
-    """Draw the histogram of the angles with the density and the result of the chi-square test."""
+    """Draw the histogram of the directions' angles, with the density and the result of the chi-square test."""
     axes.stairs(panel.observed, panel.edges, fill=True, color=BARS, label="directions")
     axes.plot(panel.angles, panel.density, color=LOBE, linewidth=2, label=panel.formula)
     axes.set(xlim=(panel.edges[0], panel.edges[-1]), ylim=(0, 1.4 * max(panel.observed)))
@@ -98,7 +98,7 @@ def _draw_half_angle(axes: "Axes", theta: float = 1.15) -> None:
     axes.plot(np.sin(turn), 1.0 + np.cos(turn), color="0.7", linewidth=1)
     point = np.array([np.sin(theta), 1.0 + np.cos(theta)])
     for end, start, colour in (((0, 1), (0, 0), INK), (point, (0, 1), DOTS), (point, (0, 0), LOBE)):
-        _arrow(axes, end, start, colour)
+        _draw_arrow(axes, end, start, colour)
     axes.plot([0, 0], [1, 2], color="0.7", linewidth=1, linestyle="--")
     for centre, angle, radius, name in (((0, 1), theta, 0.35, "θ"), ((0, 0), theta / 2, 0.6, "θ′")):
         arc = np.linspace(0.0, angle, 40)
@@ -113,7 +113,7 @@ def _draw_half_angle(axes: "Axes", theta: float = 1.15) -> None:
     axes.axis("off")
 
 
-def _arrow(axes: "Axes", end: tuple[float, float], start: tuple[float, float], colour: str) -> None:
-    """Draw an arrow."""
+def _draw_arrow(axes: "Axes", end: tuple[float, float], start: tuple[float, float], colour: str) -> None:
+    """Draw an arrow from `start` to `end`."""
     style = {"arrowstyle": "-|>", "color": colour, "linewidth": 2, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", end, start, arrowprops=style)

@@ -18,7 +18,7 @@ _FROM_EDGE = 0.035  # of the map's longer side
 
 @dataclass(frozen=True, eq=False)
 class Map:
-    """Numbers seen from above.
+    """Map of numbers seen from above, with its title, colours and scale.
 
     Attributes:
         value: (R, C) numbers, the first row in the north; NaN shows the background.
@@ -75,23 +75,23 @@ def scale_length(width: float) -> float:
 
 
 def _draw_scale(axes: "Axes", width: float, edge: float) -> None:
-    """Draw a bar of a round length in the lower left corner."""
+    """Draw a scale bar of a round length in the lower left corner of a map."""
     length = scale_length(width)
-    _fill(axes, (0.5 * edge, 0.5 * edge), length + edge, 2.3 * edge, color="white", alpha=0.85)
-    _fill(axes, (edge, edge), length, 0.25 * edge, color=INK)
+    _draw_rectangle(axes, (0.5 * edge, 0.5 * edge), length + edge, 2.3 * edge, color="white", alpha=0.85)
+    _draw_rectangle(axes, (edge, edge), length, 0.25 * edge, color=INK)
     axes.text(edge + 0.5 * length, 1.4 * edge, f"{length:g} m", ha="center", va="bottom", fontsize=_TEXT, color=INK)
 
 
 def _draw_north(axes: "Axes", at: np.ndarray, edge: float, north: tuple[float, float]) -> None:
     """Draw an arrow to the north through the position `at`, above an N."""
-    _fill(axes, at + edge * np.array([-1.0, -2.4]), 2.0 * edge, 4.0 * edge, color="white", alpha=0.85)
+    _draw_rectangle(axes, at + edge * np.array([-1.0, -2.4]), 2.0 * edge, 4.0 * edge, color="white", alpha=0.85)
     along = edge * np.array(north)
     style = {"arrowstyle": "-|>", "mutation_scale": 22, "linewidth": 2.5, "color": INK, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", at + 1.2 * along, at - 0.6 * along, arrowprops=style)
     axes.text(at[0], at[1] - 0.9 * edge, "N", ha="center", va="top", fontsize=_TEXT, color=INK)
 
 
-def _fill(axes: "Axes", corner: Any, width: float, height: float, **style: Any) -> None:
+def _draw_rectangle(axes: "Axes", corner: Any, width: float, height: float, **style: Any) -> None:
     """Draw a filled rectangle."""
     from matplotlib.patches import Rectangle
 

@@ -14,7 +14,7 @@ _POINT = 5  # pixels
 def number_scene(
     numbers: "pyvista.PolyData", name: str, *, title: str, caption: str, high: float, up: str, size: tuple[int, int]
 ) -> "pyvista.Plotter":
-    """Return a plotter that shows an array of a mesh or of points in colours from 0 to `high`.
+    """Build a plotter that shows a mesh or points coloured by one of their arrays, from 0 to `high`, with a colour bar.
 
     Args:
         numbers: mesh or points with the array.

@@ -36,7 +36,7 @@ def overlay(red: np.ndarray, green: np.ndarray, size: int) -> tuple[np.ndarray, 
 
 
 def overlay_sheet(panels: list[tuple[str, str, np.ndarray, float]], caption: str) -> "Figure":
-    """Draw overlays side by side on black, each with an enlarged part.
+    """Draw several overlays of a red and a green set side by side on black, each with an enlarged part.
 
     Args:
         panels: of each overlay the name of the red set, the name of the green set, the picture, and the yellow share of the
@@ -64,7 +64,7 @@ def overlay_sheet(panels: list[tuple[str, str, np.ndarray, float]], caption: str
 
 
 def _draw_enlarged(figure: "Figure", picture: np.ndarray, left: float) -> None:
-    """Draw a part of the picture at twice its size; `left` is a share of the figure's width."""
+    """Draw a part of the overlay at twice its size; `left` is a fraction of the figure's width."""
     size = len(picture)
     window = (slice(int(0.60 * size), int(0.76 * size)), slice(int(0.42 * size), int(0.58 * size)))
     axes = figure.add_axes((left, 0.10, 0.11, 0.11 * _WIDTH / _HEIGHT))

@@ -26,7 +26,7 @@ _BAR |= {"height": 0.06, "width": 0.8, "position_x": 0.1, "position_y": 0.075}
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """Numbers at the vertices, (V,), or the faces, (F,), of a mesh, and their colours.
+    """Panel of a scene: numbers at the vertices, (V,), or faces, (F,), of a mesh, with title and colours.
 
     Attributes:
         value: the numbers. Places with NaN have the colour SURFACE.
@@ -55,7 +55,7 @@ def meshes_side_by_side(
     above: float = 0.0,
     edges: bool = False,
 ) -> "pyvista.Plotter":
-    """Return a plotter that shows a mesh once for each panel, in the colours of the panel, with a shared camera.
+    """Build a plotter that shows a mesh once for each panel, in the colours of the panel, with a shared camera.
 
     Args:
         vertices: (V, 3) positions.
@@ -80,7 +80,7 @@ def meshes_side_by_side(
 
 
 def columns_over_caption(columns: int, caption: str, off_screen: bool, size: tuple[int, int]) -> "pyvista.Plotter":
-    """Return a plotter with empty renderers side by side, at `subplot(0, column)`, and a caption below the renderers."""
+    """Build a plotter with empty renderers side by side, at `subplot(0, column)`, and a caption below the renderers."""
     import pyvista as pv
 
     style = {"off_screen": off_screen, "window_size": size, "border": False}
@@ -96,7 +96,7 @@ def columns_over_caption(columns: int, caption: str, off_screen: bool, size: tup
 def add_text(
     plotter: "pyvista.Plotter", words: str, at: tuple[float, float], size: float = _TEXT, name: str | None = None
 ) -> Any:
-    """Write text into the current renderer, centred at shares of its width and height, and return the actor.
+    """Write a text into the current renderer, centred at fractions of its width and height; return the actor.
 
     `size` is the height of the text as a share of the window's height. A text replaces an earlier text with the same `name`.
     """
@@ -108,7 +108,7 @@ def add_text(
 
 
 def _size_of(plotter: "pyvista.Plotter") -> tuple[float, float]:
-    """Return the width and height of the plotter's current renderer in pixels."""
+    """Return the width and height, in pixels, of the plotter's current renderer."""
     left, bottom, right, top = plotter.renderer.GetViewport()
     width, height = plotter.window_size
     return (right - left) * width, (top - bottom) * height

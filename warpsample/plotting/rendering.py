@@ -58,7 +58,7 @@ def has_screen() -> bool:
 
 
 def check_output(screenshot: Path | None, suffixes: tuple[str, ...], *inputs: Path | None) -> None:
-    """Check that a picture can be shown or saved.
+    """Raise an error unless a picture can be shown in a window or saved to a file.
 
     Args:
         screenshot: path of the picture; None opens a window.
@@ -77,7 +77,7 @@ def check_output(screenshot: Path | None, suffixes: tuple[str, ...], *inputs: Pa
 
 
 def check_rendering() -> None:
-    """Check that scenes can be rendered on this machine.
+    """Raise an error unless PyVista can render scenes on this machine.
 
     A child process renders 16 x 16 pixels, because creating a Plotter without an OpenGL library kills Python.
 
@@ -103,13 +103,13 @@ def _is_successful(probe: str) -> bool:
 
 
 def limit_counts(points: int, count: int) -> tuple[int, int]:
-    """Return the numbers of points, and of directions at each point, to draw: at most MOST_POINTS directions in all."""
+    """Limit the numbers of points and of directions at each point, so that at most MOST_POINTS directions are drawn."""
     points = min(points, MOST_POINTS)
     return points, max(1, min(count, MOST_POINTS // max(points, 1)))
 
 
 def describe_counts(shown: tuple[int, int], requested: tuple[int, int]) -> str:
-    """Return a caption with the numbers of points and of directions at each point.
+    """Describe the numbers of points, and of directions at each point, in a caption.
 
     If fewer are drawn than requested, the caption has the requested numbers too.
     """
@@ -118,14 +118,17 @@ def describe_counts(shown: tuple[int, int], requested: tuple[int, int]) -> str:
 
 
 def round_ticks(high: float, most: int) -> np.ndarray:
-    """Return round numbers at equal steps from 0 to the first one at or above `high` > 0, with at most `most` steps."""
+    """Return round numbers for the ticks of an axis from 0 to `high` > 0, in at most `most` equal steps.
+
+    The last number is the first one at or above `high`.
+    """
     from matplotlib.ticker import MaxNLocator
 
     return MaxNLocator(most, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, high)
 
 
 def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
-    """Write a scene to a file, and close its plotter. A failure leaves no incomplete file.
+    """Write a PyVista scene to a .png or .html file, and close its plotter. A failure leaves no incomplete file.
 
     A .png has the size of the plotter. An .html can be turned in a browser; it shows `caption` in place of the texts of the
     scene. The scene must not have been shown before.
@@ -151,7 +154,7 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
 
 @contextmanager
 def _without_download() -> Iterator[None]:
-    """Prevent trame from downloading its WebAssembly viewer inside the block; an .html with vtk.js works without it."""
+    """Context manager: trame does not download its WebAssembly viewer, which an .html with vtk.js does not need."""
     try:
         from trame.widgets import vtklocal
     except ImportError:
@@ -166,7 +169,7 @@ def _without_download() -> Iterator[None]:
 
 
 def check_size(size: tuple[int, int], least: tuple[int, int] = (600, 600)) -> None:
-    """Check the size of a picture, width and height in pixels.
+    """Raise an error for a picture whose width and height, in pixels, are too small or too large.
 
     Raises:
         ValueError: the text of a picture of this size could not be read, or the picture is too large to draw.
@@ -188,14 +191,14 @@ def size_figure(figure: "Figure", size: tuple[int, int]) -> None:
 
 
 def save_figure(figure: "Figure", path: Path) -> None:
-    """Write a figure to a file. A failure leaves no incomplete file."""
+    """Write a matplotlib figure to a file. A failure leaves no incomplete file."""
     picture = BytesIO()
     figure.savefig(picture, format=path.suffix[1:], dpi=figure.dpi)
     files.write_bytes(path, picture.getvalue())
 
 
 def pixels_of(figure: "Figure") -> np.ndarray:
-    """Return the pixels of a figure, (H, W, 3) uint8."""
+    """Draw a matplotlib figure, and return its pixels, (H, W, 3) uint8."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     canvas = FigureCanvasAgg(figure)

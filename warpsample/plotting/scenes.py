@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def draw_mesh(
     plotter: "pyvista.Plotter", vertices: np.ndarray, faces: np.ndarray, texture: tuple[np.ndarray, np.ndarray] | None = None
 ) -> Any:
-    """Draw a mesh into the current renderer and return the actor.
+    """Draw a mesh into the plotter's current renderer, and return the actor.
 
     Meshes of at most MOST_SMOOTH_FACES faces are shaded smoothly.
 
@@ -35,7 +35,7 @@ def draw_mesh(
 
 
 def _draw_textured(plotter: "pyvista.Plotter", corners: np.ndarray, picture: np.ndarray, uv: np.ndarray) -> Any:
-    """Draw faces with corners (F, 3, 3) and a texture, and return the actor."""
+    """Draw faces, given by their corners, (F, 3, 3), with a texture, and return the actor."""
     import pyvista as pv
 
     mesh = surface(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3))
@@ -91,7 +91,7 @@ def clouds_on_mesh(
     size: tuple[int, int],
     off_screen: bool = True,
 ) -> "pyvista.Plotter":
-    """Return a plotter with a mesh, points with normals, and clouds of directions.
+    """Build a plotter that shows a mesh, points with normals, and clouds of directions.
 
     Args:
         vertices: (V, 3) positions.
@@ -116,7 +116,7 @@ def clouds_on_mesh(
 
 
 def figure_in_window(figure: "Figure") -> "pyvista.Plotter":
-    """Return a plotter that shows a figure in a window with the size of the figure; matplotlib then opens no window."""
+    """Build a plotter that shows a matplotlib figure in a window of the same size; matplotlib opens no window."""
     import pyvista as pv
 
     pixels = pixels_of(figure)

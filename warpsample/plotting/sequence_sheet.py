@@ -19,7 +19,7 @@ _SLOPES = ((-0.5, "--", "$N^{-1/2}$"), (-1.0, ":", "$N^{-1}$"))
 
 @dataclass(frozen=True, eq=False)
 class Convergence:
-    """Root mean square errors of one integrand.
+    """Errors of the mean of one integrand: root mean square error by number of samples, for each sequence.
 
     Attributes:
         title: name of the integrand.
@@ -67,7 +67,7 @@ def sequence_sheet(
 
 
 def _draw_hemisphere(axes: "Axes", w: np.ndarray, colour: str) -> None:
-    """Draw directions with the rim of the hemisphere and the normal."""
+    """Draw directions on a hemisphere, with its rim and the normal."""
     turn = np.linspace(0.0, 2.0 * np.pi, 181)
     rim = np.stack([np.cos(turn), np.sin(turn), 0.0 * turn], axis=1)
     arch = np.stack([np.cos(turn[:91]), 0.0 * turn[:91], np.sin(turn[:91])], axis=1)
@@ -80,7 +80,7 @@ def _draw_hemisphere(axes: "Axes", w: np.ndarray, colour: str) -> None:
 
 
 def _project(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the two drawn coordinates of points, (N, 3), seen from 35 degrees above the tangent plane."""
+    """Project points, (N, 3), to the two coordinates of a drawing, seen from 35 degrees above the tangent plane."""
     return points[:, 0], points[:, 1] * np.sin(_TILT) + points[:, 2] * np.cos(_TILT)
 
 

@@ -43,7 +43,7 @@ class SkyMap:
 
 
 def map_positions(altitude: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
-    """Return positions, (..., 3), on a map of the sky for altitudes and azimuths in degrees.
+    """Convert altitudes and azimuths, in degrees, to positions on a map of the sky, (..., 3).
 
     The zenith is the origin and the horizon a circle of radius 1. North is up (+y) and east at the right (+x), as on a map
     of the ground; a photograph of the sky is its mirror image.
@@ -53,7 +53,10 @@ def map_positions(altitude: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
 
 
 def map_patches(altitudes: np.ndarray, azimuths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return points, (N, 3), and quads, (K * 8, 4), of sky patches on a map: eight quads for each patch, in order."""
+    """Build the polygons of K sky patches on a map of the sky: points, (N, 3), and quads, (K * 8, 4).
+
+    Each patch has eight quads, in order.
+    """
     share = np.linspace(0.0, 1.0, _QUADS + 1)
     azimuth = azimuths[:, :1] + share * np.diff(azimuths, axis=1)
     lower, upper = (map_positions(altitudes[:, [side]], azimuth) for side in (0, 1))
@@ -75,7 +78,7 @@ def sun_and_sky(
     off_screen: bool,
     size: tuple[int, int],
 ) -> "pyvista.Plotter":
-    """Return a plotter with the mesh in colours of a year and of an hour, and with a map of the sky above a point.
+    """Build a plotter that shows a mesh in colours of a year and of an hour, and a map of the sky above a point.
 
     In a window a slider chooses the hour.
 
@@ -132,7 +135,7 @@ def _draw_pin(plotter: "pyvista.Plotter", start: np.ndarray, end: np.ndarray) ->
 
 
 def _draw_sky(plotter: "pyvista.Plotter", sky: SkyMap) -> Any:
-    """Draw the map into the current renderer, and return the dot of the sun."""
+    """Draw the map of the sky into the plotter's current renderer, and return the actor of the sun's dot."""
     import pyvista as pv
 
     high = round_ticks(float(max(sky.shares.max(), 1e-6)), 5)[-1]

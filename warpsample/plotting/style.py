@@ -25,7 +25,10 @@ AMOUNT = "YlOrRd"
 
 @lru_cache
 def font_file(bold: bool = False) -> str:
-    """Return the path of DejaVu Sans in matplotlib, so that scenes have the font of figures, with ² and Greek letters."""
+    """Return the path of the font DejaVu Sans that matplotlib contains, for texts of PyVista scenes.
+
+    Scenes then have the font of figures, with ² and Greek letters.
+    """
     import matplotlib as mpl
 
     return str(Path(mpl.get_data_path()) / "fonts" / "ttf" / f"DejaVuSans{'-Bold' * bold}.ttf")

@@ -1,4 +1,4 @@
-"""Wrong samplers to test the laws, each with one defect that real samplers have had."""
+"""Planted defects: wrong samplers, each with one deliberate error that real samplers have had, to test the laws."""
 
 from collections.abc import Callable
 from functools import partial
@@ -20,7 +20,7 @@ from warpsample.proof.routes import add_normal
 from warpsample.proof.streams import judge_stream
 from warpsample.proof.twins.sequences import pcg4d
 from warpsample.proof.verify import Verdict, judge
-from warpsample.proof.wrong import Wrong
+from warpsample.proof.wrong import WrongSampler
 from warpsample.proof.wrong_lobes import WRONG_LOBES
 from warpsample.proof.wrong_microfacets import WRONG_MICROFACETS
 from warpsample.sequences.hashing import run_words
@@ -31,28 +31,28 @@ _F = np.float32
 
 
 def _scaled_sphere(scale: float, u: np.ndarray) -> np.ndarray:
-    """Return normalised sums of the normal and a point of a sphere with the wrong radius, in place of the cosine lobe."""
+    """Sample wrong cosine-lobe directions: the normal plus a point of a sphere with radius `scale`, normalised."""
     return add_normal(scale * UniformSphere().sample(u).astype(np.float64)).astype(_F)
 
 
 def _short_normal(u: np.ndarray) -> np.ndarray:
-    """Return normalised sums of a normal of length 0.9 and a point of the unit sphere, in place of the cosine lobe."""
+    """Sample wrong cosine-lobe directions: a normal of length 0.9 plus a point of the unit sphere, normalised."""
     return add_normal(UniformSphere().sample(u).astype(np.float64) / 0.9).astype(_F)
 
 
 def _lifted_in_float32(u: np.ndarray) -> np.ndarray:
-    """Return directions of the cosine lobe with z = sqrt(1 - x^2 - y^2) computed in float32."""
+    """Sample cosine-lobe directions with a rounding error: z is sqrt(1 - x^2 - y^2) in float32."""
     x, y = UniformDisk().sample(u).T
     return np.stack([x, y, np.sqrt(np.maximum(_F(1) - x * x - y * y, 0))], axis=-1)
 
 
 def _with_gap(u: np.ndarray) -> np.ndarray:
-    """Return directions of the cosine lobe with an azimuth gap of 1e-3 rad."""
+    """Sample wrong cosine-lobe directions, which never have an azimuth in a gap of 1e-3 rad."""
     return _RIGHT.sample(np.stack([u[..., 0], (u[..., 1] * (1 - 1e-3 / (2 * np.pi))).astype(_F)], axis=-1))
 
 
 def _swapped_quadrant(u: np.ndarray) -> np.ndarray:
-    """Return directions of the cosine lobe with sine and cosine swapped in a quadrant of azimuths."""
+    """Sample wrong cosine-lobe directions: sine and cosine of the azimuth are swapped in one quadrant."""
     w = _RIGHT.sample(u)
     quadrant = (u[..., 1] >= 0.25) & (u[..., 1] < 0.5)
     w[quadrant, :2] = w[quadrant, 1::-1]
@@ -60,24 +60,24 @@ def _swapped_quadrant(u: np.ndarray) -> np.ndarray:
 
 
 def _with_change(change: Callable[[np.ndarray, np.ndarray], None], u: np.ndarray) -> np.ndarray:
-    """Return directions of the cosine lobe after an in-place change."""
+    """Sample cosine-lobe directions, and then change the array by `change(directions, u)`."""
     w = _RIGHT.sample(u)
     change(w, u)
     return w
 
 
 def _nan_in_the_middle(w: np.ndarray, u: np.ndarray) -> None:
-    """Replace the direction at the centre of the unit square by NaN."""
+    """Replace the direction of u = (0.5, 0.5), the centre of the unit square, by NaN, in place."""
     w[(u == 0.5).all(axis=-1)] = np.nan
 
 
 def _one_below(w: np.ndarray, u: np.ndarray) -> None:
-    """Flip one direction in 10^5 to below the surface."""
+    """Flip one direction in 10^5 to below the surface, in place."""
     w[::100_000, 2] *= -1
 
 
 def _with_seam(u: np.ndarray) -> np.ndarray:
-    """Return points of the concentric disk with an error: azimuths in the first octant are one percent too small."""
+    """Sample wrong points of the unit disk: azimuths in the first octant are one percent too small."""
     p = UniformDisk("concentric").sample(u)
     turns = DISK.azimuth(p)
     short = np.where(turns < 0.125, 0.01 * turns, 0.0)
@@ -86,7 +86,10 @@ def _with_seam(u: np.ndarray) -> np.ndarray:
 
 
 def _rough_beckmann(u: np.ndarray) -> np.ndarray:
-    """Return Beckmann normals with sin theta as sqrt(1 - cos^2 theta) in float32; cos theta and the azimuth are correct."""
+    """Sample Beckmann normals with a rounding error: sin theta is sqrt(1 - cos^2 theta) in float32.
+
+    cos theta and the azimuth are correct.
+    """
     u = u.astype(np.float64)
     cosine = (1 / np.sqrt(1 - 1e-6 * np.log1p(-u[..., 0]))).astype(_F)
     circle = np.stack([f(2 * np.pi * u[..., 1]) for f in (np.cos, np.sin)]).astype(_F)
@@ -95,18 +98,21 @@ def _rough_beckmann(u: np.ndarray) -> np.ndarray:
 
 
 def _sine(w: np.ndarray) -> np.ndarray:
-    """Return the sine of the angle to +z; 0 for NaN."""
+    """Return the sine of the angle between directions and +z; 0 for NaN."""
     return np.nan_to_num(np.sqrt(np.maximum(1 - w[..., 2] ** 2, 0)))
 
 
 def _on_grid(bits: int, points: int, count: int, seed: int) -> np.ndarray:
-    """Return independent variates rounded down to a grid of 2^-bits."""
+    """Return variates with a planted defect: independent variates rounded down to multiples of 2^-bits."""
     return np.floor(independent(points, count, seed) * _F(2**bits)) / _F(2**bits)
 
 
 @wp.kernel(enable_backward=False)
 def _builtin_kernel(seed: wp.int32, count: wp.int32, out: wp.array[wp.vec2]):
-    """Draw variates as in Warp's documentation: each thread has a state of 32 bits, and all states are on one cycle."""
+    """Draw variates from Warp's own generator `wp.randf`, as in Warp's documentation.
+
+    Each thread has a state of 32 bits, and all states are on one cycle.
+    """
     point = wp.tid()
     state = wp.rand_init(seed, point)
     for j in range(count):
@@ -114,7 +120,7 @@ def _builtin_kernel(seed: wp.int32, count: wp.int32, out: wp.array[wp.vec2]):
 
 
 def _built_in_generator(points: int, count: int, seed: int) -> np.ndarray:
-    """Return the variates of Warp's own generator."""
+    """Return (points, count, 2) variates of Warp's own generator `wp.randf`."""
     load(_builtin_kernel, "cpu")
     out = wp.empty(points * count, dtype=wp.vec2, device="cpu")
     wp.launch(_builtin_kernel, points, inputs=[seed % 2**31, count], outputs=[out], device="cpu")
@@ -122,25 +128,25 @@ def _built_in_generator(points: int, count: int, seed: int) -> np.ndarray:
 
 
 def _duplicated(points: int, count: int, seed: int) -> np.ndarray:
-    """Return independent variates in which one point in 10^5 repeats the stream of point 1."""
+    """Return variates with a planted defect: one point in 10^5 has the same variates as point 1."""
     u = independent(points, count, seed)
     u[::100_000] = u[1]
     return u
 
 
 def _one_stream_for_all_seeds(points: int, count: int, seed: int) -> np.ndarray:
-    """Return independent variates that ignore the seed."""
+    """Return variates with a planted defect: they are the same for all seeds."""
     return independent(points, count, 0)
 
 
 def _second_is_the_next_first(points: int, count: int, seed: int) -> np.ndarray:
-    """Return independent variates whose second coordinate is the next point's first coordinate."""
+    """Return variates with a planted defect: the second coordinate equals the next point's first coordinate."""
     u = sample_square("independent", points + 1, count, seed=seed)
     return np.stack([u[:-1, :, 0], u[1:, :, 0]], axis=-1)
 
 
 def _raw_words_as_key(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
-    """Return variates that pcg4d hashes from seed, id, stream and sample without premixing.
+    """Return variates with a planted defect: PCG4D hashes seed, id, stream and sample without mixing these words first.
 
     A single step of pcg4d then carries each bit only to higher bits.
     """
@@ -151,23 +157,23 @@ def _raw_words_as_key(seed: int, first: int, stream: int | None = None, sample: 
 
 
 def _ids_of_32_bits(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
-    """Return independent variates of point ids without their upper 32 bits."""
+    """Return variates with a planted defect: the upper 32 bits of the point ids are ignored."""
     return cells_of("independent")(seed, first % 2**32, stream, sample)
 
 
 def _in_one_word(points: np.ndarray, run: tuple[int, ...]) -> np.ndarray:
-    """Return (N, 4) words of pcg4d with one argument that varies and three constant words."""
+    """Return the (N, 4) words of PCG4D for one argument that varies and three constant arguments."""
     return np.stack(pcg4d(points, *(np.full(len(points), word, np.uint64) for word in run)), axis=1)
 
 
 def _ids_in_one_word(seed: int, streams: bool) -> np.ndarray:
-    """Return keys of points whose ids enter a single argument of pcg4d."""
+    """Return keys of points with a planted defect: the point id enters only one of the four arguments of PCG4D."""
     random = np.random.default_rng(1).integers(2**32, size=16 * POINTS, dtype=np.uint64)
     return keys_of(seed, streams) if streams else _in_one_word(random, run_words(seed, 0)[1:])
 
 
 def _samples_in_one_word() -> np.ndarray:
-    """Return words of samples whose numbers enter a single argument of pcg4d."""
+    """Return words with a planted defect: the sample number enters only one of the four arguments of PCG4D."""
     halves = 512 * np.arange(16 * POINTS, dtype=np.uint64)
     return _in_one_word(halves ^ halves >> np.uint64(16), run_words(1, 0)[1:]) >> np.uint64(8)
 
@@ -176,27 +182,27 @@ _SAMPLERS = (
     WRONG_LOBES
     | WRONG_MICROFACETS
     | {
-        "sphere scaled by 0.98": Wrong(_RIGHT, sample=partial(_scaled_sphere, 0.98)),
-        "sphere scaled by 0.99999": Wrong(_RIGHT, sample=partial(_scaled_sphere, 0.99999)),
-        "normals of length 0.9": Wrong(_RIGHT, sample=_short_normal),
-        "azimuth gap of 1e-3 rad": Wrong(_RIGHT, sample=_with_gap),
-        "cos θ as √(1 − x² − y²)": Wrong(_RIGHT, sample=_lifted_in_float32),
-        "ball for sphere": Wrong(_RIGHT, sample=OffsetBall().sample),
-        "uniform for cosine": Wrong(_RIGHT, sample=UniformHemisphere().sample),
-        "sin and cos swapped in a quadrant": Wrong(_RIGHT, sample=_swapped_quadrant),
-        "x and y swapped": Wrong(_RIGHT, sample=lambda u: _RIGHT.sample(u)[..., [1, 0, 2]]),
-        "upside down": Wrong(_RIGHT, sample=lambda u: _RIGHT.sample(u) * _F([1, 1, -1])),
-        "one in 10⁵ below the surface": Wrong(_RIGHT, sample=partial(_with_change, _one_below)),
-        "NaN at the centre of the square": Wrong(_RIGHT, sample=partial(_with_change, _nan_in_the_middle)),
-        "length off by 4e-7": Wrong(_RIGHT, sample=lambda u: _RIGHT.sample(u) * _F(1 + 4e-7)),
-        "concentric map with a seam": Wrong(UniformDisk("concentric"), sample=_with_seam),
-        "Beckmann's sin θ as √(1 − cos²θ)": Wrong(Beckmann(1e-3), sample=_rough_beckmann),
-        "Beckmann of α² for α": Wrong(Beckmann(0.1), sample=Beckmann(0.01).sample),
-        "pdf off by 1e-3": Wrong(_RIGHT, pdf=lambda w: _RIGHT.pdf(w) * _F(1.001)),
-        "pdf per radian, called per steradian": Wrong(_RIGHT, pdf=lambda w: _RIGHT.pdf(w) * _sine(w)),
-        "pdf not 0 below the surface": Wrong(_RIGHT, pdf=lambda w: np.nan_to_num(np.abs(w[..., 2])) * _F(1 / np.pi)),
-        "inverse with a swapped pair": Wrong(_RIGHT, invert=lambda w: _RIGHT.invert(w)[..., ::-1]),
-        "inverse that is NaN at the pole": Wrong(
+        "sphere scaled by 0.98": WrongSampler(_RIGHT, sample=partial(_scaled_sphere, 0.98)),
+        "sphere scaled by 0.99999": WrongSampler(_RIGHT, sample=partial(_scaled_sphere, 0.99999)),
+        "normals of length 0.9": WrongSampler(_RIGHT, sample=_short_normal),
+        "azimuth gap of 1e-3 rad": WrongSampler(_RIGHT, sample=_with_gap),
+        "cos θ as √(1 − x² − y²)": WrongSampler(_RIGHT, sample=_lifted_in_float32),
+        "ball for sphere": WrongSampler(_RIGHT, sample=OffsetBall().sample),
+        "uniform for cosine": WrongSampler(_RIGHT, sample=UniformHemisphere().sample),
+        "sin and cos swapped in a quadrant": WrongSampler(_RIGHT, sample=_swapped_quadrant),
+        "x and y swapped": WrongSampler(_RIGHT, sample=lambda u: _RIGHT.sample(u)[..., [1, 0, 2]]),
+        "upside down": WrongSampler(_RIGHT, sample=lambda u: _RIGHT.sample(u) * _F([1, 1, -1])),
+        "one in 10⁵ below the surface": WrongSampler(_RIGHT, sample=partial(_with_change, _one_below)),
+        "NaN at the centre of the square": WrongSampler(_RIGHT, sample=partial(_with_change, _nan_in_the_middle)),
+        "length off by 4e-7": WrongSampler(_RIGHT, sample=lambda u: _RIGHT.sample(u) * _F(1 + 4e-7)),
+        "concentric map with a seam": WrongSampler(UniformDisk("concentric"), sample=_with_seam),
+        "Beckmann's sin θ as √(1 − cos²θ)": WrongSampler(Beckmann(1e-3), sample=_rough_beckmann),
+        "Beckmann of α² for α": WrongSampler(Beckmann(0.1), sample=Beckmann(0.01).sample),
+        "pdf off by 1e-3": WrongSampler(_RIGHT, pdf=lambda w: _RIGHT.pdf(w) * _F(1.001)),
+        "pdf per radian, called per steradian": WrongSampler(_RIGHT, pdf=lambda w: _RIGHT.pdf(w) * _sine(w)),
+        "pdf not 0 below the surface": WrongSampler(_RIGHT, pdf=lambda w: np.nan_to_num(np.abs(w[..., 2])) * _F(1 / np.pi)),
+        "inverse with a swapped pair": WrongSampler(_RIGHT, invert=lambda w: _RIGHT.invert(w)[..., ::-1]),
+        "inverse that is NaN at the pole": WrongSampler(
             _RIGHT, invert=lambda w: np.where(w[..., 2:] > 0.999, _F(np.nan), _RIGHT.invert(w))
         ),
     }
@@ -222,13 +228,13 @@ def names() -> list[str]:
 
 
 def subject_of(name: str) -> Subject:
-    """Return the wrong sampler or stream of one defect, and its twin."""
+    """Return the wrong sampler or the wrong variates of a planted defect, with the twin to compare with."""
     sampler = _SAMPLERS.get(name, _RIGHT)
     return Subject(name, sampler, getattr(sampler, "claims", _RIGHT), _STREAMS.get(name, independent))
 
 
 def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int = 1_000_000) -> list[Verdict]:
-    """Test one planted defect by all laws that apply; return the verdicts.
+    """Test the sampler of one planted defect by all laws that apply to it; return the verdicts.
 
     Args:
         name: name of the defect.

@@ -28,7 +28,7 @@ _MANY = 1000  # least number of directions in the support for a meaningful test
 
 @dataclass(frozen=True)
 class Conflict:
-    """A check that failed.
+    """Failed check of a lobe: a set of parts of which at least one is wrong, and the result in words.
 
     Attributes:
         parts: parts of which at least one is wrong.
@@ -50,7 +50,7 @@ def find_smallest_sets(conflicts: Iterable[Conflict]) -> list[frozenset[str]]:
 
 
 def find_conflicts(subject: Subject) -> list[Conflict]:
-    """Run all checks on one lobe and its twin, and return the failed checks."""
+    """Compare all parts of a lobe and of its twin with each other, and return the checks that fail."""
     o = Opinions(subject)
     with np.errstate(all="ignore"):
         early = [Conflict(frozenset(parts), text) for parts, text in _check_support(o)]
@@ -75,20 +75,20 @@ Conflicts = Iterator[tuple[set[str], str]]
 
 def _check_support(o: Opinions) -> Conflicts:
     """Yield a conflict of the declared support if both maps and the density agree on another support."""
-    beyond = [o.outside(part) for part in MAPS]
+    beyond = [o.directions_outside(part) for part in MAPS]
     if all(len(w) and (o.density("density", w) > 0.0).mean() > 0.5 for w in beyond):
-        yield {"support"}, f"both maps leave it, {_reach(o, 'map')}, and the density is above 0 there"
+        yield {"support"}, f"both maps leave it, {_describe_reach(o, 'map')}, and the density is above 0 there"
         return
-    reach = [o.furthest(part) for part in MAPS]
+    reach = [o.greatest_angle(part) for part in MAPS]
     near = o.chart.point(max(reach) * np.linspace(1.01, 1.1, 10)[:, None], np.linspace(0.0, 1.0, 16))
     alike = abs(reach[0] - reach[1]) <= WRONG * o.high and max(reach) < 0.9 * o.high
     if alike and not (o.density("density", near) > 0.0).any():
-        yield {"support"}, f"both maps end before it, {_reach(o, 'map')}, and the density is 0 beyond"
+        yield {"support"}, f"both maps end before it, {_describe_reach(o, 'map')}, and the density is 0 beyond"
 
 
-def _reach(o: Opinions, part: str) -> str:
-    """Return in words the greatest angle of one map and the declared one."""
-    return f"at {_angle(o, o.furthest(part))}, while `largest_angle` is {_angle(o, o.high)}"
+def _describe_reach(o: Opinions, part: str) -> str:
+    """Describe the greatest angle of the directions of one map, and the greatest angle that the lobe declares."""
+    return f"at {_format_angle(o, o.greatest_angle(part))}, while `largest_angle` is {_format_angle(o, o.high)}"
 
 
 def _check_maps(o: Opinions) -> Conflicts:
@@ -98,10 +98,10 @@ def _check_maps(o: Opinions) -> Conflicts:
         length = np.abs(np.linalg.norm(w, axis=-1) - 1.0) if o.chart is not DISK else np.abs(w).sum(axis=-1) * 0.0
         invalid = (~(length <= WRONG)).mean()
         if invalid > _SHARE:
-            yield {part}, f"the {part} gives NaN or another length than 1 for {_percent(invalid)} of u"
-        outside = len(o.outside(part)) / len(w)
+            yield {part}, f"the {part} gives NaN or another length than 1 for {_format_percent(invalid)} of u"
+        outside = len(o.directions_outside(part)) / len(w)
         if outside:
-            yield {part}, f"the {part} leaves the support, {_reach(o, part)}, for {_percent(outside)} of u"
+            yield {part}, f"the {part} leaves the support, {_describe_reach(o, part)}, for {_format_percent(outside)} of u"
 
 
 def _check_densities(o: Opinions) -> Conflicts:
@@ -111,11 +111,11 @@ def _check_densities(o: Opinions) -> Conflicts:
         pdf, masses = o.density(part, w), o.masses[part]
         invalid = (~(pdf >= 0.0) | np.isinf(pdf)).mean() if len(w) else 0.0
         if invalid > _SHARE:
-            yield {part}, f"the {part} is NaN, infinite or below 0 at {_percent(invalid)} of the sampled directions"
+            yield {part}, f"the {part} is NaN, infinite or below 0 at {_format_percent(invalid)} of the sampled directions"
         elif masses is None:
             yield {part}, f"the integral of the {part} does not converge: it jumps, or oscillates"
         elif not abs(masses.sum() - 1.0) <= _MASS:
-            yield {part}, f"the {part} integrates to {_value(masses.sum())} over the support"
+            yield {part}, f"the {part} integrates to {_format_value(masses.sum())} over the support"
 
 
 def _compare_maps(o: Opinions) -> Conflicts:
@@ -124,8 +124,10 @@ def _compare_maps(o: Opinions) -> Conflicts:
     apart = np.linalg.norm(w - twin, axis=-1)
     if np.nanmax(apart, initial=0.0) > WRONG:
         at = _first_worst(apart)
-        text = f"the map and its twin differ by up to {format_figure(apart[at])}: at u = {_vector(o.u[at])} the map gives "
-        yield {*MAPS}, f"{text}{_vector(w[at])}, its twin {_vector(twin[at])}"
+        there = (
+            f"at u = {_format_vector(o.u[at])} the map gives {_format_vector(w[at])}, its twin {_format_vector(twin[at])}"
+        )
+        yield {*MAPS}, f"the map and its twin differ by up to {format_figure(apart[at])}: {there}"
 
 
 def _compare_densities(o: Opinions) -> Conflicts:
@@ -138,8 +140,8 @@ def _compare_densities(o: Opinions) -> Conflicts:
         apart = np.nan_to_num(np.abs(pdf - twin) / np.maximum(np.abs(pdf), np.abs(twin)))
         if apart.max(initial=0.0) > WRONG:
             at = _first_worst(apart)
-            text = f"the density and its twin differ by up to {_percent(apart[at])}: at w = {_vector(w[at])} "
-            yield {*DENSITIES}, f"{text}the density is {_value(pdf[at])}, its twin {_value(twin[at])}"
+            text = f"the density and its twin differ by up to {_format_percent(apart[at])}: at w = {_format_vector(w[at])} "
+            yield {*DENSITIES}, f"{text}the density is {_format_value(pdf[at])}, its twin {_format_value(twin[at])}"
             if part == "twin's map":
                 near = (apart > 0.5 * apart.max()) & (u > 4.0 * STEP).all(axis=-1) & (u < 1.0 - 4.0 * STEP).all(axis=-1)
                 yield from _compare_stretch(o, u[near], pdf[near], twin[near])
@@ -166,25 +168,25 @@ def _compare_samples(o: Opinions) -> Conflicts:
         masses = o.masses[density]
         if masses is None or not masses.sum() > 0.0:
             continue
-        law = o.supported(density, masses.sum())
+        law = o.sampler_in_support(density, masses.sum())
         edges = np.unique([o.chart.low, *o.edges, o.chart.high])
         for part in MAPS:
-            if len(o.draws[part]) >= _MANY and not _cells(law, o.draws[part], edges) >= LEVEL:
+            if len(o.draws[part]) >= _MANY and not _cells_p_value(law, o.draws[part], edges) >= LEVEL:
                 yield (
                     {part, density},
-                    f"directions of the {part} are not distributed as the {density}{_means(o, part, density)}",
+                    f"directions of the {part} are not distributed as the {density}{_describe_means(o, part, density)}",
                 )
 
 
-def _means(o: Opinions, *parts: str) -> str:
-    """Return the mean angles of two parts, where the means differ."""
+def _describe_means(o: Opinions, *parts: str) -> str:
+    """Describe the mean angles of two parts of a lobe; return "" if the means agree."""
     means = [o.mean_angle(part) for part in parts]
     if None in means or abs(means[0] - means[1]) < WRONG * (o.high - o.low):
         return ""
-    return f" (mean {_angle(o, means[0])} of the {parts[0]}, {_angle(o, means[1])} of the {parts[1]})"
+    return f" (mean {_format_angle(o, means[0])} of the {parts[0]}, {_format_angle(o, means[1])} of the {parts[1]})"
 
 
-def _cells(law: laws.Sampler, w: np.ndarray, edges: np.ndarray) -> float:
+def _cells_p_value(law: laws.Sampler, w: np.ndarray, edges: np.ndarray) -> float:
     """Return the p-value of the chi-square test of directions against a density; 1 if the density's integral diverges."""
     try:
         return laws.cells_p_value(law, w, edges)
@@ -205,7 +207,7 @@ def _check_inverse(o: Opinions) -> Conflicts:
         apart[np.isnan(apart)] = np.inf
         if apart.max(initial=0.0) > WRONG:
             at = _first_worst(apart)
-            there = f"{_vector(o.u[kept][at])} and returns to {_vector(back[at])}"
+            there = f"{_format_vector(o.u[kept][at])} and returns to {_format_vector(back[at])}"
             yield {part, "inverse"}, f"the inverse does not undo the {part}: it starts from u = {there}"
 
 
@@ -214,7 +216,7 @@ def _check_cdf(o: Opinions) -> Conflicts:
     if not o.sampler.symmetric:
         return
     cdf = np.asarray(o.sampler.cdf(o.edges), np.float64)
-    ends = f"the cdf is {_value(cdf[0])} at the start and {_value(cdf[-1])} at the end of the support"
+    ends = f"the cdf is {_format_value(cdf[0])} at the start and {_format_value(cdf[-1])} at the end of the support"
     if not (np.abs(cdf[[0, -1]] - [0.0, 1.0]).max() <= _CDF and (np.diff(cdf) >= -_CDF).all()):
         yield {"cdf"}, ends
     for part in MAPS:
@@ -226,8 +228,9 @@ def _check_cdf(o: Opinions) -> Conflicts:
             apart = np.abs(masses.sum(axis=1).cumsum() - (cdf[1:] - cdf[0]))
             if not apart.max() <= _CDF:
                 at = int(np.nan_to_num(apart, nan=np.inf).argmax())
-                text = f"up to {_angle(o, o.edges[at + 1])} the {part} integrates to {_value(masses[: at + 1].sum())}"
-                yield {part, "cdf"}, f"{text}, the cdf is {_value(cdf[at + 1])}"
+                mass, value = _format_value(masses[: at + 1].sum()), _format_value(cdf[at + 1])
+                end = _format_angle(o, o.edges[at + 1])
+                yield {part, "cdf"}, f"up to {end} the {part} integrates to {mass}, the cdf is {value}"
 
 
 def _check_polar(o: Opinions) -> Conflicts:
@@ -255,25 +258,25 @@ def _is_polar(o: Opinions, w: np.ndarray) -> bool:
 
 
 def _first_worst(apart: np.ndarray) -> int:
-    """Return the first index with nearly the greatest error, which is the same on all processors."""
+    """Return the index of the first error that is at least 99 % of the greatest, so that all processors agree."""
     return int(np.argmax(apart >= 0.99 * np.nanmax(apart)))
 
 
-def _percent(share: float) -> str:
+def _format_percent(share: float) -> str:
     """Format a fraction as a percentage."""
     return f"{100.0 * share:.3g} %"
 
 
-def _value(number: float) -> str:
+def _format_value(number: float) -> str:
     """Format a number with four digits."""
     return f"{number:.4g}"
 
 
-def _vector(values: np.ndarray) -> str:
+def _format_vector(values: np.ndarray) -> str:
     """Format a vector with three digits per component."""
     return f"({', '.join(f'{value:.3g}' for value in values)})"
 
 
-def _angle(o: Opinions, a: float) -> str:
-    """Format a coordinate of the chart, as a radius or in degrees."""
+def _format_angle(o: Opinions, a: float) -> str:
+    """Format a polar coordinate: as a radius on the disk, in degrees on the sphere."""
     return f"radius {a:.3g}" if o.chart is DISK else f"{np.degrees(a):.3g}°"

@@ -1,4 +1,4 @@
-"""Data that the laws evaluate, computed once for each sampler: variates, directions, and the worst errors of a sweep."""
+"""Evidence on one sampler, computed once for all laws: variates, directions, and the worst errors of a sweep."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,13 +18,13 @@ _ROWS = 40
 
 
 def independent(points: int, count: int, seed: int) -> np.ndarray:
-    """Return (points, count, 2) float32 variates of the independent sequence, which the statistics assume."""
+    """Return (points, count, 2) float32 variates of the sequence "independent", as the statistical tests assume."""
     return sample_square("independent", points, count, seed=seed)
 
 
 @dataclass(frozen=True)
 class Subject:
-    """A sampler to be judged, with its name in tables and its twin: the distribution that it claims to be.
+    """Sampler to be judged, with its name in tables and its twin (a second implementation in float64).
 
     Attributes:
         name: name in tables.
@@ -40,7 +40,7 @@ class Subject:
 
 
 class Evidence:
-    """Directions and errors of one subject, each computed when a law first needs the value."""
+    """Directions and errors of one sampler that the laws evaluate, each computed on first use."""
 
     subject: Subject
     sampler: Any
@@ -48,7 +48,7 @@ class Evidence:
     draws: int
 
     def __init__(self, subject: Subject, every: int = 1, draws: int = 1 << 22):
-        """Store the subject and the effort.
+        """Store the sampler to be judged and the amount of evidence to compute.
 
         Args:
             subject: sampler to be judged.
@@ -59,23 +59,23 @@ class Evidence:
         self.chart: Chart = chart_of(subject.sampler)
 
     def draw(self, seed: int, draws: int) -> np.ndarray:
-        """Return `draws` directions sampled with independent variates."""
+        """Sample `draws` directions of the sampler with independent variates."""
         u = self.subject.variates(draws // _SAMPLES, _SAMPLES, seed)
         return self.sampler.sample(u.reshape(-1, 2))
 
     @cached_property
     def seed(self) -> int:
-        """Hash of the subject's name, so that no two subjects share random numbers."""
+        """Seed of the random numbers: a hash of the sampler's name, so that no two samplers share random numbers."""
         return crc32(self.subject.name.encode())
 
     @cached_property
     def directions(self) -> np.ndarray:
-        """Independent directions, `draws` in number."""
+        """Independent directions of the sampler, `draws` in number."""
         return self.draw(self.seed, self.draws)
 
     @cached_property
     def first_directions(self) -> np.ndarray:
-        """The first independent directions, at most 2^20."""
+        """First 2^20 of the independent directions, or all if there are fewer."""
         return self.directions[:_CELL_DRAWS]
 
     @cached_property
@@ -85,7 +85,10 @@ class Evidence:
 
     @cached_property
     def edges(self) -> np.ndarray:
-        """Edges of cells with about equal counts, from a pilot run, with the ends of the support and of the chart."""
+        """Polar coordinates that divide the directions into cells with about equal counts, found in a pilot run.
+
+        The ends of the support and of the chart are edges, too.
+        """
         low, high = support_of(self.sampler)
         pilot = self.chart.polar(self.draw(self.seed + 1, 1 << 16))
         pilot = pilot[np.isfinite(pilot)]
@@ -97,7 +100,10 @@ class Evidence:
 
     @cached_property
     def smooth(self) -> np.ndarray:
-        """(N, 2) points of the unit square at least 2^-7 from its rim, off the seams and the kinks of the concentric map."""
+        """Points u at which the map is smooth, (N, 2).
+
+        The points are at least 2^-7 from the rim, and off seams and the kinks of the concentric map.
+        """
         k = np.arange(4096)
         u = np.stack([(k + 0.5) / 4096, k * 0.618033988749895 % 1.0], axis=1) * (1 - 2**-6) + 2**-7
         a, b = np.abs(u - 0.5).T
@@ -105,13 +111,16 @@ class Evidence:
 
     @cached_property
     def stretch(self) -> tuple[float, float]:
-        """Result of `laws.area_stretch_error`: greatest and mean error."""
+        """Greatest and mean error of the pdf times the area stretch of the map (`laws.area_stretch_error`)."""
         with np.errstate(all="ignore"):
             return laws.area_stretch_error(self.sampler, self.smooth)
 
     @cached_property
     def sweep(self) -> dict[str, float]:
-        """Worst errors over the corner grid and the sweep of variates, and the number of invalid values, keyed by kind."""
+        """Worst errors of the sampler over the corner grid and the sweep of variates, keyed by the kind of error.
+
+        The key "broken" is the number of invalid values.
+        """
         found: dict[str, float] = {}
         for u in (laws.corner_grid(), *laws.all_variates(self.every)):
             for name, value in self._errors(u).items():
@@ -120,7 +129,7 @@ class Evidence:
         return found
 
     def _errors(self, u: np.ndarray) -> dict[str, float]:
-        """Return the worst errors and the number of invalid values at points u of the unit square, keyed by kind."""
+        """Return the worst errors of the sampler and its number of invalid values at points u, keyed by kind."""
         sampler, twin = self.sampler, self.subject.twin
         w, exact = sampler.sample(u), twins.directions(twin, u.astype(np.float64))
         pdf = sampler.pdf(w)

@@ -20,7 +20,7 @@ _LEAST_COUNT = 10.0  # least expected count of a cell in Pearson's test
 
 
 def corner_grid() -> np.ndarray:
-    """Return (N, 2) float32 points: all pairs of critical values of u.
+    """Return the points of the unit square at which samplers tend to fail: all pairs of critical values, (N, 2) float32.
 
     These are the ends, the middle, quarters, eighths, and their neighbours.
     """
@@ -33,7 +33,9 @@ def corner_grid() -> np.ndarray:
 
 
 def all_variates(every: int = 1) -> Iterator[np.ndarray]:
-    """Yield float32 slabs of up to 2^16 points; each coordinate takes every value of the 2^24 grid once over all slabs.
+    """Yield arrays of points of the unit square in which each coordinate takes all 2^24 multiples of 2^-24 once.
+
+    Each array has up to 2^16 points, float32.
 
     With `every` above 1 only every n-th point is yielded, and always the last of the grid.
     """
@@ -43,13 +45,13 @@ def all_variates(every: int = 1) -> Iterator[np.ndarray]:
 
 
 def length_error(w: np.ndarray) -> float:
-    """Return the greatest absolute value of |w| - 1."""
+    """Return the greatest deviation of the length of directions w from 1."""
     w = w.astype(np.float64)
     return worst(np.sqrt(_dot(w, w)) - 1.0)
 
 
 def angle_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Return the greatest angle in radians between directions and their float64 twins.
+    """Return the greatest angle, in radians, between directions and the exact directions of their float64 twin.
 
     It is computed from the component of w perpendicular to the twin, and is pi if some angle is 90 degrees or more.
     """
@@ -59,20 +61,20 @@ def angle_error(w: np.ndarray, twin: np.ndarray) -> float:
 
 
 def distance_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Return the greatest distance between points and their float64 twins."""
+    """Return the greatest distance between points and the exact points of their float64 twin."""
     difference = w - twin
     return worst(np.sqrt(_dot(difference, difference)))
 
 
 def sine_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Return the greatest relative error of sin theta, which matters for narrow lobes; w is float64."""
+    """Return the greatest relative error of sin theta of directions w, float64, which matters for narrow lobes."""
     exact = twin[..., 0] ** 2 + twin[..., 1] ** 2
     ratio = (w[..., 0] ** 2 + w[..., 1] ** 2) / np.maximum(exact, 1e-60)
     return worst(np.sqrt(ratio) - (exact > 0.0))  # at the pole itself any nonzero sine is an error
 
 
 def density_error(pdf: np.ndarray, exact: np.ndarray) -> float:
-    """Return the greatest relative error of densities."""
+    """Return the greatest relative error of densities, compared with exact densities."""
     return worst(pdf.astype(np.float64) / exact - 1.0)
 
 
@@ -109,7 +111,7 @@ def area_stretch_error(sampler: Sampler, u: np.ndarray, step: float = 2.0**-11) 
 
 
 def density_outside(sampler: Sampler) -> float:
-    """Return the greatest density outside the support and at NaN; infinite if a density is NaN."""
+    """Return the greatest density that a sampler has outside its support and at NaN; infinite if a density is NaN."""
     chart, (low, high) = chart_of(sampler), support_of(sampler)
     away = np.linspace(1e-3, 1.0, 200) ** 2
     beyond = np.concatenate([high + (chart.high - high) * away, low + (chart.low - low) * away])
@@ -122,7 +124,9 @@ def density_outside(sampler: Sampler) -> float:
 
 
 def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
-    """Return the p-value of a chi-square test of independent directions w in cells of the chart.
+    """Return the p-value of a chi-square test of independent directions w against a sampler's density.
+
+    The cells of the test are bounded by polar coordinates `edges` and by azimuths.
 
     It is twice the smaller p-value of the cells with enough counts and of the sum of all other cells.
 
@@ -156,12 +160,14 @@ def mass_error(sampler: Sampler, edges: np.ndarray) -> float:
 
 
 def angles_p_value(sampler: Sampler, a: np.ndarray) -> float:
-    """Return the p-value of a Kolmogorov-Smirnov test of coordinates a against their closed-form distribution function."""
+    """Return the p-value of a Kolmogorov-Smirnov test of polar coordinates a against the sampler's cdf."""
     return uniform_p_value(sampler.cdf(a))
 
 
 def tails_p_value(sampler: Sampler, a: np.ndarray) -> float:
-    """Return the p-value of the counts in both tails of probability `thinnest_tail`: twice the smaller p-value of the two.
+    """Return the p-value of the numbers of directions in both tails of the polar angle, with probability `thinnest_tail`.
+
+    It is twice the smaller p-value of the two tails.
 
     The tails are at the pole and at the far end of the coordinate a.
     """
@@ -171,7 +177,10 @@ def tails_p_value(sampler: Sampler, a: np.ndarray) -> float:
 
 
 def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float:
-    """Return the p-value of the means of a and a^2 against their integrals under the density: twice the smaller one."""
+    """Return the p-value of the means of a and a^2 of polar coordinates a, compared with integrals of the density.
+
+    It is twice the smaller p-value of the two means.
+    """
     from scipy.stats import norm
 
     scale = np.abs(a).mean()
@@ -182,16 +191,16 @@ def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float
         ((a / scale).mean() - first) / np.sqrt(second - first**2),
         (((a / scale) ** 2).mean() - second) / np.sqrt(fourth - second**2),
     ]
-    return joint_p_value(*(_number(2.0 * norm.sf(abs(e) * np.sqrt(len(a)))) for e in errors))
+    return joint_p_value(*(_reject_nan(2.0 * norm.sf(abs(e) * np.sqrt(len(a)))) for e in errors))
 
 
 def azimuth_p_value(w: np.ndarray) -> float:
-    """Return the p-value of Rayleigh's test for one preferred azimuth.
+    """Return the p-value of Rayleigh's test of whether directions w prefer one azimuth.
 
     Under a uniform azimuth, n R^2 of the mean unit vector is exponentially distributed (Mardia2000).
     """
     turns = np.exp(2j * np.pi * DISK.azimuth(w))
-    return _number(np.exp(-(np.abs(turns.mean()) ** 2) * len(turns)))
+    return _reject_nan(np.exp(-(np.abs(turns.mean()) ** 2) * len(turns)))
 
 
 def azimuth_gap_p_value(w: np.ndarray) -> float:
@@ -201,7 +210,7 @@ def azimuth_gap_p_value(w: np.ndarray) -> float:
     """
     turns = np.sort(DISK.azimuth(w))
     widest = max(np.diff(turns).max(), 1.0 - (turns[-1] - turns[0]))
-    return _number(min(1.0, len(turns) * np.float_power(1.0 - widest, len(turns) - 1)))
+    return _reject_nan(min(1.0, len(turns) * np.float_power(1.0 - widest, len(turns) - 1)))
 
 
 def count_p_value(observed: int, draws: int, probability: float) -> float:
@@ -212,17 +221,17 @@ def count_p_value(observed: int, draws: int, probability: float) -> float:
 
 
 def uniform_p_value(values: np.ndarray) -> float:
-    """Return the Kolmogorov-Smirnov p-value of independent values against the uniform distribution on (0, 1)."""
+    """Return the p-value of a Kolmogorov-Smirnov test of independent values against the uniform distribution on (0, 1)."""
     from scipy.stats import kstest
 
-    return _number(kstest(np.asarray(values, np.float64), "uniform", method="asymp").pvalue)
+    return _reject_nan(kstest(np.asarray(values, np.float64), "uniform", method="asymp").pvalue)
 
 
 def correlation_p_value(a: np.ndarray, b: np.ndarray) -> float:
     """Return the p-value of the sample correlation of independent pairs of uniform values."""
     from scipy.stats import norm
 
-    return _number(2.0 * norm.sf(abs(np.corrcoef(a, b)[0, 1]) * np.sqrt(len(a))))
+    return _reject_nan(2.0 * norm.sf(abs(np.corrcoef(a, b)[0, 1]) * np.sqrt(len(a))))
 
 
 def joint_p_value(*p_values: float) -> float:
@@ -231,13 +240,13 @@ def joint_p_value(*p_values: float) -> float:
 
 
 def worst(errors: np.ndarray) -> float:
-    """Return the greatest absolute value; infinite if one is NaN, 0 for an empty array."""
+    """Return the greatest absolute value of errors; infinite if an error is NaN, 0 for an empty array."""
     greatest = float(np.abs(errors).max(initial=0.0))
     return greatest if np.isfinite(greatest) else np.inf
 
 
 def _quantile(sampler: Sampler, probability: float) -> float:
-    """Return the coordinate at which the distribution function reaches a probability, by bisection."""
+    """Return the polar coordinate at which the cdf of a sampler reaches a probability, by bisection."""
     low, high = support_of(sampler)
     for _ in range(80):
         middle = 0.5 * (low + high)
@@ -246,12 +255,12 @@ def _quantile(sampler: Sampler, probability: float) -> float:
 
 
 def _dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return the dot products along the last axis."""
+    """Return the dot products of vectors a and b along the last axis."""
     return np.einsum("...i,...i", a, b)  # three times as fast as .sum(axis=-1) over an axis of 3
 
 
-def _number(p_value: float) -> float:
-    """Return a p-value, or 0, which rejects, in place of NaN."""
+def _reject_nan(p_value: float) -> float:
+    """Return a p-value as a float; NaN becomes 0, which rejects."""
     return float(p_value) if np.isfinite(p_value) else 0.0
 
 

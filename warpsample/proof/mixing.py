@@ -39,8 +39,11 @@ _PURPOSES = ("trial", "ground", "sky", "sun", "faces")
 
 
 @cache
-def _one_variate(name: str) -> wp.Kernel:
-    """Build a kernel that evaluates a sequence at given points or at one stream of each, for given samples and counts."""
+def _variates_kernel(name: str) -> wp.Kernel:
+    """Build a kernel that evaluates a sequence for given point ids, samples and counts.
+
+    The kernel takes the points themselves, or one random stream of each point.
+    """
     sequence = sequences.get(name)
     run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
 
@@ -65,18 +68,21 @@ def _one_variate(name: str) -> wp.Kernel:
 
 
 def grid_cells(name: str, seed: int, stream: int | None, *asked: np.ndarray) -> np.ndarray:
-    """Return (N, 2) variates of a sequence as integers below 2^24; `asked` holds (N,) point ids, samples and counts."""
+    """Return (N, 2) variates of a sequence as integers below 2^24.
+
+    `asked` holds three (N,) arrays: point ids, sample numbers and counts.
+    """
     columns = [
         wp.array(a, dtype=kind, device="cpu") for a, kind in zip(asked, (wp.uint64, wp.uint32, wp.uint32), strict=True)
     ]
     out = wp.empty(len(asked[0]), dtype=wp.vec2, device="cpu")
     inputs = [seed, -1 if stream is None else stream, *columns]
-    wp.launch(_one_variate(name), len(asked[0]), inputs=inputs, outputs=[out], device="cpu")
+    wp.launch(_variates_kernel(name), len(asked[0]), inputs=inputs, outputs=[out], device="cpu")
     return (out.numpy() * np.float32(2**_BITS)).astype(np.int64)
 
 
 def cells_of(name: str) -> Cells:
-    """Return a function (see `Cells`) that evaluates a sequence of the package."""
+    """Return a function that evaluates a sequence of the package at POINTS consecutive point ids (see `Cells`)."""
 
     def cells(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
         """Return a variate of each of POINTS points as integers below 2^24."""
@@ -88,25 +94,25 @@ def cells_of(name: str) -> Cells:
 
 
 def dependence_p_value(first: np.ndarray, second: np.ndarray) -> float:
-    """Return the smallest p-value of the tests of a pair of runs, times the number of tests."""
+    """Return the p-value of all tests of whether the variates of two runs are independent (Bonferroni)."""
     from scipy.special import chdtrc, erfc
 
     coarse = [cells >> (_BITS - 4) for cells in (first, second)]
     counts = np.array([np.bincount(a * _SIDE + b, minlength=_SIDE**2) for a in coarse[0] for b in coarse[1]])
     square = np.square(counts - POINTS / _SIDE**2).sum(axis=1) / (POINTS / _SIDE**2)
-    flips = np.concatenate([_bits_set(cells >> shift & 255) for cells in first ^ second for shift in (0, 8, 16)])
+    flips = np.concatenate([_count_bits(cells >> shift & 255) for cells in first ^ second for shift in (0, 8, 16)])
     scores = np.abs(flips - POINTS / 2) / np.sqrt(POINTS / 4)
     p_values = np.concatenate([chdtrc(_SIDE**2 - 1, square), erfc(scores / np.sqrt(2.0))])
     return joint_p_value(*p_values.tolist())
 
 
-def _bits_set(octets: np.ndarray) -> np.ndarray:
-    """Count, for each of the eight bits, the octets with this bit set; return (8,). Octets are integers below 256."""
+def _count_bits(octets: np.ndarray) -> np.ndarray:
+    """Count how often each of the eight bits is set in an array of integers below 256; return (8,)."""
     return np.bincount(octets, minlength=256) @ (np.arange(256)[:, None] >> np.arange(8) & 1)
 
 
 def seed_pairs(cells: Cells) -> Iterator[Pair]:
-    """Yield pairs of runs whose seeds differ in one of 64 bits, follow each other, or are random."""
+    """Yield the variates of pairs of runs whose seeds differ in one of 64 bits, are consecutive, or are random."""
     rng = np.random.default_rng(1)
     random = [tuple(map(int, rng.integers(2**64, size=2, dtype=np.uint64))) for _ in range(64)]
     for base in (0, _SEED):
@@ -116,7 +122,7 @@ def seed_pairs(cells: Cells) -> Iterator[Pair]:
 
 
 def point_pairs(cells: Cells) -> Iterator[Pair]:
-    """Yield pairs of runs whose point ids differ in one of 64 bits, follow each other, or are random."""
+    """Yield the variates of pairs of runs whose point ids differ in one of 64 bits, are consecutive, or are random."""
     rng = np.random.default_rng(2)
     far = [(int(first) * POINTS, int(second) * POINTS) for first, second in rng.integers(2**48, size=(64, 2))]
     row = np.arange(POINTS)
@@ -129,7 +135,10 @@ def point_pairs(cells: Cells) -> Iterator[Pair]:
 
 
 def stream_pairs(cells: Cells) -> Iterator[Pair]:
-    """Yield pairs of runs with two streams of a point, a stream and its point, or the seeds of two internal purposes."""
+    """Yield the variates of pairs of runs that must be independent although they share a seed.
+
+    The runs are two streams of a point, a stream and its point, or the seeds of two internal purposes.
+    """
     own = cells(_SEED, 0)
     streams = [cells(_SEED, 0, stream) for stream in (0, *(1 << bit for bit in range(32)))]
     yield from ((streams[0], stream) for stream in streams[1:])
@@ -140,15 +149,18 @@ def stream_pairs(cells: Cells) -> Iterator[Pair]:
 
 
 def sample_pairs(cells: Cells) -> Iterator[Pair]:
-    """Yield pairs of runs whose sample numbers differ in one of 31 bits, for sequences with independent samples."""
+    """Yield the variates of pairs of runs whose sample numbers differ in one of 31 bits.
+
+    The sequence must have independent samples.
+    """
     for base in (0, 0x2468ACE1):
         own = cells(_SEED, 0, sample=base)
         yield from ((own, cells(_SEED, 0, sample=base ^ (1 << bit))) for bit in range(31))
 
 
 @cache
-def _words() -> wp.Kernel:
-    """Build a kernel that writes the keys of points, or of the streams of one point."""
+def _keys_kernel() -> wp.Kernel:
+    """Build a kernel that writes the keys (four random words each) of points, or of the streams of one point."""
 
     @wp.kernel(module="unique", enable_backward=False)
     def words(seed: wp.uint64, streams: wp.bool, out: wp.array[wp.vec4ui]):
@@ -163,15 +175,15 @@ def _words() -> wp.Kernel:
 
 
 def keys_of(seed: int, streams: bool) -> np.ndarray:
-    """Return the keys of 16 POINTS points for a seed, or of the streams of one point: (16 POINTS, 4) words."""
-    load(_words(), "cpu")
+    """Return the keys of 16 POINTS points, or of as many streams of one point: (16 POINTS, 4) random words."""
+    load(_keys_kernel(), "cpu")
     out = wp.empty(16 * POINTS, dtype=wp.vec4ui, device="cpu")
-    wp.launch(_words(), 16 * POINTS, inputs=[seed, streams], outputs=[out], device="cpu")
+    wp.launch(_keys_kernel(), 16 * POINTS, inputs=[seed, streams], outputs=[out], device="cpu")
     return out.numpy()
 
 
 def far_samples_of(name: str) -> np.ndarray:
-    """Return two consecutive samples of one point at every 1,024th sample, as (16 POINTS, 4) integers below 2^24."""
+    """Return pairs of consecutive samples of one point, 1,024 samples apart, as (16 POINTS, 4) integers below 2^24."""
     first = 1024 * np.arange(16 * POINTS)
     ones, most = np.ones_like(first), np.full_like(first, 2**31 - 1)
     return np.hstack([grid_cells(name, _SEED, None, ones, sample, most) for sample in (first, first + 1)])
@@ -191,14 +203,20 @@ def low_bits_p_value(words: np.ndarray, bits: int) -> float:
 
 
 def judge_keys(name: str, keys: Callable[[int, bool], np.ndarray] = keys_of) -> Verdict:
-    """Test the keys that shift and scramble points and streams, for ordinary and unlikely seeds; return the verdict."""
+    """Test whether the lowest bits of the keys of points and streams are evenly distributed; return the verdict.
+
+    The seeds are ordinary ones and ones for which a weak hash fails.
+    """
     drawn = [keys(seed, streams) for streams in (False, True) for seed in _UNLIKELY]
     p_values = [low_bits_p_value(words[:, triple], 4) for words in drawn for triple in ((0, 1, 2), (1, 2, 3))]
     return Verdict.from_p_value("low bits of keys", name, min(1.0, len(p_values) * min(p_values)), f"{len(p_values)} sets")
 
 
 def judge_far_samples(name: str, samples: np.ndarray) -> Verdict:
-    """Test samples of one point that are far from each other, for sequences with independent samples; return the verdict."""
+    """Test whether the lowest bits of samples that are 1,024 apart are evenly distributed; return the verdict.
+
+    The sequence must have independent samples.
+    """
     return Verdict.from_p_value("low bits of far samples", name, low_bits_p_value(samples, 3), f"{len(samples)} pairs")
 
 
@@ -207,7 +225,7 @@ _OF_RANDOM = {"bits of samples": sample_pairs}
 
 
 def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
-    """Test any generator of variates for independence after a change of one bit; return the verdicts.
+    """Test whether a change of one bit of seed, point id, stream or sample gives independent variates; return the verdicts.
 
     `random` states whether the samples of one point should be independent, too.
     """
@@ -219,7 +237,7 @@ def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
 
 
 def judge_mixing(name: str) -> list[Verdict]:
-    """Test a sequence of the package for independence after a change of one bit; return the verdicts."""
+    """Test a sequence of the package by all tests of this module; return the verdicts."""
     random = sequences.get(name).random
     verdicts = [judge_keys(name), *judge_cells(name, cells_of(name), random)]
     return [*verdicts, judge_far_samples(name, far_samples_of(name))] if random else verdicts

@@ -20,19 +20,22 @@ MARGIN = 1e-3  # fraction of the support's width by which rounding alone may lea
 STEP = 2.0**-16  # of central differences; a twin in float32 then errs by 4e-3
 
 
-class Density:
-    """Sampler with a replaced density, for quadrature and tests."""
+class SamplerWithDensity:
+    """Sampler whose density is replaced by another function, so that quadrature and tests use this function."""
 
     def __init__(self, sampler: Any, pdf: Callable[[np.ndarray], np.ndarray]):
         self.sampler, self.pdf = sampler, pdf
 
     def __getattr__(self, name: str) -> Any:
-        """Return the distribution's attribute for all names except the density."""
+        """Return an attribute of the original sampler, for every name except `pdf`."""
         return getattr(self.sampler, name)
 
 
 class Opinions:
-    """Directions, densities and integrals of the two maps and the two densities of one subject."""
+    """Directions, densities and integrals by a lobe's own functions and by those of its twin, to be compared.
+
+    A part is one of MAPS or DENSITIES: "map", "twin's map", "density" or "twin's density".
+    """
 
     def __init__(self, subject: Subject):
         self.subject, self.sampler = subject, subject.sampler
@@ -41,13 +44,13 @@ class Opinions:
         self.low, self.high = support_of(subject.sampler)
 
     def directions(self, part: str, u: np.ndarray) -> np.ndarray:
-        """Return the directions of one map at u, in float64."""
+        """Return the directions to which one of the two maps takes u, float64."""
         with np.errstate(all="ignore"):
             w = self.sampler.sample(u) if part == "map" else twins.directions(self.subject.twin, u.astype(np.float64))
         return np.asarray(w, np.float64)
 
     def density(self, part: str, w: np.ndarray) -> np.ndarray:
-        """Return one density at w rounded to float32, in float64."""
+        """Return the values of one of the two densities at directions w, float64; w is rounded to float32."""
         w = w.astype(np.float32)
         with np.errstate(all="ignore"):
             own = part == "density"
@@ -55,31 +58,31 @@ class Opinions:
         return np.asarray(pdf, np.float64)
 
     def is_inside(self, w: np.ndarray, margin: float = 0.0) -> np.ndarray:
-        """Return the mask of directions w in the support, enlarged by `margin` times its width."""
+        """Return the mask of directions w inside the declared support, enlarged by `margin` times the support's width."""
         a, margin = self.chart.polar(w), margin * (self.high - self.low)
         return (a >= self.low - margin) & (a <= self.high + margin)
 
     @cached_property
     def u(self) -> np.ndarray:
-        """(N, 2) variates: every 64th of the sweep, away from seams."""
+        """Points of the unit square at which the maps are compared, (N, 2): every 64th of the sweep, away from seams."""
         u = np.concatenate(list(laws.all_variates(_EVERY)))
         return u[~self.sampler.seam(u)]
 
     @cached_property
     def at_u(self) -> dict[str, np.ndarray]:
-        """Directions of each map at `u`, keyed by part."""
+        """Directions of both maps at the points `u`, keyed by part."""
         return {part: self.directions(part, self.u) for part in MAPS}
 
     @cached_property
     def draws(self) -> dict[str, np.ndarray]:
-        """Independent directions of each map that are finite and in the support, keyed by part."""
+        """Independent directions of both maps that are finite and in the support, keyed by part."""
         u = self.subject.variates((1 << 20) // 16, 16, self._draws.seed).reshape(-1, 2)
         drawn = {part: self.directions(part, u) for part in MAPS}
         return {part: w[self.is_inside(w)] for part, w in drawn.items()}
 
     @cached_property
     def edges(self) -> np.ndarray:
-        """Edges of cells in the support: quantiles of both maps, and the ends of the support."""
+        """Polar coordinates that divide the support into cells: quantiles of both maps, and the ends of the support."""
         quantiles = np.arange(1, _ROWS) / _ROWS
         inner = [np.quantile(self.chart.polar(w), quantiles) for w in self.draws.values() if len(w)]
         bend = [np.pi / 2.0] if self.chart is SPHERE else []
@@ -91,33 +94,33 @@ class Opinions:
 
     @cached_property
     def masses(self) -> dict[str, np.ndarray | None]:
-        """Integrals of each density over the cells of the support, keyed by part; None in place of a divergent integral."""
+        """Integrals of both densities over the cells of the support, keyed by part; None for a divergent integral."""
         return {part: self.integrate(part, self.edges) for part in DENSITIES}
 
     def integrate(self, part: str, edges: np.ndarray, weight: int = 0) -> np.ndarray | None:
-        """Return the integrals of one density times a^weight over cells; None if the quadrature does not converge."""
+        """Integrate one density times a^weight over cells of the polar coordinate a; None if the integral diverges."""
         try:
-            return cell_masses(self.scaled(part), edges, COLUMNS if self.chart.azimuths > 1.0 else 1, weight)
+            return cell_masses(self.sampler_with_density(part), edges, COLUMNS if self.chart.azimuths > 1.0 else 1, weight)
         except ValueError:
             return None
 
-    def scaled(self, part: str, mass: float = 1.0) -> Density:
-        """Return one density divided by `mass`."""
-        return Density(self.sampler, lambda w: self.density(part, w) / mass)
+    def sampler_with_density(self, part: str, mass: float = 1.0) -> SamplerWithDensity:
+        """Return a sampler whose density is one of the two densities, divided by `mass`."""
+        return SamplerWithDensity(self.sampler, lambda w: self.density(part, w) / mass)
 
-    def supported(self, part: str, mass: float) -> Density:
-        """Return one density divided by `mass`, and 0 outside the support."""
-        return Density(self.sampler, lambda w: np.where(self.is_inside(w), self.density(part, w) / mass, 0.0))
+    def sampler_in_support(self, part: str, mass: float) -> SamplerWithDensity:
+        """Return a sampler whose density is one of the two densities, divided by `mass` and set to 0 outside the support."""
+        return SamplerWithDensity(self.sampler, lambda w: np.where(self.is_inside(w), self.density(part, w) / mass, 0.0))
 
     def mean_angle(self, part: str) -> float | None:
-        """Return the mean of the chart's coordinate a for one part; None if an integral does not converge."""
+        """Return the mean polar coordinate under a map or a density; None if an integral does not converge."""
         if part in MAPS:
             return float(self.chart.polar(self.draws[part]).mean()) if len(self.draws[part]) else None
         masses, first = self.masses[part], self.integrate(part, self.edges, 1)
         return None if masses is None or first is None else float(first.sum() / masses.sum())
 
     def stretch(self, part: str, u: np.ndarray) -> np.ndarray:
-        """Return the ratio of areas on the sphere and in the square, by central differences.
+        """Return the area stretch of one map at u: area on the sphere over area in the square, by central differences.
 
         u: (N, 2), at least STEP from the rim of the square.
         """
@@ -130,11 +133,11 @@ class Opinions:
             return np.abs(along[0][..., 0] * along[1][..., 1] - along[0][..., 1] * along[1][..., 0])
         return np.linalg.norm(np.cross(*along), axis=-1)
 
-    def outside(self, part: str) -> np.ndarray:
-        """Return the directions of one map at `u` that are finite and clearly outside the support."""
+    def directions_outside(self, part: str) -> np.ndarray:
+        """Return the finite directions of one map, at the points `u`, that are clearly outside the declared support."""
         w = self.at_u[part]
         return w[np.isfinite(w).all(axis=-1) & ~self.is_inside(w, MARGIN)]
 
-    def furthest(self, part: str) -> float:
-        """Return the greatest absolute coordinate a of one map at `u`."""
+    def greatest_angle(self, part: str) -> float:
+        """Return the greatest absolute polar coordinate of the directions of one map, at the points `u`."""
         return float(np.nanmax(np.abs(self.chart.polar(self.at_u[part])), initial=0.0))

@@ -1,4 +1,4 @@
-"""Laws of rays: none leaves a closed mesh, wherever it is aimed, and both tracers and both queries agree."""
+"""Laws of rays: no ray leaves a closed mesh, even if aimed at an edge, and both tracers and both queries agree."""
 
 from functools import cache
 
@@ -16,7 +16,7 @@ _PER_POINT = 64
 
 @cache
 def closed_meshes() -> dict[str, tuple[Mesh, tuple[float, float, float]]]:
-    """Return closed meshes by name, each with a point inside.
+    """Return closed test meshes, keyed by name, each with a point inside.
 
     Raises:
         ModuleNotFoundError: trimesh, which generates the meshes, is not installed.
@@ -36,7 +36,9 @@ def closed_meshes() -> dict[str, tuple[Mesh, tuple[float, float, float]]]:
 
 
 def rays_inside(mesh: Mesh, count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return origins (P, 3) and directions (P, 64, 3) of rays in all directions from just below the faces of a closed mesh.
+    """Return origins and directions of rays in all directions from just below the faces of a closed mesh.
+
+    Shapes: origins (P, 3), directions (P, 64, 3).
 
     The origins are uniform by area.
     """
@@ -47,7 +49,7 @@ def rays_inside(mesh: Mesh, count: int, seed: int) -> tuple[np.ndarray, np.ndarr
 
 
 def rays_at_edges(mesh: Mesh, origin: tuple[float, float, float], count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return origins (R, 3) and directions (R, 3), float64, of rays from near `origin` towards edges and vertices.
+    """Return origins and directions of rays from near `origin` towards edges and vertices of a mesh, each (R, 3) float64.
 
     Every second ray is aimed at a vertex, the others at points on edges.
     """
@@ -60,7 +62,7 @@ def rays_at_edges(mesh: Mesh, origin: tuple[float, float, float], count: int, se
 
 
 def _allowed_differences(rays: int) -> float:
-    """Return the allowed number of rays on which the two tracers may differ.
+    """Return the number of rays, among `rays`, for which the two tracers may give different results.
 
     The tracers' ray starts are a millionth apart, which matters for rays close to the edge of a silhouette. On the torus
     these are 0.8 in a million (32 of 40 million, in 16 runs), on the other meshes fewer. A correct build exceeds the
@@ -72,7 +74,10 @@ def _allowed_differences(rays: int) -> float:
 
 
 def judge_rays(thorough: bool) -> list[Verdict]:
-    """Test rays on every closed mesh, 10^6 inside and 10^5 at edges (`thorough`: ten times that); return the verdicts."""
+    """Test that rays cannot leave closed meshes, on every test mesh; return the verdicts.
+
+    There are 10^6 rays inside and 10^5 rays at edges; with `thorough` ten times as many.
+    """
     count = 10_000_000 if thorough else 1_000_000
     meshes = closed_meshes()
     return [
@@ -83,7 +88,7 @@ def judge_rays(thorough: bool) -> list[Verdict]:
 
 
 def judge_mesh(name: str, mesh: Mesh, origin: tuple[float, float, float], inside: int, at_edges: int) -> list[Verdict]:
-    """Test rays on one closed mesh with outward faces; return the verdicts.
+    """Test that rays cannot leave one closed mesh, whose faces point outwards; return the verdicts.
 
     Args:
         name: name in tables.

@@ -1,4 +1,4 @@
-"""Verdicts as tables: one table for each law, and the table of distributions in their README."""
+"""Tables of verdicts: one table for each law, and the table in the README of the distributions."""
 
 import re
 from collections.abc import Iterable
@@ -47,33 +47,36 @@ _SUMMARIES = {
 
 
 def show_one(verdicts: list[Verdict], console: Any) -> None:
-    """Print one table for few subjects: a row for each law and distribution, with the case closest to failing."""
-    table = _table()
+    """Print verdicts as one table, with a row for each law and distribution: the case closest to failing."""
+    table = _make_table()
     for heading in ("law", "of", "cases", "measured", "limit"):
         table.add_column(heading, justify="left" if heading in ("law", "of") else "right")
     table.add_column("")
     table.add_column("at", overflow="fold")
     for law in dict.fromkeys(v.law for v in verdicts):
-        for group in _groups(v for v in verdicts if v.law == law):
+        for group in _group_verdicts(v for v in verdicts if v.law == law):
             limit = "p ≥ " if group[0].statistical else "≤ "
-            row = _row(group)
+            row = _format_row(group)
             table.add_row(law, *row[:3], f"{limit}{row[3]}", *row[4:])
     console.print(table)
     console.print(summarize(verdicts))
 
 
 def show(verdicts: list[Verdict], console: Any) -> None:
-    """Print a table for each law on a rich Console: each distribution's case closest to failing, its limit and verdict."""
+    """Print verdicts as one table per law on a rich Console.
+
+    A row is a distribution, with its case closest to failing, the limit and the verdict.
+    """
     for law, summary in _SUMMARIES.items():
-        table = _table()
+        table = _make_table()
         statistical = any(v.statistical for v in verdicts if v.law == law)
         figures = ("smallest p-value", "at least") if statistical else ("worst", "at most")
         for heading in ("of", "cases", *figures):
             table.add_column(heading, justify="left" if heading == "of" else "right")
         table.add_column("")
         table.add_column("at", overflow="fold")
-        for group in _groups(v for v in verdicts if v.law == law):
-            table.add_row(*_row(group))
+        for group in _group_verdicts(v for v in verdicts if v.law == law):
+            table.add_row(*_format_row(group))
         if table.row_count:
             console.print(f"[bold]{law}[/]: {summary}")
             console.print(table)
@@ -81,7 +84,7 @@ def show(verdicts: list[Verdict], console: Any) -> None:
 
 
 def summarize(verdicts: list[Verdict]) -> str:
-    """Return a sentence that summarises all verdicts."""
+    """Return sentences with the numbers of verdicts, of broken laws, and of statistical tests."""
     failed = sum(not v.passed for v in verdicts)
     statistics = sum(v.statistical for v in verdicts)
     return (
@@ -90,8 +93,8 @@ def summarize(verdicts: list[Verdict]) -> str:
     )
 
 
-def _table(title: str | None = None) -> Any:
-    """Return an empty rich table."""
+def _make_table(title: str | None = None) -> Any:
+    """Return a rich table without columns, in the style of all tables of verdicts."""
     from rich import box
     from rich.table import Table
 
@@ -99,8 +102,8 @@ def _table(title: str | None = None) -> Any:
 
 
 def power_table(caught: dict[str, list[Verdict]]) -> Any:
-    """Return a rich table of the laws that catch each planted defect."""
-    table = _table("Planted defects, and the laws that catch them")
+    """Return a rich table with one row per planted defect (deliberate error in a sampler): the laws that reject it."""
+    table = _make_table("Planted defects, and the laws that catch them")
     table.add_column("defect")
     table.add_column("caught by")
     for name, verdicts in caught.items():
@@ -110,7 +113,7 @@ def power_table(caught: dict[str, list[Verdict]]) -> Any:
 
 
 def markdown(verdicts: list[Verdict]) -> str:
-    """Return the table of distributions for their README: properties, worst errors over all cases, and limits."""
+    """Return the Markdown table of the README of the distributions: properties, worst errors over all cases, and limits."""
     measured = {law: _worst_by_name(verdicts, law) for law in ("unit length", "direction", "density", "round trip")}
     lines = [
         "| distribution | density | per | inverse | worst errors: length, direction, density, inverse | source |",
@@ -119,24 +122,31 @@ def markdown(verdicts: list[Verdict]) -> str:
     kinds = [distributions.get(name) for name in distributions.names()]
     for kind in kinds:
         errors = ", ".join(f"{by[kind.__name__]:.1e}" if kind.__name__ in by else "–" for by in measured.values())
-        cells = (_signature(kind), kind.density, kind.measure.removeprefix("per "), _inverse(kind), errors, kind.source)
+        cells = (
+            _format_signature(kind),
+            kind.density,
+            kind.measure.removeprefix("per "),
+            _describe_inverse(kind),
+            errors,
+            kind.source,
+        )
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join([*lines, "", *(f"- `{kind.__name__}`: {kind.limits}." for kind in kinds if kind.limits)])
 
 
-def _signature(kind: type[Distribution]) -> str:
+def _format_signature(kind: type[Distribution]) -> str:
     """Return the constructor of a distribution with the names of its parameters, as Markdown."""
     return f"`{kind.__name__}({', '.join(field.name for field in fields(kind))})`"
 
 
-def _inverse(kind: type[Distribution]) -> str:
+def _describe_inverse(kind: type[Distribution]) -> str:
     """Return whether all, some or none of a distribution's cases have an inverse, as "yes", "in part" or "no"."""
     invertible = [case.maps.invert is not None for case in kind.cases()]
     return "yes" if all(invertible) else "in part" if any(invertible) else "no"
 
 
 def _worst_by_name(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
-    """Return the worst measured error of one law, keyed by distribution."""
+    """Return the worst error that one law has measured, keyed by distribution."""
     worst: dict[str, float] = {}
     for v in verdicts:
         if v.law == law:
@@ -144,27 +154,27 @@ def _worst_by_name(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
     return worst
 
 
-def _groups(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
-    """Return verdicts grouped by distribution, with the case closest to failing first in each group."""
+def _group_verdicts(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
+    """Group verdicts by distribution, with the case closest to failing first in each group."""
     groups: dict[str, list[Verdict]] = {}
     for v in verdicts:
         groups.setdefault(name_of(v), []).append(v)
-    return [sorted(group, key=_slack) for _, group in sorted(groups.items())]
+    return [sorted(group, key=_distance_to_failure) for _, group in sorted(groups.items())]
 
 
 def name_of(v: Verdict) -> str:
-    """Return the class name of the distribution that a verdict is about, or the whole name of any other subject."""
+    """Return the name of the distribution that a verdict judges, without parameters; other names stay whole."""
     case = re.fullmatch(r"(\w+)\(.*\)", v.subject)
     return case[1] if case else v.subject
 
 
-def _slack(v: Verdict) -> float:
-    """Return a sort key that is smallest for the verdict closest to failing."""
+def _distance_to_failure(v: Verdict) -> float:
+    """Return a sort key for verdicts that is smallest for the verdict closest to failing."""
     return v.measured if v.statistical else -v.measured / max(v.limit, 1e-300)
 
 
-def _row(group: list[Verdict]) -> list[str]:
-    """Return the table cells of a group of verdicts."""
+def _format_row(group: list[Verdict]) -> list[str]:
+    """Return the texts of a table row that summarises a group of verdicts."""
     hardest = group[0]
     verdict = "[green]holds[/]" if all(v.passed for v in group) else "[red]BROKEN[/]"
     at = hardest.subject[len(name_of(hardest)) + 1 : -1] if len(group) > 1 and hardest.measured != 0.0 else ""

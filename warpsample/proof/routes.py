@@ -1,4 +1,4 @@
-"""Second methods to sample the same distributions, named as in the sources, in float64 NumPy.
+"""Routes: other methods from the literature to sample the package's distributions, in float64 NumPy.
 
 Chizhov2019 samples each offset set in two ways: a uniform point of the set plus the normal, normalised; and by inversion or
 rejection. These methods are compared with the package's maps, and with each other.
@@ -38,7 +38,7 @@ _TURN = 2.0 * np.pi
 
 
 def circle(turns: np.ndarray) -> np.ndarray:
-    """Return points of the unit circle (Chizhov2019, section 3.4), from a single variate.
+    """Sample points of the unit circle from one variate each (Chizhov2019, section 3.4).
 
     The source prints two different variates in sine and cosine.
     """
@@ -46,23 +46,23 @@ def circle(turns: np.ndarray) -> np.ndarray:
 
 
 def disk(u: np.ndarray) -> np.ndarray:
-    """Return points of the unit disk by inversion (Chizhov2019, section 3.2)."""
+    """Sample points of the unit disk by inversion (Chizhov2019, section 3.2)."""
     return np.sqrt(u[..., 1:2]) * circle(u[..., 0])
 
 
 def sphere(u: np.ndarray) -> np.ndarray:
-    """Return points of the unit sphere by inversion."""
+    """Sample points of the unit sphere by inversion."""
     z = 1.0 - 2.0 * u[..., 0:1]
     return np.concatenate([np.sqrt(1.0 - z * z) * circle(u[..., 1]), z], axis=-1)
 
 
 def ball(u: np.ndarray) -> np.ndarray:
-    """Return points of the unit ball by inversion of the radius' distribution function r^3; u has three coordinates."""
+    """Sample points of the unit ball by inversion of the radius' distribution function r^3; u has three coordinates."""
     return np.cbrt(u[..., 2:3]) * sphere(u[..., :2])
 
 
 def points_in_ball(u: np.ndarray) -> np.ndarray:
-    """Return the points of the cube [-1, 1]^k that lie in the unit ball; for k = 2 in the unit disk."""
+    """Sample points of the unit ball, or disk, by rejection: scale u to [-1, 1]^k and keep the points inside."""
     points = 2.0 * u - 1.0
     return points[(points * points).sum(axis=-1) < 1.0]
 
@@ -73,19 +73,19 @@ def normalize(v: np.ndarray) -> np.ndarray:
 
 
 def mirrored_sphere(u: np.ndarray) -> np.ndarray:
-    """Return points of the unit hemisphere, by mirroring the lower half of the sphere."""
+    """Sample points of the unit hemisphere by mirroring the lower half of the sphere."""
     points = sphere(u)
     points[..., 2] = np.abs(points[..., 2])
     return points
 
 
 def add_normal(points: np.ndarray) -> np.ndarray:
-    """Return the points plus the normal (the last axis), projected onto the unit circle or sphere."""
+    """Add the normal (the unit vector of the last axis) to points, and normalise the sums to directions."""
     return normalize(points + np.eye(points.shape[-1])[-1])
 
 
 def disk_by_inverted_distribution(u: np.ndarray) -> np.ndarray:
-    """Return directions at the angle theta with (theta + sin theta cos theta) / pi + 1/2 = u[0], by bisection.
+    """Sample directions of the offset disk by numerical inversion of (theta + sin theta cos theta) / pi + 1/2 = u[0].
 
     Source: Chizhov2019, section 3.2.
     """
@@ -98,14 +98,14 @@ def disk_by_inverted_distribution(u: np.ndarray) -> np.ndarray:
 
 
 def variates(dimensions: int) -> np.ndarray:
-    """Return (N, dimensions) float64 independent variates at the centres of the grid's cells."""
+    """Return (N, dimensions) float64 independent variates, each at the centre of a cell of the 2^-24 grid."""
     u = sample_square("independent", _DRAWS // 16, 16 * ((dimensions + 1) // 2), seed=7)
     return u.reshape(-1, 2 * ((dimensions + 1) // 2))[:, :dimensions].astype(np.float64) + 2.0**-25
 
 
 @dataclass(frozen=True)
 class Route:
-    """Another method to draw from a distribution.
+    """Route: another method than the package's to sample one of its distributions.
 
     Attributes:
         name: name in tables.
@@ -138,24 +138,24 @@ ROUTES = (
 
 
 def _malley(u: np.ndarray) -> np.ndarray:
-    """Return points of the disk lifted to the hemisphere (Cranberry2020, after equation 8)."""
+    """Sample the cosine lobe by lifting points of the disk to the hemisphere (Malley; Cranberry2020, after equation 8)."""
     x, y = np.sqrt(u[..., 0]) * np.stack([np.cos(_TURN * u[..., 1]), np.sin(_TURN * u[..., 1])])
     return np.stack([x, y, np.sqrt(1.0 - x * x - y * y)], axis=-1)
 
 
 def _half_acos(u: np.ndarray) -> np.ndarray:
-    """Return directions at the angle theta = acos(1 - 2u) / 2 (Cranberry2020, equation 7)."""
+    """Sample the cosine lobe by the half angle theta = acos(1 - 2u) / 2 (Cranberry2020, equation 7)."""
     return spherical(np.arccos(1.0 - 2.0 * u[..., 0]) / 2.0, u[..., 1])
 
 
 def _keinert(count: int) -> np.ndarray:
-    """Return the points of the square that give the spherical Fibonacci sets of Keinert2014."""
+    """Return the points of the unit square that a map turns into the spherical Fibonacci sets of Keinert2014."""
     i = np.arange(count)
     return np.stack([(i + 0.5) / count, i * 0.6180339887498949 % 1.0], axis=1).astype(np.float32)
 
 
-def _point_by_point() -> dict[str, float]:
-    """Return the greatest distance between two formulas of the same map at the same u, keyed by name."""
+def _compare_maps() -> dict[str, float]:
+    """Compare pairs of formulas for the same map; return the greatest distance of their points, keyed by the pair's name."""
     u = sample_square("sobol", 16, 4096, seed=8).reshape(-1, 2)
     wide, set_ = u.astype(np.float64), _keinert(4096)
     shirley = add_normal(UniformSphere().sample(u).astype(np.float64))
@@ -178,12 +178,12 @@ def _point_by_point() -> dict[str, float]:
     }
 
 
-def _density_by_density() -> dict[str, float]:
-    """Return the greatest relative difference of two formulas of the same density at the same directions, keyed by name."""
+def _compare_densities() -> dict[str, float]:
+    """Compare pairs of formulas for the same density; return the greatest relative difference, keyed by the pair's name."""
     u = sample_square("sobol", 16, 4096, seed=9).reshape(-1, 2)
 
     def difference(one: Any, other: Any) -> float:
-        """Return the greatest relative difference at directions that `other` samples."""
+        """Return the greatest relative difference of two densities at directions that `other` samples."""
         w = other.sample(u)
         return laws.density_error(one.pdf(w), other.pdf(w).astype(np.float64))
 
@@ -199,7 +199,7 @@ def _density_by_density() -> dict[str, float]:
 
 
 def judge_routes() -> list[Verdict]:
-    """Test the draws of each route, and the differences of equal maps and of equal densities; return the verdicts."""
+    """Test that other methods sample the same distributions, and that equal formulas agree; return the verdicts."""
     verdicts = []
     for route in ROUTES:
         w, name = route.draw(variates(route.dimensions)), f"{type(route.to).__name__} by {route.name}"
@@ -211,7 +211,7 @@ def judge_routes() -> list[Verdict]:
         }
         verdicts += [Verdict.from_p_value(law, name, p_value) for law, p_value in p_values.items()]
     # Both maps are accurate to 2e-7, and the rounding of u moves a float64 formula by 6e-8 of a turn.
-    verdicts += [Verdict.from_error("one map, two routes", n, value, limit=5e-7) for n, value in _point_by_point().items()]
+    verdicts += [Verdict.from_error("one map, two routes", n, value, limit=5e-7) for n, value in _compare_maps().items()]
     return verdicts + [
-        Verdict.from_error("one density, two routes", n, v, limit=2e-6) for n, v in _density_by_density().items()
+        Verdict.from_error("one density, two routes", n, v, limit=2e-6) for n, v in _compare_densities().items()
     ]

@@ -1,4 +1,4 @@
-"""All tasks of `warpsample verify`, each of which runs in a separate process."""
+"""Tasks of `warpsample verify` (samplers, sequences, meshes and rays to test), and a pool of processes that runs them."""
 
 import multiprocessing
 import os
@@ -23,7 +23,7 @@ _MOST_PROCESSES = 8  # each uses up to 3 GB, and all cores for its kernels
 
 @dataclass(frozen=True)
 class TrialPart:
-    """Task of `warpsample verify`: the subject to be tested and its kind.
+    """One task of `warpsample verify`: what is tested, and by which kind of test.
 
     Attributes:
         kind: kind of task: "case", "sequence", "defect", "routes", "meshes" or "rays".
@@ -34,12 +34,14 @@ class TrialPart:
     key: Any = None
 
     def verdicts(self, thorough: bool = False) -> list[Verdict]:
-        """Run the laws of this task and return the verdicts; `thorough` is that of `run`."""
+        """Run the tests of this task and return the verdicts; `thorough` sweeps all variates, as in `run`."""
         return _KINDS[self.kind](self.key, thorough)
 
 
 def list_tasks(only: str | None = None) -> list[TrialPart]:
-    """Return all tasks, the longest first: every case and sequence, the second routes, hostile meshes, and rays.
+    """Return all tasks of `warpsample verify`, the longest first.
+
+    The tasks are every case of a distribution, every sequence, the routes, hostile meshes, and rays.
 
     Args:
         only: name of a distribution or a sequence, or "meshes", "rays" or "routes"; None for all.
@@ -66,19 +68,19 @@ def list_tasks(only: str | None = None) -> list[TrialPart]:
 
 
 def subjects(tasks: Iterable[TrialPart]) -> list[Subject]:
-    """Return the samplers and twins of the tasks that judge one lobe."""
+    """Return the samplers, with their twins, of all tasks that judge a distribution or a planted defect."""
     found = [Subject(repr(task.key), task.key, task.key) for task in tasks if task.kind == "case"]
     return found + [defects.subject_of(task.key) for task in tasks if task.kind == "defect"]
 
 
 def _kinds_of_parts() -> dict[str, str]:
-    """Return the kind of task for each name that `only` accepts."""
+    """Return the kind of task for each name that `warpsample verify --only` accepts."""
     parts = dict.fromkeys(distributions.names(), "case") | dict.fromkeys(sequences.names(), "sequence")
     return parts | {kind: kind for kind in ("meshes", "rays", "routes")}
 
 
 def describe_sweep(thorough: bool) -> str:
-    """Return a sentence on the extent of the sweep."""
+    """Return a sentence on how many values of the variates a run takes."""
     if thorough:
         return "The sweep takes each of the 2^24 values of both coordinates."
     slow = " and ".join(_SLOW_TWINS)
@@ -88,12 +90,12 @@ def describe_sweep(thorough: bool) -> str:
 
 
 def defect_tasks() -> list[TrialPart]:
-    """Return one task for each planted defect."""
+    """Return one task for each planted defect, a sampler with a deliberate error."""
     return [TrialPart("defect", name) for name in defects.names()]
 
 
 def run(tasks: list[TrialPart], thorough: bool = False) -> Iterator[tuple[TrialPart, list[Verdict]]]:
-    """Run tasks in one process per core, and yield each task with its verdicts when it ends.
+    """Run tasks of `warpsample verify` in one process per core; yield each task with its verdicts when it ends.
 
     A thorough run sweeps all 2^24 variates, not every fourth, or every 16th for a twin that inverts by bisection.
     """
@@ -143,7 +145,7 @@ def _judge_sequence(name: str, thorough: bool) -> list[Verdict]:
 
 
 def _judge_meshes(key: None, thorough: bool) -> list[Verdict]:
-    """Test bad normals and hostile meshes and return the verdicts."""
+    """Test invalid normals, and meshes that are tiny, huge or damaged; return the verdicts."""
     return [stress.judge_bad_normals(), *stress.judge_meshes()]
 
 

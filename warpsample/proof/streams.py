@@ -1,4 +1,4 @@
-"""Laws of the sequences over points, samples and seeds, and a command that writes their bits as an endless stream.
+"""Laws of independence of sequences over points, samples and seeds, and a command that writes their bits.
 
 External test batteries read the stream: `python -m warpsample.proof.streams independent | dieharder -a -g 200`.
 """
@@ -28,7 +28,10 @@ def integers(u: np.ndarray) -> np.ndarray:
 
 
 def digest(name: str) -> str:
-    """Return a hash of a part of a sequence that crosses a multiple of 2^32 point ids."""
+    """Return a hash of some points of a sequence, which reveals any change of the sequence's values.
+
+    The ids of the surface points cross a multiple of 2^32.
+    """
     cells = integers(sample_square(name, 257, 67, seed=12345, first_point=2**33 - 100))
     return hashlib.sha256(cells.astype(np.int64).tobytes()).hexdigest()[:16]
 
@@ -66,7 +69,7 @@ def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random:
 
 
 def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
-    """Test a sequence of the package by the laws of streams, and that its values have not changed; return the verdicts."""
+    """Test a sequence of the package for independence, and test that its values have not changed; return the verdicts."""
 
     def variates(points: int, samples: int, seed: int) -> np.ndarray:
         return sample_square(name, points, samples, seed=seed)
@@ -76,7 +79,7 @@ def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
 
 
 def repeats_p_value(variates: Variates, points: int) -> float:
-    """Return the p-value of the number of equal pairs among 64 `points` samples of 2 x 24 bits.
+    """Return the p-value of the number of equal pairs among 64 samples of each of `points` points (birthday test).
 
     The number has a Poisson distribution with mean n^2 / 2^49, which is 7 for a million points. A generator with a small
     state has too many equal pairs; one that avoids repeats has too few.
@@ -91,7 +94,7 @@ def repeats_p_value(variates: Variates, points: int) -> float:
 
 
 def shared_streams(variates: Variates, points: int) -> int:
-    """Return the number of points whose first two samples equal another point's; 96 bits never agree by chance."""
+    """Count the points whose first two samples equal those of another point; 96 bits never agree by chance."""
     cells = integers(variates(points, 64, 6)[:, :2]).astype(np.uint64).reshape(-1, 4)
     packed = np.stack([(cells[:, 0] << np.uint64(24)) | cells[:, 1], (cells[:, 2] << np.uint64(24)) | cells[:, 3]], axis=1)
     return points - len(np.unique(packed, axis=0))

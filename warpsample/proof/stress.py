@@ -1,4 +1,4 @@
-"""Laws for hostile input: normals of any length and direction, ids and indices at word limits, bad and huge meshes."""
+"""Laws for hostile input: extreme and invalid normals, ids and indices at word limits, bad and huge meshes."""
 
 from itertools import product
 
@@ -41,7 +41,7 @@ def hostile_normals() -> np.ndarray:
 
 
 def exact_directions(distribution: Distribution, normals: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the twin's directions about the exact unit normals and in the normals' local frames, each (P, n, 3) float64."""
+    """Return the exact directions about normals, in world coordinates and in the normals' frames, each (P, n, 3) float64."""
     wide = normals.astype(np.float64)
     unit = wide / np.abs(wide).max(axis=1, keepdims=True)
     unit /= np.linalg.norm(unit, axis=1, keepdims=True)
@@ -57,7 +57,7 @@ def exact_directions(distribution: Distribution, normals: np.ndarray, u: np.ndar
 
 
 def judge_normals(distribution: Distribution) -> list[Verdict]:
-    """Test directions about hostile normals; return the verdicts on lost points, unit length, angle and density."""
+    """Test a distribution about extreme normals; return the verdicts on lost points, unit length, angle and density."""
     normals = hostile_normals()
     got = sample_directions(normals, _SAMPLES, distribution=distribution, sequence="independent", pdf=True)
     u = sample_square("independent", len(normals), _SAMPLES)
@@ -86,7 +86,7 @@ def judge_normals(distribution: Distribution) -> list[Verdict]:
 
 
 def judge_bad_normals() -> Verdict:
-    """Test that normals without a direction give zero vectors, density 0 and a status; return the verdict.
+    """Test that zero, NaN and infinite normals give zero vectors, density 0 and a status; return the verdict.
 
     The directions of their neighbours must not change.
     """
@@ -105,7 +105,7 @@ def judge_bad_normals() -> Verdict:
 
 
 def judge_indices(name: str) -> Verdict:
-    """Test variates at the limits of 32- and 64-bit point ids, sample indices, counts and seeds; return the verdict.
+    """Test a sequence at the limits of 32- and 64-bit point ids, sample indices, counts and seeds; return the verdict.
 
     The exact integers of the twins are the reference.
     """

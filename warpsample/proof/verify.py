@@ -23,7 +23,7 @@ LEVEL = FAMILY_WISE / MOST_STATISTICS
 
 @dataclass(frozen=True)
 class Verdict:
-    """Verdict of one law on one subject.
+    """Verdict of one law on one sampler: the measured error or p-value, and its limit.
 
     Attributes:
         law: name of the law.
@@ -43,23 +43,23 @@ class Verdict:
 
     @classmethod
     def from_error(cls, law: str, subject: str, measured: float, *, limit: float = 0.0, note: str = "") -> "Verdict":
-        """Return the verdict on a worst error or a number of failures, which may be at most `limit`."""
+        """Build the verdict on a worst error or a number of failures; the law holds up to `limit`."""
         return cls(law, subject, float(measured), limit, False, note)
 
     @classmethod
     def from_p_value(cls, law: str, subject: str, p_value: float, note: str = "") -> "Verdict":
-        """Return the verdict on a p-value, which must be at least LEVEL."""
+        """Build the verdict on the p-value of a statistical test; the law holds from LEVEL upwards."""
         return cls(law, subject, p_value, LEVEL, True, note)
 
     @property
     def passed(self) -> bool:
-        """True if the law holds."""
+        """True if the sampler obeys the law."""
         return self.measured >= self.limit if self.statistical else self.measured <= self.limit
 
 
 @dataclass(frozen=True)
 class Law:
-    """Law that samplers must obey.
+    """Law that samplers must obey: a measure, its limit, and the samplers to which it applies.
 
     Attributes:
         name: name in tables.
@@ -77,7 +77,7 @@ class Law:
     applies: Callable[[Any], bool] = lambda sampler: True
 
     def judge(self, evidence: Evidence) -> Verdict:
-        """Test a subject by this law and return the verdict; a law that cannot be evaluated counts as broken."""
+        """Test a sampler by this law and return the verdict; a law that cannot be evaluated counts as broken."""
         note, subject = "", evidence.subject
         try:
             with np.errstate(all="ignore"):  # a wrong sampler may return anything
@@ -90,22 +90,22 @@ class Law:
 
 
 def _constant_limit(limit: float) -> Callable[[Distribution], float]:
-    """Return a function that gives the same limit for all distributions."""
+    """Return a function that returns `limit` for every distribution."""
     return lambda distribution: limit
 
 
 def _has_cdf(sampler: Any) -> bool:
-    """Return whether a sampler is symmetric about the axis and so has a closed-form distribution function."""
+    """Return True if a sampler is symmetric about its axis and so has a closed-form distribution function (cdf)."""
     return sampler.symmetric
 
 
 def _has_azimuth(sampler: Any) -> bool:
-    """Return whether a sampler is symmetric about the axis and has an azimuth."""
+    """Return True if a sampler is symmetric about its axis and its directions have an azimuth."""
     return sampler.symmetric and sampler.measure != "per radian"
 
 
 def _has_inverse(sampler: Any) -> bool:
-    """Return whether a sampler has an inverse."""
+    """Return True if a sampler has an inverse, from directions to the unit square."""
     return sampler.maps.invert is not None
 
 
@@ -215,7 +215,7 @@ LAWS = (
 
 
 def cases(only: str | None = None) -> list[Distribution]:
-    """Return every case of every distribution, or of the distribution `only`.
+    """Return all distributions to test, with several cases of parameters each, or the cases of the distribution `only`.
 
     Raises:
         NotImplementedError: a distribution has no twin.
@@ -228,10 +228,13 @@ def cases(only: str | None = None) -> list[Distribution]:
 
 
 def judge(evidence: Evidence, which: Iterable[Law] = LAWS) -> list[Verdict]:
-    """Test one subject by all laws that apply to its sampler; return the verdicts."""
+    """Test one sampler by all laws that apply to it; return the verdicts."""
     return [law.judge(evidence) for law in which if law.applies(evidence.sampler)]
 
 
 def judge_case(case: Distribution, **effort: int) -> list[Verdict]:
-    """Test a distribution by all laws that apply; return the verdicts. `effort` holds keyword arguments of `Evidence`."""
+    """Test a distribution by all laws that apply to it; return the verdicts.
+
+    `effort` holds keyword arguments of `Evidence`.
+    """
     return judge(Evidence(Subject(repr(case), case, case), **effort))

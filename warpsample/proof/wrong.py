@@ -8,11 +8,11 @@ import numpy as np
 from warpsample.distributions.record import Distribution
 
 
-class Wrong:
-    """Distribution with some of its functions replaced."""
+class WrongSampler:
+    """Sampler with a planted defect: a distribution with some of its functions replaced by wrong ones."""
 
     def __init__(self, claims: Distribution, **replaced: Callable[[np.ndarray], np.ndarray]):
-        """Store a distribution and the functions that replace some of its functions.
+        """Store the correct distribution and the wrong functions that replace some of its functions.
 
         Args:
             claims: distribution that the sampler claims to be.

@@ -8,7 +8,7 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.scattering.henyey_greenstein import HenyeyGreenstein
 from warpsample.distributions.scattering.linearly_transformed_cosine import LinearlyTransformedCosine
 from warpsample.distributions.uniform_sphere import UniformSphere
-from warpsample.proof.wrong import Wrong
+from warpsample.proof.wrong import WrongSampler
 
 _F = np.float32
 _UNIFORM = UniformSphere()
@@ -45,20 +45,20 @@ def _not_normalised(u: np.ndarray) -> np.ndarray:
     return (CosineHemisphere().sample(u).astype(np.float64) @ np.array(_TRANSFORMED.stretch).T).astype(_F)
 
 
-WRONG_LOBES: dict[str, Wrong] = {
-    "Henyey-Greenstein of −g": Wrong(_FORWARD, sample=_BACKWARD.sample),
-    "Henyey-Greenstein uniform below 1e-3": Wrong(_ALMOST_UNIFORM, sample=_UNIFORM.sample, pdf=_UNIFORM.pdf),
-    "Henyey-Greenstein uniform for g < 0": Wrong(_BACKWARD, sample=_UNIFORM.sample, pdf=_UNIFORM.pdf),
-    "Henyey-Greenstein by the usual quotient": Wrong(_BEAM, sample=partial(_henyey_greenstein_by_cosine, 0.9999)),
-    "Henyey-Greenstein of the power 1": Wrong(_FORWARD, pdf=_henyey_greenstein_of_power_1),
-    "cosine transformed by the inverse": Wrong(
+WRONG_LOBES: dict[str, WrongSampler] = {
+    "Henyey-Greenstein of −g": WrongSampler(_FORWARD, sample=_BACKWARD.sample),
+    "Henyey-Greenstein uniform below 1e-3": WrongSampler(_ALMOST_UNIFORM, sample=_UNIFORM.sample, pdf=_UNIFORM.pdf),
+    "Henyey-Greenstein uniform for g < 0": WrongSampler(_BACKWARD, sample=_UNIFORM.sample, pdf=_UNIFORM.pdf),
+    "Henyey-Greenstein by the usual quotient": WrongSampler(_BEAM, sample=partial(_henyey_greenstein_by_cosine, 0.9999)),
+    "Henyey-Greenstein of the power 1": WrongSampler(_FORWARD, pdf=_henyey_greenstein_of_power_1),
+    "cosine transformed by the inverse": WrongSampler(
         _TRANSFORMED, sample=LinearlyTransformedCosine(np.linalg.inv(_TRANSFORMED.stretch)).sample
     ),
-    "cosine transformed by the transpose": Wrong(
+    "cosine transformed by the transpose": WrongSampler(
         _TRANSFORMED, sample=LinearlyTransformedCosine(np.array(_TRANSFORMED.stretch).T).sample
     ),
-    "transformed cosine with a signed determinant": Wrong(_MIRRORED, pdf=lambda w: -_MIRRORED.pdf(w)),
-    "transformed cosine of the power 2": Wrong(_TRANSFORMED, pdf=_of_power_2),
-    "transformed cosine not normalised": Wrong(_TRANSFORMED, sample=_not_normalised),
+    "transformed cosine with a signed determinant": WrongSampler(_MIRRORED, pdf=lambda w: -_MIRRORED.pdf(w)),
+    "transformed cosine of the power 2": WrongSampler(_TRANSFORMED, pdf=_of_power_2),
+    "transformed cosine not normalised": WrongSampler(_TRANSFORMED, sample=_not_normalised),
 }
 """Wrong samplers, keyed by name."""

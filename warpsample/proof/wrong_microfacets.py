@@ -9,7 +9,7 @@ from warpsample.distributions.microfacets.beckmann import Beckmann
 from warpsample.distributions.microfacets.ggx import GGX
 from warpsample.distributions.microfacets.visible_beckmann import VisibleBeckmann
 from warpsample.distributions.microfacets.visible_ggx import VisibleGGX
-from warpsample.proof.wrong import Wrong
+from warpsample.proof.wrong import WrongSampler
 
 _F = np.float32
 _X, _Y, _VIEW = 0.3, 0.1, (0.6, -0.64, 0.48)
@@ -68,26 +68,28 @@ _STRETCHED = (_X * _VIEW[0], _Y * _VIEW[1], _VIEW[2])
 _RIGHT_AREA = _area(_X, _Y)
 _MEAN_NORM = _X * _Y / (0.5 * (_X + _Y)) ** 2
 
-WRONG_MICROFACETS: dict[str, Wrong] = {
-    "GGX with swapped roughnesses": Wrong(_GGX, sample=GGX(_Y, _X).sample),
-    "GGX with the mean roughness in the norm": Wrong(_GGX, pdf=partial(_scaled, _GGX.pdf, _MEAN_NORM)),
-    "GGX with an unstretched azimuth": Wrong(_GGX, sample=_unstretched_azimuth),
-    "anisotropic GGX density by 1 − z²": Wrong(_NARROW, pdf=_density_by_cosine),
-    "GGX density without alpha_y": Wrong(GGX(_X, _MILD), pdf=GGX(_X).pdf),
-    "Beckmann with swapped roughnesses": Wrong(_BECKMANN, sample=Beckmann(_Y, _X).sample),
-    "Beckmann with the mean roughness in the norm": Wrong(_BECKMANN, pdf=partial(_scaled, _BECKMANN.pdf, _MEAN_NORM)),
-    "Beckmann density without alpha_y": Wrong(Beckmann(_X, _MILD), pdf=Beckmann(_X).pdf),
-    "visible GGX with an unstretched view": Wrong(_VISIBLE_GGX, sample=partial(_visible, seen=_VIEW)),
-    "visible GGX with a cap from 0": Wrong(_VISIBLE_GGX, sample=partial(_visible, seen=_STRETCHED, lowest=0.0)),
-    "visible GGX with the area of the mean roughness": Wrong(
+WRONG_MICROFACETS: dict[str, WrongSampler] = {
+    "GGX with swapped roughnesses": WrongSampler(_GGX, sample=GGX(_Y, _X).sample),
+    "GGX with the mean roughness in the norm": WrongSampler(_GGX, pdf=partial(_scaled, _GGX.pdf, _MEAN_NORM)),
+    "GGX with an unstretched azimuth": WrongSampler(_GGX, sample=_unstretched_azimuth),
+    "anisotropic GGX density by 1 − z²": WrongSampler(_NARROW, pdf=_density_by_cosine),
+    "GGX density without alpha_y": WrongSampler(GGX(_X, _MILD), pdf=GGX(_X).pdf),
+    "Beckmann with swapped roughnesses": WrongSampler(_BECKMANN, sample=Beckmann(_Y, _X).sample),
+    "Beckmann with the mean roughness in the norm": WrongSampler(_BECKMANN, pdf=partial(_scaled, _BECKMANN.pdf, _MEAN_NORM)),
+    "Beckmann density without alpha_y": WrongSampler(Beckmann(_X, _MILD), pdf=Beckmann(_X).pdf),
+    "visible GGX with an unstretched view": WrongSampler(_VISIBLE_GGX, sample=partial(_visible, seen=_VIEW)),
+    "visible GGX with a cap from 0": WrongSampler(_VISIBLE_GGX, sample=partial(_visible, seen=_STRETCHED, lowest=0.0)),
+    "visible GGX with the area of the mean roughness": WrongSampler(
         _VISIBLE_GGX, pdf=partial(_scaled, _VISIBLE_GGX.pdf, _RIGHT_AREA / _area(0.2, 0.2))
     ),
-    "visible GGX with the area of alpha": Wrong(
+    "visible GGX with the area of alpha": WrongSampler(
         _VISIBLE_GGX, pdf=partial(_scaled, _VISIBLE_GGX.pdf, _RIGHT_AREA / _area(_X, _X))
     ),
-    "visible GGX with alpha clamped at 1e-3": Wrong(_MIRROR, sample=VisibleGGX(1e-3, _MIRROR.view).sample),
-    "visible Beckmann with swapped roughnesses": Wrong(_VISIBLE_BECKMANN, sample=VisibleBeckmann(_Y, _VIEW, _X).sample),
-    "visible Beckmann with the density of alpha": Wrong(
+    "visible GGX with alpha clamped at 1e-3": WrongSampler(_MIRROR, sample=VisibleGGX(1e-3, _MIRROR.view).sample),
+    "visible Beckmann with swapped roughnesses": WrongSampler(
+        _VISIBLE_BECKMANN, sample=VisibleBeckmann(_Y, _VIEW, _X).sample
+    ),
+    "visible Beckmann with the density of alpha": WrongSampler(
         VisibleBeckmann(_X, _VIEW, _MILD), pdf=VisibleBeckmann(_X, _VIEW).pdf
     ),
 }

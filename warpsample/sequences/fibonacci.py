@@ -14,7 +14,7 @@ _BELOW_2_64 = wp.constant(wp.float64(2.0**64 * (1.0 - 2.0**-53)))
 
 @wp.func
 def fibonacci_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """Return point number `sample` of a lattice of `count` points, with a random shift and rotation from the key.
+    """Return point number `sample` of a Fibonacci lattice of `count` points, randomly shifted and rotated by the key.
 
     The point is ((sample + shift) / count, sample / phi + rotation mod 1). Keinert2014 uses the constant shift 1/2, the mean
     of the random shift; a random shift makes the estimate unbiased for every count. The phase sample / phi is the top of an

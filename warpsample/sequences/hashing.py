@@ -90,7 +90,10 @@ def pcg4d(x: wp.uint32, y: wp.uint32, z: wp.uint32, w: wp.uint32) -> wp.vec4ui:
 
 @wp.func
 def finalise(word: wp.uint32) -> wp.uint32:
-    """Mix a word with the 32-bit finaliser of Appleby2016, a bijection: each input bit changes about half of the output."""
+    """Mix a 32-bit word with the finaliser of Appleby2016, so that each input bit changes about half of the output bits.
+
+    The finaliser is a bijection.
+    """
     word = (word ^ (word >> _SHIFT)) * _MURMUR_1
     word = (word ^ (word >> _MURMUR_SHIFT)) * _MURMUR_2
     return word ^ (word >> _SHIFT)
@@ -98,13 +101,16 @@ def finalise(word: wp.uint32) -> wp.uint32:
 
 @wp.func
 def run_key(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
-    """Return four random words shared by all points whose ids have the same upper half; kernels compute the words once."""
+    """Hash the seed and the upper half of a point id to four random words, which kernels compute once for many points."""
     return philox4x32_10(wp.vec4ui(high, ZERO_WORD, ZERO_WORD, _KEYS), low_word(seed), high_word(seed))
 
 
 @lru_cache(maxsize=1024)
 def run_words(seed: int, high: int) -> tuple[int, int, int, int]:
-    """Compute the words of `run_key` on the host, which saves kernels for directions a tenth of their time."""
+    """Compute the four random words of `run_key` in Python instead of in a kernel.
+
+    This saves kernels for directions a tenth of their time.
+    """
     x = [high, 0, 0, 2]
     key = [seed & _WORD, seed >> 32]
     for _ in range(10):
@@ -116,13 +122,13 @@ def run_words(seed: int, high: int) -> tuple[int, int, int, int]:
 
 @wp.func
 def swap_halves(word: wp.uint32) -> wp.uint32:
-    """Swap the upper and lower 16 bits of a word."""
+    """Swap the upper and lower 16 bits of a 32-bit word."""
     return (word << _SHIFT) | (word >> _SHIFT)
 
 
 @wp.func
 def premixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
-    """Return the partly mixed key of a surface point, for sequences that hash the key again at each sample.
+    """Return a partly mixed key of a surface point: four words for sequences that hash them again at each sample.
 
     Word 0 differs between any two ids with the same upper half.
     """
@@ -132,20 +138,23 @@ def premixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
 
 @wp.func
 def mixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
-    """Return the key of a point: four random words with which a sequence scrambles or shifts its points."""
+    """Return the key of a surface point: four random words with which a sequence scrambles or shifts its samples."""
     key = premixed_key(run, low)
     return pcg4d(key[0], key[1], key[2], key[3])
 
 
 @wp.func
 def point_key(seed: wp.uint64, point: wp.uint64) -> wp.vec4ui:
-    """Return the `mixed_key` of a surface point, from the seed and the 64-bit id."""
+    """Return the key of a surface point, four random words, from the seed and the point's 64-bit id."""
     return mixed_key(run_key(seed, high_word(point)), low_word(point))
 
 
 @wp.func
 def stream_key(key: wp.vec4ui, stream: wp.uint32) -> wp.vec4ui:
-    """Return the key of one random stream of a point, from its `point_key`; keys of different streams are independent."""
+    """Return the key of random stream number `stream` of a surface point, from the point's key.
+
+    Keys of different streams are independent.
+    """
     return mixed_key(key, stream)
 
 

@@ -21,7 +21,7 @@ _MURMUR_SHIFT = wp.constant(wp.uint32(13))
 
 @wp.func
 def _words(key: wp.vec4ui, half: wp.uint32) -> wp.vec4ui:
-    """Return the four random words that hold samples 2 * half and 2 * half + 1."""
+    """Hash a key and `half` to the four random words from which samples 2 * half and 2 * half + 1 are made."""
     # The first half of the finaliser of Appleby2016. Apart from one shift, pcg4d carries bits only to higher bits. Without
     # the finaliser, a bit of the sample number could cancel a bit of the point's word.
     half = (half ^ (half >> _HALF_WORD)) * _MURMUR
@@ -31,13 +31,16 @@ def _words(key: wp.vec4ui, half: wp.uint32) -> wp.vec4ui:
 
 @wp.func
 def independent_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """Return an independent uniform point of the unit square; one PCG4D hash serves samples 2k and 2k + 1."""
+    """Return sample number `sample` of a surface point's independent uniform points of the unit square, from its key.
+
+    One PCG4D hash serves samples 2k and 2k + 1.
+    """
     return point_from_words(_words(key, sample >> ONE_WORD), sample)
 
 
 @wp.func
 def independent_pair(key: wp.vec4ui, half: wp.uint32, count: wp.uint32) -> wp.vec4:
-    """Return the points (x0, y0, x1, y1) of samples 2 * half and 2 * half + 1, at the cost of one hash."""
+    """Return two independent uniform points, (x0, y0, x1, y1): samples 2 * half and 2 * half + 1, with a single hash."""
     return points_from_words(_words(key, half))
 
 

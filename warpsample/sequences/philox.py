@@ -9,36 +9,39 @@ from warpsample.sequences.record import Sequence
 
 @wp.func
 def _run(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
-    """Return the words of seed and id without mixing, since Philox itself mixes all bits of its counter and its key."""
+    """Return the seed and the upper half of a point id as words, unmixed, since Philox mixes all bits itself."""
     return wp.vec4ui(ZERO_WORD, high, low_word(seed), high_word(seed))
 
 
 def _run_words(seed: int, high: int) -> tuple[int, int, int, int]:
-    """Return the words of `_run` on the host."""
+    """Compute the words of `_run` in Python instead of in a kernel."""
     return 0, high, seed % 2**32, seed >> 32
 
 
 @wp.func
 def _key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
-    """Return the key of a point: the two halves of the point's id, then the two halves of the seed."""
+    """Return the key of a surface point: the two halves of the point's id, then the two halves of the seed."""
     return wp.vec4ui(low, run[1], run[2], run[3])
 
 
 @wp.func
 def _words(key: wp.vec4ui, half: wp.uint32) -> wp.vec4ui:
-    """Return the four random words that hold samples 2 * half and 2 * half + 1."""
+    """Return the four random words from which samples 2 * half and 2 * half + 1 are made, by one block of Philox."""
     return philox4x32_10(wp.vec4ui(half, key[0], key[1], ZERO_WORD), key[2], key[3])
 
 
 @wp.func
 def philox_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """Return an independent point of the unit square: two of Philox's four words for the counter (sample / 2, id, 0)."""
+    """Return sample number `sample` of a surface point's independent points of the unit square, by Philox4x32-10.
+
+    The point is made from two of the four words of the counter (sample / 2, id, 0).
+    """
     return point_from_words(_words(key, sample >> ONE_WORD), sample)
 
 
 @wp.func
 def philox_pair(key: wp.vec4ui, half: wp.uint32, count: wp.uint32) -> wp.vec4:
-    """Return the points (x0, y0, x1, y1) of samples 2 * half and 2 * half + 1, at the cost of one block of Philox."""
+    """Return two independent points, (x0, y0, x1, y1): samples 2 * half and 2 * half + 1, by one block of Philox."""
     return points_from_words(_words(key, half))
 
 

@@ -13,7 +13,9 @@ _STEP_Y = wp.constant(wp.uint64(0x91E10DA5C79E7B1D))
 
 @wp.func
 def r2_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """Return the point (sample / g, sample / g^2) + shift modulo 1, with the plastic number g and a shift from the key.
+    """Return point number `sample` of the R2 sequence: (sample / g, sample / g^2) + shift, modulo 1.
+
+    g is the plastic number, and the random shift is from the key.
 
     The result is exact for any sample.
     """

@@ -69,5 +69,8 @@ class Sequence:
     cells_off: int = 0
 
     def edge_variance(self, count: int) -> float:
-        """Return the variance n^edge / 2 that the attribute `edge` describes, for sets of n = `count` samples."""
+        """Return the variance of the difference between the counts, in two sets of samples, on one side of an edge.
+
+        It is n^edge / 2 for sets of n = `count` samples, with the attribute `edge`.
+        """
         return 0.5 * float(np.float_power(count, self.edge))

@@ -13,7 +13,9 @@ _HASH_3 = wp.constant(wp.uint32(0x53A22864))
 
 @wp.func
 def laine_karras(x: wp.uint32, key: wp.uint32) -> wp.uint32:
-    """Scramble bit-reversed x by Owen's nested uniform scrambling: a hash of all lower bits decides whether a bit flips.
+    """Scramble a bit-reversed coordinate x by Owen's nested uniform scrambling.
+
+    A hash of all lower bits decides whether a bit flips.
 
     The hash is that of Vegdahl2021, which improves on Laine2011.
     """
@@ -26,7 +28,7 @@ def laine_karras(x: wp.uint32, key: wp.uint32) -> wp.uint32:
 
 @wp.func
 def sobol_second(index: wp.uint32) -> wp.uint32:
-    """Return the bit-reversed second Sobol' coordinate of an index.
+    """Return the second coordinate, bit-reversed, of the Sobol' point with an index.
 
     The bits are multiplied by Pascal's triangle modulo 2, in five steps.
     """
@@ -40,7 +42,7 @@ def sobol_second(index: wp.uint32) -> wp.uint32:
 
 @wp.func
 def _scramble(index: wp.uint32, second: wp.uint32, key: wp.vec4ui) -> wp.vec2:
-    """Scramble both bit-reversed coordinates with the key and return the point of the unit square."""
+    """Scramble both bit-reversed coordinates of a Sobol' point with the key; return the point of the unit square."""
     x = laine_karras(index, key[1])
     y = laine_karras(second, key[2])
     return wp.vec2(uniform_from_bits(reverse_bits(x)), uniform_from_bits(reverse_bits(y)))
@@ -59,7 +61,7 @@ def sobol_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2
 
 @wp.func
 def sobol_pair(key: wp.vec4ui, half: wp.uint32, count: wp.uint32) -> wp.vec4:
-    """Return the points (x0, y0, x1, y1) of samples 2 * half and 2 * half + 1, with one shuffle for both.
+    """Return two scrambled Sobol' points, (x0, y0, x1, y1): samples 2 * half and 2 * half + 1, with a single shuffle.
 
     The two bit-reversed indices differ only in the top bit, on which no other bit of the scramble depends. So the two
     shuffled indices differ only in the last bit, and so do the two second coordinates.

@@ -1,1 +1,1 @@
-"""Coordinates, histograms and quadrature, shared by the tests of samplers and the pictures."""
+"""Coordinates, histograms and quadrature on the sphere, for tests of samplers and for pictures."""

@@ -7,7 +7,10 @@ import numpy as np
 
 
 class Sampler(Protocol):
-    """Interface of a sampler, correct or not, to be tested; `distributions.record.Distribution` describes each member."""
+    """Interface of a sampler of directions under test, which may be wrong on purpose.
+
+    `distributions.record.Distribution` describes each member.
+    """
 
     measure: str
     symmetric: bool
@@ -16,18 +19,20 @@ class Sampler(Protocol):
     thinnest_tail: float
 
     def sample(self, u: Any) -> np.ndarray:
-        """Return the directions of points of the unit square."""
+        """Return the sampled directions of points of the unit square."""
 
     def pdf(self, w: Any) -> np.ndarray:
-        """Return the density at directions."""
+        """Return the sampler's probability density at directions."""
 
     def cdf(self, theta: Any) -> np.ndarray:
-        """Return the cumulative distribution function of the chart's coordinate a."""
+        """Return the cumulative distribution function of the angle to the normal, or of the chart's coordinate a."""
 
 
 @dataclass(frozen=True)
 class Chart:
-    """Coordinates (a, phi) of a direction: angle to the normal and azimuth, radius and azimuth, or a signed angle alone.
+    """Polar coordinates (a, phi) of a direction.
+
+    They are the angle to the normal and the azimuth, the radius and the azimuth, or a signed angle alone.
 
     Attributes:
         low: smallest value of a.
@@ -40,7 +45,7 @@ class Chart:
     azimuths: float
 
     def polar(self, w: np.ndarray) -> np.ndarray:
-        """Return the coordinate a of directions, float64; NaN for a NaN."""
+        """Return the polar coordinate a of directions (angle to the normal, or radius), float64; NaN for a NaN."""
         w = w.astype(np.float64)
         if self.azimuths == 1.0:
             return np.arctan2(w[..., 0], w[..., 1])
@@ -48,14 +53,17 @@ class Chart:
         return np.arctan2(radius, w[..., 2]) if w.shape[-1] == 3 else radius
 
     def azimuth(self, w: np.ndarray) -> np.ndarray:
-        """Return the coordinate phi of directions as a fraction of `azimuths`, in [0, 1], float64."""
+        """Return the azimuth phi of directions as a fraction of `azimuths`, in [0, 1], float64."""
         if self.azimuths == 1.0:
             return np.full(w.shape[:-1], 0.5)
         w = w.astype(np.float64)
         return (np.arctan2(w[..., 1], w[..., 0]) / (2.0 * np.pi)) % 1.0
 
     def point(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
-        """Return the directions, float64, at coordinates a and phi, phi as a fraction of 2 pi; both are broadcast."""
+        """Return the directions, float64, at polar coordinates a and azimuths given as a fraction of 2 pi.
+
+        Both arguments are broadcast.
+        """
         a, turns = np.broadcast_arrays(a, turns)
         if self.azimuths == 1.0:
             return np.stack([np.sin(a), np.cos(a)], axis=-1)
@@ -119,6 +127,6 @@ def chart_of(sampler: Sampler) -> Chart:
 
 
 def support_of(sampler: Sampler) -> tuple[float, float]:
-    """Return the smallest and the largest coordinate a of the support."""
+    """Return the smallest and the largest polar coordinate a at which a sampler's density can be above 0."""
     low = -sampler.largest_angle if chart_of(sampler) is PLANE else 0.0
     return low, sampler.largest_angle

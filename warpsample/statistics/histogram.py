@@ -11,7 +11,7 @@ _LEAST_EXPECTED = 5.0  # below this a count is too far from normal for chi-squar
 
 @dataclass(frozen=True, eq=False)
 class HistogramTest:
-    """Result of Pearson's test of one histogram of K cells.
+    """Result of Pearson's chi-square test of one histogram of K cells.
 
     Attributes:
         observed: (K,) observed counts.
@@ -31,7 +31,7 @@ class HistogramTest:
 
     @property
     def largest_residual(self) -> float:
-        """Largest absolute residual."""
+        """Largest absolute residual of the histogram's cells, in standard deviations."""
         return float(np.abs(self.residuals).max())
 
 
@@ -59,7 +59,10 @@ def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
 
 
 def joined_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest | None:
-    """Test counts after joining neighbouring cells until each expects at least 5; None if fewer than two cells remain."""
+    """Test observed against expected counts after joining neighbouring cells until each expects at least 5.
+
+    Return None if fewer than two cells remain.
+    """
     starts, waiting = [0], 0.0
     for cell, count in enumerate(expected[:-1]):
         waiting += count

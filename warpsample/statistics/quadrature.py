@@ -1,4 +1,4 @@
-"""Integrals of a density over cells of its chart, refined until they have converged."""
+"""Integrals of a sampler's density over cells of directions, refined until they have converged."""
 
 from itertools import pairwise
 
@@ -30,10 +30,10 @@ def cell_masses(
         ValueError: the integral does not converge; a test based on it could reject a correct sampler.
     """
     chart = chart or chart_of(sampler)
-    before = _masses(sampler, chart, edges, columns, weight, nodes=_COARSEST)
+    before = _integrate_cells(sampler, chart, edges, columns, weight, nodes=_COARSEST)
     nodes = 2 * _COARSEST
     while nodes <= _FINEST:
-        after = _masses(sampler, chart, edges, columns, weight, nodes=nodes)
+        after = _integrate_cells(sampler, chart, edges, columns, weight, nodes=nodes)
         change = np.abs(after - before).sum() / max(np.abs(after).sum(), 1e-30)
         if change <= _TOLERANCE:
             return after
@@ -41,9 +41,11 @@ def cell_masses(
     raise ValueError(f"pdf: its integral still moves by {change:.1e} of itself at {_FINEST} nodes a cell")
 
 
-def _masses(sampler: Sampler, chart: Chart, edges: np.ndarray, columns: int, weight: int, *, nodes: int) -> np.ndarray:
+def _integrate_cells(
+    sampler: Sampler, chart: Chart, edges: np.ndarray, columns: int, weight: int, *, nodes: int
+) -> np.ndarray:
     """Integrate pdf * a^weight over each cell, by Gauss-Legendre rules of `nodes` nodes a panel."""
-    panels, owner = _panels(edges)
+    panels, owner = _divide_cells(edges)
     t, gauss = np.polynomial.legendre.leggauss(nodes)
     # With a = low + length sin^2(pi (t + 1) / 4) an inverse root at either end is smooth, as at an offset sphere's edge.
     angle = np.pi * (t + 1.0) / 4.0
@@ -60,8 +62,8 @@ def _masses(sampler: Sampler, chart: Chart, edges: np.ndarray, columns: int, wei
     return rows.reshape(len(rows), columns, fine).sum(axis=2) * chart.azimuths / (columns * fine)
 
 
-def _panels(edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Divide long cells geometrically; return the edges of the panels and the cell of each panel."""
+def _divide_cells(edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Divide long cells of a grid geometrically into panels; return the panels' edges and each panel's cell."""
     panels, owner = [edges[0]], []
     for cell, (low, high) in enumerate(pairwise(edges)):
         pieces = max(1, int(np.ceil(np.log(high / low) / np.log(_LONGEST_PANEL)))) if low > 0.0 else 1

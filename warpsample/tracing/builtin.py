@@ -7,12 +7,12 @@ from warpsample.tracing.queries import DIRECTION, ORIGIN, Accelerator, vector_in
 
 @wp.func
 def prepare_builtin(chunk: wp.uint64, length: wp.int32):
-    """Do nothing: wp.Mesh needs no prepared rows."""
+    """Do nothing for a chunk of rays, since wp.Mesh needs no prepared values."""
 
 
 @wp.func
 def builtin_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
-    """Return (distance, face, 0, 0) of the nearest hit with wp.Mesh; (inf, -1, 0, 0) without one.
+    """Trace a ray with wp.Mesh and return (distance, face, 0, 0) of the nearest hit; (inf, -1, 0, 0) without one.
 
     It also serves any-hit queries, since that of wp.Mesh returns no face. The zeros stand for the unknown numbers of visited
     nodes and leaves.
@@ -28,7 +28,10 @@ def builtin_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32
 
 @wp.func
 def builtin_any_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
-    """Return (0, 0, 0, 0) if a ray hits anything, else (inf, -1, 0, 0); wp.Mesh provides neither distance nor face."""
+    """Trace a ray with wp.Mesh and return (0, 0, 0, 0) if it hits anything, else (inf, -1, 0, 0).
+
+    The query of wp.Mesh provides neither distance nor face.
+    """
     face = wp.int32(-1)
     distance = wp.float32(wp.INF)
     if wp.mesh_query_ray_anyhit(accelerator.mesh, vector_in(column, ORIGIN), vector_in(column, DIRECTION), reach):

@@ -18,7 +18,10 @@ INVALID: wp.int32 = wp.constant(wp.int32(-1))
 
 @wp.struct
 class HitList:
-    """Addresses of a ray's distances (in the scene's coordinates) and faces, and the number of hits written so far."""
+    """List of one ray's hits while they are found: addresses of distances and faces, and the number of hits so far.
+
+    Distances are in the scene's coordinates.
+    """
 
     distance: wp.uint64
     face: wp.uint64
@@ -26,14 +29,14 @@ class HitList:
 
 
 @wp.func
-def _count(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: wp.int32):
-    """Add the number of a leaf's triangles that a ray crosses to the number found so far."""
+def _count_crossings(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: wp.int32):
+    """Add the number of triangles in a tree leaf that a ray crosses to the number found so far."""
     return found + wp.bit_count(crossed_triangles(leaf, ray, reach, edge))
 
 
 @wp.func
-def _write(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: HitList):
-    """Append the crossings of a ray with the triangles of a leaf to the ray's hits."""
+def _write_crossings(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: HitList):
+    """Append the hits of a ray on the triangles of a tree leaf to the ray's list of hits."""
     mask = crossed_triangles(leaf, ray, reach, edge)
     while mask != 0:
         k = lowest_bit(mask)
@@ -44,20 +47,20 @@ def _write(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found
     return found
 
 
-_walk_to_count = through_walk(_count, wp.int32)
-_walk_to_write = through_walk(_write, HitList)
+_walk_to_count = through_walk(_count_crossings, wp.int32)
+_walk_to_write = through_walk(_write_crossings, HitList)
 
 
 @wp.func
 def _is_after(hits: HitList, i: wp.int32, distance: wp.float32, face: wp.int32) -> wp.bool:
-    """Return whether the i-th hit belongs behind a hit at the given distance on the given face."""
+    """Return whether the i-th hit of a list sorts behind a hit at the given distance on the given face."""
     other = float_at(hits.distance, i)
     return other > distance or (other == distance and int_at(hits.face, i) > face)
 
 
 @wp.func
-def _sort(hits: HitList):
-    """Sort hits in place by distance, and at equal distance by face, with Shell's sort."""
+def _sort_hits(hits: HitList):
+    """Sort a list of hits in place by distance, and at equal distance by face, with Shell's sort."""
     gap = wp.int32(1)
     while gap < hits.count / 3:
         gap = 3 * gap + 1
@@ -99,16 +102,16 @@ def _write_hits(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp
         hits = _walk_to_write(accelerator, ray_in(column), reach, hits, scratch)
         for i in range(hits.count):  # in the user's units, so that distances equal to the user are ordered by face
             set_float(hits.distance, i, user_distance(rays, column, float_at(hits.distance, i)))
-        _sort(hits)
+        _sort_hits(hits)
 
 
 @once
 def counting_kernel() -> wp.Kernel:
-    """Build a kernel over rays that writes the number of faces each ray crosses to `face`; INVALID for an invalid ray."""
+    """Build a kernel that writes the number of faces that each ray crosses to `face`; INVALID for an invalid ray."""
     return ray_kernel(prepare_wide, _count_hits)
 
 
 @once
 def writing_kernel() -> wp.Kernel:
-    """Build a kernel over rays that writes each ray's hits from index `first` on, sorted by distance and face."""
+    """Build a kernel that writes all hits of each ray from index `first` on, sorted by distance and face."""
     return ray_kernel(prepare_wide, _write_hits)

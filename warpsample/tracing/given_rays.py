@@ -1,4 +1,4 @@
-"""Checked origins and directions of a call, and their placement in the scene of a mesh."""
+"""Origins and directions that a caller passes to `trace`, checked and converted to the scene of a mesh."""
 
 from dataclasses import dataclass
 from math import prod
@@ -19,7 +19,9 @@ from warpsample.tracing.triples import Triples
 
 @dataclass(frozen=True, eq=False)
 class GivenRays:
-    """Rays of a caller; it keeps alive the arrays that kernels read.
+    """Checked rays of a caller, with the mesh to trace against.
+
+    The object keeps alive the arrays that kernels read.
 
     Attributes:
         mesh: mesh to trace against.
@@ -35,7 +37,7 @@ class GivenRays:
 
     @classmethod
     def of(cls, mesh: Mesh, origins: Any, directions: Any) -> "GivenRays":
-        """Check the origins and directions of a call, and return the rays.
+        """Check the origins and directions that a caller passes, and return them as rays.
 
         Raises:
             TypeError, ValueError: an argument of a wrong type or shape; the message names it.
@@ -52,9 +54,10 @@ class GivenRays:
         return prod(self.directions.shape)
 
     def place(self, options: RayOptions, reach: float, hits: Any = None) -> RaysArgs:
-        """Return the rays in the scene of the mesh; there must be at least one ray. `hits` is that of `rays_of`.
+        """Return the kernel argument with these rays in the coordinates of the mesh's scene.
 
-        `reach` is the largest distance of a hit, in the user's units.
+        There must be at least one ray. `hits` is that of `rays_of`. `reach` is the largest distance of a hit, in the user's
+        units.
         """
         reach = min(reach, MOST_DISTANCE)
         scene = scene_of(self.mesh, through=True)
@@ -65,9 +68,10 @@ class GivenRays:
 
 
 def rays_of(placement: PlacementArgs, directions: Triples, hits: Any = None) -> RaysArgs:
-    """Return the rays from a placement, and the addresses of `hits.distance` and `hits.face` if `hits` is not None.
+    """Return the kernel argument with rays from placed origins along the given directions.
 
-    The result holds addresses: the caller must keep the arrays.
+    It has the addresses of `hits.distance` and `hits.face` if `hits` is not None. The result holds addresses: the caller
+    must keep the arrays.
     """
     return RaysArgs(
         placement=placement,
@@ -80,7 +84,7 @@ def rays_of(placement: PlacementArgs, directions: Triples, hits: Any = None) -> 
 
 
 def _check_pair(start: Triples, way: Triples) -> None:
-    """Raise ValueError if origins and directions differ in shape, in device, or in the kind of array."""
+    """Raise ValueError if ray origins and directions differ in shape, in device, or in the kind of array."""
     if way.shape[: len(start.shape)] != start.shape or len(way.shape) - len(start.shape) > 1:
         rows = "".join(f"{size}, " for size in start.shape)
         raise ValueError(f"directions: got shape {(*way.shape, 3)}, want ({rows}3) or ({rows}n, 3) to match the origins")

@@ -12,7 +12,7 @@ from warpsample.tracing.tracers import WIDE, Tracer, tracer_of
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class RayOptions(CallOptions):
-    """Checked options of a call that casts rays, see `RayKeywords` and `CallOptions`."""
+    """Checked options of a call that casts rays from points, see `RayKeywords` and `CallOptions`."""
 
     sequence: Sequence
     skip: bool = True
@@ -27,12 +27,18 @@ class RayOptions(CallOptions):
     def of(
         cls, points: int, *, sequence: str = "fibonacci", skip: bool = True, tracer: str = "auto", **shared: Any
     ) -> "RayOptions":
-        """Check the options of rays from `points` points, see `RayKeywords`; `shared` is as for `CallOptions.of`."""
+        """Check the options of a call that casts rays from `points` points, and return them.
+
+        The options are those of `RayKeywords`; `shared` is as for `CallOptions.of`.
+        """
         options = CallOptions.of(points, **shared)
         return cls(**vars(options), sequence=sequences.get(sequence))._by_tracer(skip, tracer)
 
     def by(self, *, skip: bool = True, tracer: str = "auto", **how: Any) -> "RayOptions":
-        """Check options of how rays are cast, and return a copy with them; `how` is as for `CallOptions.by`."""
+        """Check options of how rays are cast, such as `tracer`, and return a copy with them.
+
+        `how` is as for `CallOptions.by`.
+        """
         return super().by(**how)._by_tracer(skip, tracer)
 
     def _by_tracer(self, skip: bool, tracer: str) -> "RayOptions":

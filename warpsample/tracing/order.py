@@ -1,4 +1,4 @@
-"""Order in which points are visited: along a Morton curve, unless the caller's order is coherent already."""
+"""Order in which a kernel processes points: along a Morton curve, unless neighbours follow each other already."""
 
 import numpy as np
 import warp as wp
@@ -22,9 +22,10 @@ _HALF_CELLS = wp.constant(wp.float32(_CELLS / 2))
 
 
 def visiting_order(scene: Scene, placement: PlacementArgs, count: int, workers: int) -> np.ndarray | None:
-    """Return the order of points by their cells, (P,) int64; None where sorting does not pay or their order is coherent.
+    """Return the order in which to process points, sorted by space, as indices (P,) int64.
 
-    `count` is the number of rays per point.
+    Return None where sorting does not pay, or where the caller's order is coherent already. `count` is the number of rays
+    per point.
     """
     points = placement.points
     if len(scene.faces) < MANY_FACES or points < _FEW_POINTS or count < _FEW_RAYS:
@@ -37,14 +38,14 @@ def visiting_order(scene: Scene, placement: PlacementArgs, count: int, workers: 
 
 
 @wp.func
-def _cell(x: wp.float32) -> wp.int32:
-    """Return the cell along one axis of a coordinate from -1 to 1, from 0 to 31."""
+def _find_cell(x: wp.float32) -> wp.int32:
+    """Return the index, 0 to 31, of the grid cell that contains a coordinate from -1 to 1."""
     return wp.clamp(wp.int32((x + 1.0) * _HALF_CELLS), 0, _LAST_CELL)
 
 
 @wp.func
-def _every_third(x: wp.int32) -> wp.int32:
-    """Spread the five bits of a number, with two zero bits between neighbouring bits."""
+def _spread_bits(x: wp.int32) -> wp.int32:
+    """Spread the five bits of a number, with two zero bits between neighbouring bits, for a Morton code."""
     x = (x | (x << 8)) & 0x100F
     x = (x | (x << 4)) & 0x10C3
     return (x | (x << 2)) & 0x1249
@@ -52,15 +53,15 @@ def _every_third(x: wp.int32) -> wp.int32:
 
 @once
 def _point_cells() -> wp.Kernel:
-    """Build a kernel with one task per point that writes the Morton code of the point's cell in the mesh's box."""
+    """Build a kernel that writes the Morton code of each point's cell in the mesh's box, one point per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def point_cells(placement: Placement, cells: wp.uint64, first_task: wp.int64):
         i = first_task + wp.int64(wp.tid())
         o = local_origin(placement, i)
-        x = _every_third(_cell(wp.float32(o[0])))
-        y = _every_third(_cell(wp.float32(o[1])))
-        z = _every_third(_cell(wp.float32(o[2])))
+        x = _spread_bits(_find_cell(wp.float32(o[0])))
+        y = _spread_bits(_find_cell(wp.float32(o[1])))
+        z = _spread_bits(_find_cell(wp.float32(o[2])))
         cell = wp.array(ptr=cells + wp.uint64(i) * wp.uint64(2), shape=(1,), dtype=wp.uint16)
         cell[0] = wp.uint16(x | (y << 1) | (z << 2))
 

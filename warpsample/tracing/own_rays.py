@@ -1,4 +1,4 @@
-"""Rays in user-defined kernels: a struct that represents a mesh, and the functions that trace rays against it."""
+"""Rays in user-defined kernels: a struct that represents a mesh, and functions that trace rays against it."""
 
 from typing import Any
 
@@ -50,7 +50,7 @@ class Tree:
 
 @wp.struct
 class Local:
-    """Ray in the tree's coordinates, where the mesh is within 1 of 0.
+    """Ray in the coordinates of a `Tree`, where the mesh is within 1 of 0.
 
     Attributes:
         o: origin.
@@ -66,8 +66,8 @@ class Local:
 
 
 @wp.func
-def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> Local:
-    """Convert a ray of the user to the tree's coordinates.
+def _to_tree_coordinates(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> Local:
+    """Convert a ray in the user's coordinates to the coordinates of a `Tree`.
 
     The reach is NaN for an invalid ray, and below 0 if the ray misses the mesh.
     """
@@ -92,7 +92,7 @@ def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.fl
 
 @wp.func
 def _accelerator(tree: Tree) -> Accelerator:
-    """Return the tree of the opaque faces."""
+    """Return the search tree over the opaque faces of a `Tree`."""
     accelerator = Accelerator()
     accelerator.nodes = tree.nodes.ptr
     accelerator.leaves = tree.leaves.ptr
@@ -103,7 +103,7 @@ def _accelerator(tree: Tree) -> Accelerator:
 
 @wp.func
 def _glass(tree: Tree) -> Glass:
-    """Return the tree of the translucent faces and all transmittances."""
+    """Return the search tree over the translucent faces of a `Tree`, with all transmittances."""
     glass = Glass()
     glass.tree.nodes = tree.glass_nodes.ptr
     glass.tree.leaves = tree.glass_leaves.ptr
@@ -116,7 +116,7 @@ def _glass(tree: Tree) -> Glass:
 @wp.func
 def _any_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> bool:
     hit = wp.bool(False)
-    ray = _local(tree, origin, direction, max_distance)
+    ray = _to_tree_coordinates(tree, origin, direction, max_distance)
     if ray.reach > 0.0:
         if tree.mesh != wp.uint64(0):
             hit = wp.mesh_query_ray_anyhit(tree.mesh, ray.o, ray.d, ray.reach)
@@ -132,7 +132,7 @@ def _any_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.
 @wp.func
 def _transmitted(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> wp.float32:
     share = wp.float32(1.0)
-    ray = _local(tree, origin, direction, max_distance)
+    ray = _to_tree_coordinates(tree, origin, direction, max_distance)
     if ray.reach > 0.0:
         if tree.mesh != wp.uint64(0):
             if wp.mesh_query_ray_anyhit(tree.mesh, ray.o, ray.d, ray.reach):
@@ -155,7 +155,7 @@ def _transmitted(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance:
 def _nearest_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32):
     distance = wp.float32(wp.INF)
     face = wp.int32(-1)
-    ray = _local(tree, origin, direction, max_distance)
+    ray = _to_tree_coordinates(tree, origin, direction, max_distance)
     if ray.reach > 0.0:
         near = wp.float32(wp.INF)
         if tree.mesh != wp.uint64(0):

@@ -1,4 +1,4 @@
-"""Surface points placed in the scene of a mesh, once for all rays that a call casts from the points."""
+"""Surface points in the coordinates of a mesh's scene, prepared once for all rays that a call casts from them."""
 
 from math import inf
 from typing import Any
@@ -19,7 +19,9 @@ from warpsample.tracing.triples import Triples
 
 
 class PlacedPoints:
-    """Surface points with the scene in which their rays are traced; it keeps alive all arrays of its placements.
+    """Surface points prepared for rays against a mesh: their faces, normals and ray starts.
+
+    The object keeps alive the arrays that its kernel arguments point to.
 
     Attributes:
         points: points of the caller.
@@ -39,7 +41,7 @@ class PlacedPoints:
     side: np.ndarray | None
 
     def __init__(self, points: SurfacePoints, mesh: Mesh | None, argument: str = "points") -> None:
-        """Find faces and normals of the points; starts of rays are computed on first use.
+        """Find the faces and normals of surface points; ray starts are computed on first use.
 
         Raises:
             ValueError: a face number that the mesh does not have; the message names the argument.
@@ -53,7 +55,7 @@ class PlacedPoints:
 
     @classmethod
     def of(cls, mesh: Any, points: Any) -> "PlacedPoints":
-        """Check the points and the mesh of a call, and place the points.
+        """Check a mesh and surface points that a caller passes, and prepare the points for rays.
 
         Args:
             mesh: Mesh, or any argument of `as_mesh`.
@@ -67,29 +69,33 @@ class PlacedPoints:
         return cls(points, as_mesh(mesh))
 
     def __len__(self) -> int:
-        """Return the number of points."""
+        """Return the number of surface points."""
         return len(self.points)
 
     def facing(self, options: RayOptions, reach: float = inf) -> Any:
-        """Return the placement for rays on the side of each point's normal; at least one point is required.
+        """Return the kernel argument with the starts of rays on the side of each surface point's normal.
 
-        `reach` is the largest distance of a hit, in the user's units.
+        At least one point is required. `reach` is the largest distance of a hit, in the user's units.
         """
         return self._placement(options, reach, self.normal)
 
     def two_sided(self, options: RayOptions, reach: float) -> Any:
-        """Return the placement for rays on either side of each point's face, as in `trace`; at least one point is required.
+        """Return the kernel argument with the starts of rays on both sides of each surface point's face.
 
-        `reach` is the largest distance of a hit, in the user's units.
+        The rays of `trace` start this way. At least one point is required. `reach` is the largest distance of a hit, in the
+        user's units.
         """
         return self._placement(options, reach, None)
 
     def order(self, placement: Any, count: int, workers: int) -> np.ndarray | None:
-        """Return the best order to visit points with `count` rays each, (P,) int64; None for the order of the caller."""
+        """Return the best order to process the points with `count` rays each, (P,) int64; None for the caller's order."""
         return visiting_order(self.scene, placement, count, workers)
 
     def _placement(self, options: RayOptions, reach: float, towards: np.ndarray | None) -> PlacementArgs:
-        """Return the placement with a given reach; starts of rays are computed once per tracer and set of sides."""
+        """Return the kernel argument with ray starts and the largest distance `reach` of a hit.
+
+        Starts of rays are computed once per tracer and set of sides.
+        """
         key = options.tracer, towards is None
         if key not in self._placements:
             placement = make_placement(self.scene, self.position, inf)

@@ -1,4 +1,4 @@
-"""Origins of rays in the scene's coordinates, and their offsets off the surface; shared by `trace` and the estimates."""
+"""Kernel argument with the origins of rays in scene coordinates, and their offsets off the surface."""
 
 from math import prod
 from typing import Any
@@ -32,7 +32,7 @@ _LEAST_STEP = wp.constant(wp.float64(1e-150))
 
 @wp.struct
 class Placement:
-    """Scalars and addresses of `points` origins of rays.
+    """Kernel argument that describes `points` ray origins: scalars, and addresses of arrays.
 
     A point x of the user is (x - centre) * scale in the scene's coordinates, where the mesh is within 1 of 0 on each axis. A
     distance t in the scene is t * unit for the user. Addresses of optional arrays are 0 where the array is missing.
@@ -73,9 +73,9 @@ PlacementArgs: Any = type(Placement().__ctype__())
 
 
 def make_placement(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
-    """Return the placement of origins in a scene, without normals, starts and order; the caller must keep the array.
+    """Return the kernel argument that describes ray origins in a scene, without normals, starts and order.
 
-    `reach` is in the user's units.
+    The caller must keep the array of origins. `reach` is in the user's units.
     """
     return PlacementArgs(
         points=prod(origins.shape),
@@ -98,7 +98,10 @@ def in_double(v: Any) -> wp.vec3d:
 
 @wp.func
 def vector_in_double(address: wp.uint64, double: wp.int32, i: wp.int64) -> wp.vec3d:
-    """Return the i-th vector of an array as float64; the array is float64 if `double` is not 0, else float32."""
+    """Return the i-th vector of an array as float64.
+
+    The array is float64 if `double` is not 0, else float32.
+    """
     if double != 0:
         return vec3d_at(address, i)
     return in_double(vec3_at(address, i))
@@ -114,7 +117,7 @@ def unit_in_double(d: wp.vec3d, double: wp.int32) -> wp.vec3d:
 
 @wp.func
 def point_of(placement: Placement, i: wp.int64) -> wp.int64:
-    """Return the index of the point that is visited as the i-th."""
+    """Return the index of the point that a kernel processes as the i-th."""
     if placement.order == wp.uint64(0):
         return i
     return long_at(placement.order, i)
@@ -122,7 +125,7 @@ def point_of(placement: Placement, i: wp.int64) -> wp.int64:
 
 @wp.func
 def id_of(placement: Placement, first: wp.uint64, point: wp.int64) -> wp.uint64:
-    """Return the global id of a point: the one in the placement, or its index added to the id of the first point."""
+    """Return the global id of a point: from the placement's ids, or its index added to the id of the first point."""
     if placement.ids == wp.uint64(0):
         return first + wp.uint64(point)
     return address_at(placement.ids, point)
@@ -130,7 +133,7 @@ def id_of(placement: Placement, first: wp.uint64, point: wp.int64) -> wp.uint64:
 
 @wp.func
 def local_origin(placement: Placement, point: wp.int64) -> wp.vec3d:
-    """Return the origin of a point in the scene's coordinates, in float64.
+    """Return the ray origin of a point in the scene's coordinates, in float64.
 
     The centre is subtracted before rounding to float32, so that large coordinates keep their digits.
     """
@@ -139,7 +142,7 @@ def local_origin(placement: Placement, point: wp.int64) -> wp.vec3d:
 
 @wp.func
 def extent_along(extent: wp.vec3, n: wp.vec3) -> wp.float32:
-    """Return an upper bound on the coordinate along a normal n of points within an extent.
+    """Return the largest coordinate along a normal n that a point in a box of the given half extent can have.
 
     Rounding along the normal is 2^-24 of this bound.
     """
@@ -148,19 +151,22 @@ def extent_along(extent: wp.vec3, n: wp.vec3) -> wp.float32:
 
 @wp.func
 def reach_along(placement: Placement, n: wp.vec3, o: wp.vec3) -> wp.float32:
-    """Return an upper bound on the coordinate along a normal of the mesh and of a point o that may be outside the mesh."""
+    """Return an upper bound on the coordinate along a normal of the mesh and of a point o, even outside the mesh."""
     return extent_along(wp.max(placement.extent, wp.abs(o)), n)
 
 
 @wp.func
 def offset_within(extent: wp.vec3, coarseness: wp.float32, n: wp.vec3) -> wp.float32:
-    """Return the offset of a point off a face with normal n: 32 roundings of the extent along n, plus the coarseness."""
+    """Return the distance to move points off a face with normal n.
+
+    It is 32 roundings of the extent along n, plus the coarseness.
+    """
     return _OFFSET * extent_along(extent, n) + coarseness
 
 
 @wp.func
 def origin_offset(placement: Placement, n: wp.vec3) -> wp.float32:
-    """Return the distance by which points on a face with normal n are moved off the face."""
+    """Return the distance by which ray origins on a face with normal n are moved off the face."""
     return offset_within(placement.extent, placement.coarseness, n)
 
 
@@ -172,7 +178,7 @@ def is_far_off(o: wp.vec3d) -> wp.bool:
 
 @wp.func
 def distance_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
-    """Return the distance along a ray from an origin outside to a cube around the scene; -1 where the ray misses the cube.
+    """Return the distance along a ray from an origin outside to a cube around the mesh; -1 where the ray misses.
 
     It is -1, too, where the origin is so far away that float64 cannot resolve the cube.
     """

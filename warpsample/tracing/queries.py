@@ -1,4 +1,4 @@
-"""Arguments of a tracer's query: the addresses of a tree or a mesh, and a chunk of rays.
+"""Arguments of the functions that trace one ray: addresses of a tree or a mesh, and a chunk of prepared rays.
 
 A chunk consists of rows of float32, with one column per ray. The address of its column identifies a ray.
 """
@@ -18,7 +18,7 @@ CHUNK_FLOATS = PREPARED + 18 * CHUNK
 
 @wp.struct
 class Accelerator:
-    """Addresses of a tree's nodes and leaves, or the id of a wp.Mesh.
+    """Search structure as a kernel argument: addresses of a tree's nodes and leaves, or the id of a wp.Mesh.
 
     Queries start from `starts` consecutive nodes at the address `start`. With starts = 0, rays hit nothing.
     """
@@ -35,7 +35,7 @@ AcceleratorArgs = type(Accelerator().__ctype__())
 
 @wp.struct
 class Glass:
-    """Tree of the translucent faces, with a transmittance between 0 and 1, and the address of all faces' transmittances.
+    """Translucent faces as a kernel argument: their search tree, and the address of all faces' transmittances.
 
     The transmittances are (F,) float32.
     """
@@ -49,13 +49,13 @@ GlassArgs = type(Glass().__ctype__())
 
 @wp.func
 def column_of(chunk: wp.uint64, k: wp.int32) -> wp.uint64:
-    """Return the address of the k-th ray's column in a chunk of rays."""
+    """Return the address of the k-th ray in a chunk of rays."""
     return chunk + wp.uint64(4 * k)
 
 
 @wp.func
 def vector_in(column: wp.uint64, row: wp.int32) -> wp.vec3:
-    """Return the vector in the three rows from `row` on of a ray's column."""
+    """Return the vector stored in the three rows from `row` on at a ray's address in a chunk."""
     return wp.vec3(float_at(column, row), float_at(column, row + CHUNK), float_at(column, row + 2 * CHUNK))
 
 
@@ -85,7 +85,7 @@ def set_origin(chunk: wp.uint64, k: wp.int32, o: wp.vec3):
 
 @wp.func
 def start_all(chunk: wp.uint64, o: wp.vec3, reach: wp.float32):
-    """Set the origin and the reach of all rays of a chunk."""
+    """Set the origin and the reach (largest hit distance) of all rays of a chunk."""
     rows = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < CHUNK:

@@ -1,4 +1,4 @@
-"""Rays of the user: conversion to the scene's float32 coordinates, tracing, and conversion of hits to the user's units."""
+"""Tracing of a caller's rays: conversion to the scene's float32 coordinates and back to the user's units."""
 
 import warp as wp
 
@@ -43,7 +43,7 @@ RAY_WORK = 64
 
 @wp.struct
 class Rays:
-    """Scalars and addresses of `count` directions (P, count, 3) for each point of a placement.
+    """Kernel argument that describes `count` rays from each point: origins, directions (P, count, 3), and results.
 
     Addresses of optional arrays are 0 where the array is missing.
 
@@ -87,7 +87,7 @@ def _direction(rays: Rays, ray: wp.int64) -> wp.vec3:
 
 @wp.func
 def _load_ray(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
-    """Write a ray from the origin o to its column of a chunk."""
+    """Write a ray from the origin o to its place in a chunk of rays."""
     d = _direction(rays, ray)
     ahead = ZERO
     if is_far_off(o):
@@ -110,7 +110,7 @@ def _load_ray(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: w
 
 @wp.func
 def _normalize(chunk: wp.uint64, length: wp.int64):
-    """Scale the directions of a chunk to unit length, and set the reach of invalid rays to NaN."""
+    """Scale the directions of a chunk of rays to unit length, and mark invalid rays by a reach of NaN."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < wp.int32(length):
@@ -127,13 +127,15 @@ def _normalize(chunk: wp.uint64, length: wp.int64):
 
 @wp.func
 def user_distance(rays: Rays, column: wp.uint64, near: wp.float32) -> wp.float32:
-    """Convert a distance along a ray to the user's units, measured from the user's origin of the ray."""
+    """Convert a ray's distance from the scene's units to the user's, measured from the user's origin."""
     return wp.float32((wp.float64(near) + wp.float64(float_at(column, AHEAD))) * rays.placement.unit)
 
 
 @once
 def build_hit_writer(query: wp.Function) -> wp.Function:
-    """Build a function (rays, accelerator, column, ray, scratch) that traces a prepared ray and writes its hit.
+    """Build a Warp function that traces a prepared ray and writes its hit.
+
+    Its arguments are (rays, accelerator, column, ray, scratch).
 
     Args:
         query: `face_query` of a `Tracer` with any_hit applied.
@@ -160,9 +162,10 @@ def build_hit_writer(query: wp.Function) -> wp.Function:
 
 @once
 def build_glass_hit_writer(any_hit: bool) -> wp.Function:
-    """Build a function like `build_hit_writer` that also writes the transmittance of translucent faces up to the hit.
+    """Build a Warp function that traces a prepared ray and writes its hit and the transmittance up to the hit.
 
-    The hits are those of the opaque faces. With any_hit the transmittance is 0 where there is a hit.
+    The arguments are those of `build_hit_writer`; translucent faces attenuate the ray. The hits are those of the opaque
+    faces. With any_hit the transmittance is 0 where there is a hit.
     """
     query = wide_query(any_hit)
 
@@ -191,7 +194,7 @@ def build_glass_hit_writer(any_hit: bool) -> wp.Function:
 
 @once
 def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOATS) -> wp.Kernel:
-    """Build a kernel over tasks of consecutive rays, in the order of the placement.
+    """Build a kernel that prepares and traces rays; one task has consecutive rays, in the processing order of points.
 
     Args:
         prepare: `prepare` of a `Tracer`.
@@ -234,7 +237,7 @@ def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOA
 
 
 def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, device: wp.Device, workers: int) -> None:
-    """Trace rays placed in a scene and write their hits, after setting the order of the points.
+    """Trace a caller's rays in a scene and write their hits, after setting the processing order of the points.
 
     It counts visits if `rays.visits` is set. If `rays.transmitted` is set, which only the wide tree supports, hits are those
     of opaque faces.
@@ -250,7 +253,7 @@ def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, d
 
 
 def launch_rays(kernel: wp.Kernel, accelerator: AcceleratorArgs, rays: RaysArgs, device: wp.Device, workers: int) -> None:
-    """Launch a kernel built by `ray_kernel` on all rays."""
+    """Launch a kernel built by `ray_kernel` on all rays of a caller."""
     total = rays.placement.points * rays.count
     rays.per_task = CHUNK if at_home(device) else 1  # on CUDA neighbouring threads then trace neighbouring rays
     run(kernel, -(-total // rays.per_task), [rays, accelerator], device, workers=workers, work=RAY_WORK * total)

@@ -1,4 +1,4 @@
-"""Meshes in the coordinates of the tracers, with their search structures, kept while the mesh lives."""
+"""Meshes in the tracers' coordinates with their search trees, cached as long as the mesh lives."""
 
 import warnings
 from copy import copy
@@ -35,7 +35,7 @@ _COARSE = 2.0**-16  # relative to the scene: shorter edges are lost in the offse
 
 
 class Scene:
-    """A mesh moved and scaled in float64 to within 1 of the origin, then rounded to float32.
+    """Mesh prepared for tracing: moved and scaled in float64 to within 1 of the origin, then rounded to float32.
 
     Attributes:
         centre: (3,) float64, centre of the mesh's box; if a few faces are distant, centre of the box of most vertices.
@@ -55,7 +55,7 @@ class Scene:
     """
 
     def __init__(self, mesh: Mesh) -> None:
-        """Move and scale the vertices; no tree is built yet."""
+        """Move and scale the vertices of a mesh; no search tree is built yet."""
         lower, upper = mesh.bounds
         middle = _main_part(mesh.vertices if mesh.used.all() else mesh.vertices[mesh.used])
         half = 0.5 * upper - 0.5 * lower
@@ -78,7 +78,7 @@ class Scene:
         self._warn_if_coarse(float(self.spread.max()))
 
     def _scaled_vertices(self, mesh: Mesh) -> np.ndarray:
-        """Return the vertices in the scene's coordinates, (V, 3) float32.
+        """Return the vertices of the mesh in the scene's coordinates, (V, 3) float32.
 
         They are computed by blocks, since intermediate values are float64.
         """
@@ -90,7 +90,7 @@ class Scene:
         return placed
 
     def _warn_if_coarse(self, spread: float) -> None:
-        """Warn if the median edge is lost in the offset of points off their faces."""
+        """Warn if the median face size is so small that the offset of points off their faces blurs it."""
         some = self.vertices[self.faces[:: -(-len(self.faces) // _LOOKED_AT)]].astype(np.float64)
         edges = np.linalg.norm(some - np.roll(some, 1, axis=1), axis=2).max(axis=1)
         if 0.0 < np.median(edges) < _COARSE * spread:
@@ -102,7 +102,10 @@ class Scene:
             )
 
     def tree(self, workers: int, which: str = ALL) -> WideTree:
-        """Return the 16-wide tree of a set of faces (ALL, OPAQUE or GLASS); the first call builds it, in any thread."""
+        """Return the 16-wide search tree over a set of faces (ALL, OPAQUE or GLASS).
+
+        The first call builds the tree, in any thread.
+        """
         if which not in self._trees:
             with making:
                 if which not in self._trees:
@@ -112,23 +115,26 @@ class Scene:
         return self._trees[which]
 
     def blockers(self, workers: int) -> WideTree:
-        """Return the tree of the opaque faces."""
+        """Return the search tree over the opaque faces, which block rays."""
         return self.tree(workers, ALL if self.transmittance is None else OPAQUE)
 
     def _topology(self, workers: int, which: str) -> Topology:
-        """Build the topology of the tree of a set of faces."""
+        """Build the topology of the search tree over a set of faces."""
         if which == ALL or self.transmittance is None:
             return build(self.vertices, self.faces, workers)
         chosen = np.flatnonzero(_classify_faces(self.transmittance) == (_NOTHING if which == OPAQUE else _PART))
         return build_some(self.vertices, self.faces, chosen, workers)
 
     def glass(self, workers: int) -> Any:
-        """Return the tree of the translucent faces and all transmittances for a kernel; valid while this object lives."""
+        """Return the kernel argument with the tree of the translucent faces and all transmittances.
+
+        It is valid while this object lives.
+        """
         tree = self.tree(workers, GLASS).accelerator()
         return GlassArgs(tree=tree, transmittance=self.transmittance.ctypes.data)
 
     def _set_transmittance(self, mesh: Mesh) -> None:
-        """Copy the transmittances of a mesh to this scene."""
+        """Copy the faces' transmittances from a mesh to this scene."""
         self.transmittance: np.ndarray | None = mesh.transmittance if mesh.transmits else None
         self.has_glass: bool = mesh.transmits and bool((_classify_faces(mesh.transmittance) == _PART).any())
 
@@ -149,13 +155,13 @@ class Scene:
         return scene
 
     def builtin(self, device: wp.Device) -> Any:
-        """Return the wp.Mesh on a device as a kernel argument; the first call builds it."""
+        """Return a wp.Mesh of the scene on a device as a kernel argument; the first call builds it."""
         if device.alias not in self._builtin:
             make(partial(self._build_builtin, device))
         return AcceleratorArgs(mesh=self._builtin[device.alias].id, starts=1)
 
     def _build_builtin(self, device: wp.Device) -> None:
-        """Build the wp.Mesh on a device, unless there is one."""
+        """Build a wp.Mesh of the scene on a device, unless there is one."""
         if device.alias not in self._builtin:
             points = wp.array(self.vertices, dtype=wp.vec3, device=device)
             indices = wp.array(self.faces.ravel(), dtype=wp.int32, device=device)
@@ -166,7 +172,10 @@ _scenes: WeakKeyDictionary[Mesh, Scene] = WeakKeyDictionary()
 
 
 def _main_part(vertices: np.ndarray) -> np.ndarray:
-    """Return the box of four fifths of the vertices on each axis, (2, 3), estimated from a sample of vertices."""
+    """Return the box from the 10th to the 90th percentile of a mesh's vertices on each axis, (2, 3).
+
+    It is estimated from a sample of vertices.
+    """
     return np.quantile(vertices[:: -(-len(vertices) // _LOOKED_AT)], [0.1, 0.9], axis=0)
 
 
@@ -176,13 +185,15 @@ def _classify_faces(transmittance: np.ndarray) -> np.ndarray:
 
 
 def check_opaque(mesh: Mesh, what: str) -> None:
-    """Raise ValueError if a mesh has transmittances above 0; `what` names the call in the message."""
+    """Raise ValueError if a mesh has transmittances above 0; the message names the call by `what`."""
     if mesh.transmits:
         raise ValueError(f"mesh: got one with a transmittance above 0, which {what} does not support; want opaque faces")
 
 
 def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:
-    """Return the scene of a mesh: the same object for all threads while the mesh lives.
+    """Return the scene of a mesh, which is the mesh prepared for tracing: one object for all threads.
+
+    It is kept while the mesh lives.
 
     Args:
         mesh: any.
@@ -207,7 +218,7 @@ def coarseness_of(scene: Scene, double: bool) -> float:
 
 
 def refit(mesh: Any, vertices: Any, *, workers: int | None = None) -> Mesh:
-    """Return the mesh with moved vertices; several times as fast as building a new tree.
+    """Return the mesh with moved vertices and refitted search trees, several times as fast as building new trees.
 
     Rays get the same answers as from a new tree, except for the choice among faces at the same distance. They are slower the
     further the vertices have moved, since the tree keeps its groups of triangles.

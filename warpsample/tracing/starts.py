@@ -1,4 +1,4 @@
-"""Starts of the rays of surface points: a little in front of the point's own face, and not behind any other face.
+"""Starts of the rays of surface points: just in front of the point's own face, and not behind any other face.
 
 A point on an edge or a corner sees the same as points of its own face just beside it. So the faces that touch a point and
 rise above its own face are searched. The start moves towards the centre of its own face, just far enough to be on the same
@@ -29,9 +29,10 @@ from warpsample.tracing.wide.layout import SCRATCH
 
 
 def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> tuple[np.ndarray, np.ndarray]:
-    """Return the faces of points, (P,) int32, and the normals of the faces, (P, 3) float32, unit or zero.
+    """Return the face of each surface point, (P,) int32, and the normal of that face, (P, 3) float32.
 
-    A point without a face has its own normal in place of the face's. Both arrays are copies.
+    Normals are unit vectors or zero. A point without a face has its own normal in place of the face's. Both arrays are
+    copies.
 
     Raises:
         ValueError: a face number that the mesh does not have; the message names the argument.
@@ -60,7 +61,7 @@ def set_starts(
     tracer: Tracer,
     workers: int,
 ) -> np.ndarray | None:
-    """Compute the start points of rays, set their address in a placement, and return them, (P, sides, 3) float32.
+    """Compute where the rays of surface points start, (P, sides, 3) float32, and set the address in a placement.
 
     The caller must keep the array. A tracer without tree searches has no starts and returns None. Its points are moved off
     their faces as if the mesh had the same extent in all directions, since the distances of wp.Mesh to needle-like faces are
@@ -95,7 +96,7 @@ def set_starts(
 
 @wp.func
 def _is_raised(contacts: Contacts, i: wp.int64) -> wp.bool:
-    """Return whether the start of the i-th point is raised vertically."""
+    """Return whether the ray start of the i-th point is raised vertically, as for height fields."""
     raised = wp.bool(False)
     if contacts.raised != wp.uint64(0):
         raised = byte_at(contacts.raised, i) != wp.uint8(0)
@@ -104,13 +105,13 @@ def _is_raised(contacts: Contacts, i: wp.int64) -> wp.bool:
 
 @wp.func
 def _set_start(contacts: Contacts, i: wp.int64, side: wp.int32, start: wp.vec3):
-    """Write the start of the i-th point on one of its sides."""
+    """Write the ray start of the i-th point on one side of its face."""
     set_vec3(contacts.starts, i * wp.int64(contacts.sides) + wp.int64(side), start)
 
 
 @once
 def _start_kernel() -> wp.Kernel:
-    """Build a kernel with one task per point that computes the starts of the point's rays."""
+    """Build a kernel that computes where the rays of surface points start, one point per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def find_starts(contacts: Contacts, tree: Accelerator, first_task: wp.int64):

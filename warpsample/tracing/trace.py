@@ -1,4 +1,7 @@
-"""The public call `trace`: checks arguments, chooses the tracer, and returns the kind of arrays that it received."""
+"""The public call `trace`, which finds the first face that each ray hits.
+
+It checks arguments, chooses the tracer, and returns the kind of arrays that it received.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -28,7 +31,7 @@ _BYTES_OF_RAY = 24 + 4 + 4  # on a device: direction, distance, face
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Hits(Summary):
-    """Hits of rays, as NumPy or Warp arrays like the rays.
+    """First hits of rays, as NumPy or Warp arrays like the rays.
 
     Attributes:
         distance: float32, distance of each ray to the nearest face, or with any_hit to some face, in mesh units; inf without
@@ -119,15 +122,18 @@ def trace(
         scene = scene_of(mesh, through=True)
         asked, memory = given.place(options, reach, hits), options.memory
         asked.transmitted = address_of(hits.transmitted) if mesh.transmits else 0
-        for part in [asked] if memory.in_place else _parts(memory, asked, given, hits):
+        for part in [asked] if memory.in_place else _iterate_parts(memory, asked, given, hits):
             trace_rays(scene, part, tracer=options.tracer, any_hit=any_hit, device=memory.device, workers=options.workers)
     return hits
 
 
-def _parts(memory: Memory, asked: RaysArgs, given: GivenRays, hits: Hits) -> Iterator[RaysArgs]:
-    """Yield the rays of NumPy arrays in parts; each part is on the device until the next one is requested."""
+def _iterate_parts(memory: Memory, asked: RaysArgs, given: GivenRays, hits: Hits) -> Iterator[RaysArgs]:
+    """Yield the rays of NumPy arrays in parts on the device.
+
+    A part stays on the device until the next one is requested.
+    """
     normals = None if given.points is None else given.points.side
-    for points, rays in _blocks(memory, asked.placement.points, asked.count):
+    for points, rays in _iterate_blocks(memory, asked.placement.points, asked.count):
         with memory.loan() as loan:
             part = RaysArgs.from_buffer_copy(asked)
             part.placement.points = points.stop - points.start
@@ -140,8 +146,8 @@ def _parts(memory: Memory, asked: RaysArgs, given: GivenRays, hits: Hits) -> Ite
             yield part
 
 
-def _blocks(memory: Memory, points: int, count: int) -> Iterator[tuple[slice, slice]]:
-    """Yield (slice of points, slice of rays) that fit into memory: points with all their rays, or some rays of one point."""
+def _iterate_blocks(memory: Memory, points: int, count: int) -> Iterator[tuple[slice, slice]]:
+    """Yield slices of points and of rays that fit into memory: points with all their rays, or some rays of one point."""
     size = _BYTES_OF_POINT + _BYTES_OF_RAY * count
     if memory.fits(size):
         yield from ((rows, slice(rows.start * count, rows.stop * count)) for rows in memory.parts(points, size))

@@ -1,4 +1,4 @@
-"""The public call `trace_all`: finds every face that a ray crosses."""
+"""The public call `trace_all`, which finds every face that each ray crosses."""
 
 from dataclasses import dataclass
 from math import inf
@@ -78,15 +78,15 @@ def trace_all(
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
     options = RayOptions.of(rays, tracer="wide", workers=workers)
     check_memory(16 * rays, f"the numbers of hits of {rays:,} rays", "trace them in parts")
-    found = _hits(given, options, reach)
+    found = _trace_all_hits(given, options, reach)
     if not isinstance(owner, wp.array):
         return found
     first, distance, face = (wp.array(array, device="cpu") for array in (found.first, found.distance, found.face))
     return AllHits(first, distance, face, found.invalid)
 
 
-def _hits(given: GivenRays, options: RayOptions, reach: float) -> AllHits:
-    """Return every hit of the rays as NumPy arrays."""
+def _trace_all_hits(given: GivenRays, options: RayOptions, reach: float) -> AllHits:
+    """Trace the rays of a caller and return all their hits as NumPy arrays."""
     if given.count == 0:
         return AllHits(np.zeros(1, np.int64), np.zeros(0, np.float32), np.zeros(0, np.int32), 0)
     rays, workers = given.count, options.workers

@@ -1,4 +1,4 @@
-"""Choice between the tracers, the 16-wide tree and wp.Mesh, and the functions that each tracer provides."""
+"""Two tracers, the 16-wide tree and wp.Mesh: the choice between them, and the functions that each provides."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from warpsample.tracing.wide.query import wide_query
 
 @dataclass(frozen=True)
 class Tracer:
-    """Method to trace rays: query functions, and functions that prepare the data for the queries.
+    """Method to trace rays: functions that trace a ray, and functions that prepare mesh and rays.
 
     Attributes:
         name: name in the public argument `tracer`.
@@ -67,7 +67,7 @@ TRACERS = {tracer.name: tracer for tracer in (WIDE, BUILTIN)}
 
 
 def tracer_of(name: Any, device: wp.Device) -> Tracer:
-    """Return the tracer of a name for a device; "auto" is the wide tree on the CPU and wp.Mesh on CUDA.
+    """Return the tracer with a name for a device; "auto" is the wide tree on the CPU and wp.Mesh on CUDA.
 
     Raises:
         TypeError, ValueError: not the name of a tracer, or one that does not support the device.

@@ -1,4 +1,4 @@
-"""The public call `tree`: a mesh as an argument of a user-defined kernel."""
+"""The public call `tree`, which makes a mesh an argument of a user-defined kernel."""
 
 from typing import Any
 
@@ -56,5 +56,5 @@ def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
 
 
 def _on_cpu(array: np.ndarray) -> wp.array:
-    """Return a view of an array as a flat float32 Warp array."""
+    """Return an array as a flat float32 Warp array on the CPU that shares its memory."""
     return wp.array(array.ravel(), dtype=wp.float32, device="cpu", copy=False)

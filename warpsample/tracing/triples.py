@@ -1,4 +1,4 @@
-"""Points or directions of a caller: float32 or float64, in the CPU's memory or on a CUDA device."""
+"""Arrays of 3D points or directions that a caller passes: float32 or float64, on the CPU or a CUDA device."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -14,7 +14,7 @@ _DOUBLE = {np.float32: False, np.float64: True, wp.vec3: False, wp.vec3d: True, 
 
 @dataclass(frozen=True, eq=False)
 class Triples:
-    """Array of points or directions of a caller.
+    """Checked array of 3D points or directions that a caller passes.
 
     Attributes:
         owner: the array, contiguous.
@@ -30,7 +30,7 @@ class Triples:
 
     @classmethod
     def of(cls, value: Any, argument: str, shape: str = "(..., 3)") -> "Triples":
-        """Check an array of triples and wrap it; it is copied only where it is not contiguous.
+        """Check an array of 3D points or directions and wrap it; it is copied only where it is not contiguous.
 
         Raises:
             TypeError, ValueError: not triples of floating-point numbers; the message names the argument.
@@ -53,7 +53,7 @@ class Triples:
         return cls(np.ascontiguousarray(value), value.shape[:-1], _DOUBLE[value.dtype.type], cpu())
 
     def empty(self, dtype: Any) -> Array:
-        """Return an uninitialised array of one number per triple, of the same kind of array and on the same device."""
+        """Return an uninitialised array of one number per point or direction, of the same kind and on the same device."""
         if isinstance(self.owner, wp.array):
             return wp.empty(self.shape, dtype=wp.dtype_from_numpy(dtype), device=self.device)
         return np.empty(self.shape, dtype)

@@ -26,7 +26,9 @@ At = Literal["vertices", "faces"]
 
 @pv.register_dataset_accessor("warpsample", pv.PolyData)
 class WarpsampleAccessor:
-    """Directions and quantities per point for a PolyData, which does not change; polygons are split into triangles.
+    """Accessor of a pyvista.PolyData that samples directions and computes quantities such as ambient occlusion.
+
+    The dataset itself does not change. Polygons are split into triangles.
 
     The accessor has a method for each quantity with `in_stores` in its record.
     """
@@ -36,7 +38,7 @@ class WarpsampleAccessor:
 
     @property
     def mesh(self) -> Mesh:
-        """Triangles as a warpsample.Mesh, cached with its search tree until the dataset changes."""
+        """Dataset as a warpsample.Mesh of triangles, cached with its search tree until the dataset changes."""
         if self._mesh is None or self._dataset.GetMTime() != self._time:
             self._mesh, self._time = as_mesh(self._dataset), self._dataset.GetMTime()
         return self._mesh
@@ -51,7 +53,7 @@ class WarpsampleAccessor:
         seed: int = 0,
         **options: Any,
     ) -> pv.PolyData:
-        """Return a cloud of `count` directions about each normal.
+        """Sample `count` directions about each normal, and return the directions' end points as a point cloud.
 
         Args:
             count: Number of directions per point.
@@ -94,7 +96,7 @@ class WarpsampleAccessor:
         return PLACES[check_choice(at, "at", get_args(At))](self.mesh)
 
     def _copy_with(self, name: str, at: At, found: Estimate) -> pv.PolyData:
-        """Return a copy of the dataset, in triangles for numbers at faces, with the arrays of an estimate."""
+        """Return a copy of the dataset with the arrays of an estimate; for numbers at faces, polygons become triangles."""
         numbers = found.to_polydata(self.mesh, at)
         copy = self._dataset.copy() if at == "vertices" or self._dataset.is_all_triangles else self._dataset.triangulate()
         source, target = (d.cell_data if at == "faces" else d.point_data for d in (numbers, copy))
@@ -124,8 +126,8 @@ _DOCUMENTATION = """Compute the {title} at the vertices or the faces, and return
         """
 
 
-def _method(quantity: Quantity) -> Callable[..., pv.PolyData]:
-    """Return the accessor's method for a quantity."""
+def _build_method(quantity: Quantity) -> Callable[..., pv.PolyData]:
+    """Build the method of the accessor that computes one quantity."""
     name = quantity.call.__name__
 
     def method(self: WarpsampleAccessor, count: int = 256, *, at: At = "vertices", **options: Any) -> pv.PolyData:
@@ -140,4 +142,4 @@ def _method(quantity: Quantity) -> Callable[..., pv.PolyData]:
 
 for _quantity in quantities().values():
     if _quantity.in_stores:
-        setattr(WarpsampleAccessor, _quantity.call.__name__, _method(_quantity))
+        setattr(WarpsampleAccessor, _quantity.call.__name__, _build_method(_quantity))

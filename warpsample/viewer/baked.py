@@ -1,4 +1,4 @@
-"""View of a file with baked occlusion: the mesh without and with the occlusion, and a summary of the values."""
+"""View of a mesh file with an occlusion texture: the mesh without and with the texture, and a summary of the values."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,7 +21,9 @@ _LABEL = "occlusion texture of the file; 0: occluded, 1: open"
 
 
 def sample_occlusion(mesh: Mesh, occlusion: ShownOcclusion) -> tuple[np.ndarray, int]:
-    """Return the occlusion, (P,), at random points, uniform by area, on faces with a picture; and the number of these faces.
+    """Sample the occlusion texture of a mesh at P random points, uniform by area; return (P,) values and a face count.
+
+    The count is the number of faces with texture; the points are on these faces.
 
     0 is occluded and 1 is open. A face without a picture has the same texture coordinates at all its corners.
     """
@@ -35,7 +37,7 @@ def sample_occlusion(mesh: Mesh, occlusion: ShownOcclusion) -> tuple[np.ndarray,
 
 
 def describe_occlusion(mesh: Mesh, occlusion: ShownOcclusion) -> str:
-    """Return a line about the baked occlusion of a mesh: the faces with occlusion, and the values by area."""
+    """Describe the occlusion texture of a mesh in one line: the number of faces with texture, and the values by area."""
     values, faces = sample_occlusion(mesh, occlusion)
     count = f"baked occlusion on {faces:,} of {len(mesh.faces):,} faces"
     if not len(values):
@@ -47,7 +49,7 @@ def describe_occlusion(mesh: Mesh, occlusion: ShownOcclusion) -> str:
 def occlusion_scene(
     mesh: Mesh, occlusion: ShownOcclusion, *, up: str, size: tuple[int, int], off_screen: bool
 ) -> "pyvista.Plotter":
-    """Return a plotter with the mesh in one colour, and the mesh with its baked occlusion and a colour bar."""
+    """Build a plotter that shows a mesh twice: in one colour, and with its occlusion texture and a colour bar."""
     plotter = columns_over_caption(2, describe_occlusion(mesh, occlusion), off_screen, size)
     middle = 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
     vertices = mesh.vertices - middle  # float32 is most precise about the origin
@@ -66,7 +68,7 @@ def occlusion_scene(
 def show_occlusion(
     mesh: Mesh, occlusion: ShownOcclusion, *, up: str, size: tuple[int, int], path: Path | None = None
 ) -> str:
-    """Show baked occlusion in a window, or write it to a .png or .html file, and return a line about the values."""
+    """Show the occlusion texture of a mesh in a window, or write a .png or .html file; return a line about the values."""
     plotter = occlusion_scene(mesh, occlusion, up=up, size=size, off_screen=path is not None)
     summary = f"{describe_occlusion(mesh, occlusion)} (0: occluded, 1: open)"
     if path is None:

@@ -1,4 +1,4 @@
-"""Settings of the viewer, and their description in words."""
+"""Settings of the viewer, and texts that describe distributions."""
 
 from dataclasses import dataclass, fields
 
@@ -13,7 +13,7 @@ OWN, COSINE = "its own density", "the cosine lobe"
 
 @dataclass(frozen=True)
 class Choice:
-    """Settings of all knobs of the viewer.
+    """Settings of all menus and sliders of the viewer: distribution, compared density, sequence, count and seed.
 
     Attributes:
         distribution: distribution of the directions.
@@ -31,19 +31,19 @@ class Choice:
 
     @property
     def claim(self) -> Distribution:
-        """Distribution whose density the directions are compared with."""
+        """Distribution whose density the sampled directions are compared with."""
         return self.density or self.distribution
 
     @property
     def claim_name(self) -> str:
-        """Name of the compared density, for captions and verdicts."""
+        """Name of the distribution that directions are compared with, for captions and verdicts."""
         if self.density is None:
             return OWN
         return COSINE if isinstance(self.density, CosineHemisphere) else self.density.name
 
 
 def default_density(distribution: Distribution) -> Distribution | None:
-    """Return the distribution to compare with by default; None is the distribution itself.
+    """Return the distribution that the viewer compares the directions with by default; None is the distribution itself.
 
     An offset sphere or an offset ball is compared with the cosine lobe: the viewer then shows that only the sphere of
     radius 1 gives a cosine lobe.
@@ -59,7 +59,7 @@ def format_distribution(distribution: Distribution) -> str:
 
 
 def _format_value(value: float | str | tuple[float, ...]) -> str:
-    """Return a parameter of a distribution as text, with numbers of three digits."""
+    """Format a parameter of a distribution, with three digits per number."""
     if isinstance(value, str):
         return repr(value)
     return f"({', '.join(_format_value(v) for v in value)})" if isinstance(value, tuple) else f"{value:.3g}"

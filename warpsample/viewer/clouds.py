@@ -21,7 +21,9 @@ OUTSIDE = 0.5
 
 @dataclass(frozen=True, eq=False)
 class Clouds:
-    """Directions at all points, drawn on the surfaces of the lobes, and histograms of their angles.
+    """Clouds of directions at all points of the mesh, and histograms of the angles of all directions.
+
+    A direction is drawn as a dot on the surface of the lobe at its point.
 
     Attributes:
         position: (N, 3) float32, drawn positions in the coordinates of the points.
@@ -37,13 +39,13 @@ class Clouds:
 
     @property
     def outside(self) -> int:
-        """Number of directions with a compared density of 0."""
+        """Number of directions at which the compared density is 0."""
         return int(np.count_nonzero(self.pdf == 0.0))
 
 
 @dataclass(frozen=True, eq=False)
 class NearCloud:
-    """Directions at one point, in the tangent frame of the point.
+    """Cloud of directions at the pinned point, in the tangent frame of this point.
 
     Attributes:
         position: (n, 3) float32, positions on the surface of the lobe, at most 1 from the origin.
@@ -57,9 +59,12 @@ class NearCloud:
 
 
 def all_clouds(choice: Choice, points: SurfacePoints, scale: float) -> Clouds:
-    """Return the clouds at all points; `scale` is the length of a lobe in the unit of the points."""
+    """Sample the clouds of directions at all points, and count their angles.
+
+    `scale` is the length of a lobe in the unit of the points.
+    """
     lobe = lobe_of(choice.claim)
-    world, local, pdf = _directions(choice, points, 0)
+    world, local, pdf = _sample_compared(choice, points, 0)
     length = (np.float32(scale) * _lengths(pdf, lobe.peak))[..., None]
     position = points.position[:, None].astype(np.float32) + length * world
     independent = sequences.get(choice.sequence).random
@@ -68,8 +73,8 @@ def all_clouds(choice: Choice, points: SurfacePoints, scale: float) -> Clouds:
 
 
 def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> NearCloud:
-    """Return the cloud at one point; `first` is the global id of the point."""
-    _, local, pdf = _directions(choice, point, first)
+    """Sample the cloud of directions at one point; `first` is the global id of the point."""
+    _, local, pdf = _sample_compared(choice, point, first)
     length = _lengths(pdf[0], lobe_of(choice.claim).peak)[:, None]
     return NearCloud(length * local[0], pdf[0], local[0, :, :2])
 
@@ -77,7 +82,7 @@ def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> NearCloud:
 def histograms(
     local: np.ndarray, lobe: LobeShape, independent: bool, claim: str = "the density"
 ) -> tuple[AngleHistogram, AngleHistogram]:
-    """Return histograms of the angles to the normal and about the normal, compared with the predictions of a lobe.
+    """Count the angles of directions to the normal and about the normal, and compare both histograms with a lobe.
 
     Args:
         local: (N, 3) unit directions with the normal along +z.
@@ -93,15 +98,18 @@ def histograms(
     theta, azimuth = np.bincount(cell, minlength=CELLS + 1), np.bincount(sector, minlength=SECTORS)
     names = {"independent": independent, "claim": claim}
     return (
-        _histogram(theta, lobe.theta, lobe.edges, angles=lobe.angles, line=lobe.line, **names),
-        _histogram(azimuth, lobe.azimuth, around, angles=middle, line=density, **names),
+        _build_histogram(theta, lobe.theta, lobe.edges, angles=lobe.angles, line=lobe.line, **names),
+        _build_histogram(azimuth, lobe.azimuth, around, angles=middle, line=density, **names),
     )
 
 
-def _histogram(
+def _build_histogram(
     observed: np.ndarray, masses: np.ndarray, edges: np.ndarray, *, angles: np.ndarray, line: np.ndarray, **names: Any
 ) -> AngleHistogram:
-    """Return the histogram over the bins of the chart; its test is over all bins, including those outside the chart."""
+    """Build the histogram of one angle with its chi-square test.
+
+    The test includes bins that are outside the chart.
+    """
     total = observed.sum()
     shown = min(len(masses), CELLS)
     expected = total * masses
@@ -119,8 +127,8 @@ def _histogram(
     )
 
 
-def _directions(choice: Choice, points: SurfacePoints, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return directions in the world and in the tangent frames, each (P, n, 3), and compared densities, (P, n)."""
+def _sample_compared(choice: Choice, points: SurfacePoints, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Sample directions at points; return world and local directions, each (P, n, 3), and compared densities, (P, n)."""
     own = choice.claim == choice.distribution
     found = sample_directions(
         points.normal,

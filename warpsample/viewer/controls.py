@@ -24,7 +24,10 @@ def spatial_names() -> list[str]:
 
 
 def make_distribution(name: str) -> Distribution:
-    """Return the distribution with a name; its first parameter is the geometric mean of the ends of the slider."""
+    """Build the distribution that a menu entry names, with its first parameter in the middle of the slider.
+
+    The middle is the geometric mean of the ends.
+    """
     kind = distributions.get(name)
     low, high = kind.shown or (1.0, 1.0)
     distribution = kind(**{kind.parameters[0]: (low * high) ** 0.5}) if kind.shown else kind()
@@ -32,12 +35,12 @@ def make_distribution(name: str) -> Distribution:
 
 
 def with_view(distribution: Distribution, angle: float) -> Distribution:
-    """Return the distribution with its view direction at `angle` degrees from the normal."""
+    """Copy a distribution, with its view direction at `angle` degrees from the normal."""
     return replace(distribution, view=(sin(radians(angle)), 0.0, cos(radians(angle))))
 
 
 def with_scalar(distribution: Distribution, value: float) -> Distribution:
-    """Return the distribution with another value of its first parameter."""
+    """Copy a distribution, with another value of its first parameter."""
     kind = type(distribution)
     others = {name: getattr(distribution, name) for name in kind.parameters[1:]}
     return kind(**{kind.parameters[0]: value}, **others)
@@ -60,9 +63,9 @@ class Controls:
             top -= (len(entries) + 1.5) * ROW
         self.sliders = {}
         for name, high, words, change in (
-            ("scalar", 1.0, str, self._turn_scalar),
-            ("view", 89.0, "view at {:.0f}° from the normal".format, self._turn_view),
-            ("samples", log2(_MOST_SAMPLES), lambda v: f"{round(2**v):,} directions per point", self._turn_samples),
+            ("scalar", 1.0, str, self._set_scalar),
+            ("view", 89.0, "view at {:.0f}° from the normal".format, self._set_view),
+            ("samples", log2(_MOST_SAMPLES), lambda v: f"{round(2**v):,} directions per point", self._set_samples),
             ("seed", float(_MOST_SEED), "seed: {:.0f}".format, lambda to: self._change(seed=round(to))),
         ):
             self.sliders[name] = Slider(plotter, top, change, name=words, low=0.0, high=high)
@@ -70,7 +73,7 @@ class Controls:
         self.show(choice)
 
     def show(self, choice: Choice) -> None:
-        """Set every menu and slider to the settings of a choice."""
+        """Set every menu and slider of the viewer to the given settings."""
         self.choice, distribution = choice, choice.distribution
         kind = type(distribution)
         self.menus["distribution"].set(kind.name)
@@ -90,7 +93,7 @@ class Controls:
         self.sliders["seed"].set(float(choice.seed))
 
     def lay_out(self, *_: Any) -> None:
-        """Fit texts and buttons to the size of the window."""
+        """Fit the texts and buttons of all menus to the size of the window."""
         fit_texts(self._plotter)
         for menu in self.menus.values():
             menu.lay_out()
@@ -104,12 +107,12 @@ class Controls:
         self.show(replace(self.choice, distribution=distribution, density=default_density(distribution)))
         self._changed(self.choice)
 
-    def _turn_scalar(self, value: float) -> None:
+    def _set_scalar(self, value: float) -> None:
         low, high = type(self.choice.distribution).shown
         self._change(distribution=with_scalar(self.choice.distribution, min(max(exp(value), low), high)))
 
-    def _turn_view(self, value: float) -> None:
+    def _set_view(self, value: float) -> None:
         self._change(distribution=with_view(self.choice.distribution, value))
 
-    def _turn_samples(self, value: float) -> None:
+    def _set_samples(self, value: float) -> None:
         self._change(samples=round(2**value))

@@ -26,7 +26,7 @@ _ROUND = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 3, 6, 12, 18, 24, 30, 45, 60, 9
 
 @dataclass(frozen=True, eq=False)
 class LobeShape:
-    """Density as a surface over the tangent plane, and probabilities of the bins of its angles.
+    """Shape of a lobe: the density as a surface over the tangent plane, and the probability of each bin of its angles.
 
     Attributes:
         surface: (I, J, 3) local coordinates: directions with length density / `peak`, at most 1.
@@ -49,15 +49,15 @@ class LobeShape:
 
 @lru_cache(maxsize=256)
 def lobe_of(claim: Distribution) -> LobeShape:
-    """Return the lobe of a distribution.
+    """Compute the shape of a distribution's lobe, for the viewer's surface and histograms.
 
     Raises:
         ValueError: the lobe is too narrow for float32 directions about a normal.
     """
     pilot = claim.sample(sample_square("fibonacci", 1, _PILOT)[0])
-    high = _reach(claim, pilot)
+    high = _covering_angle(claim, pilot)
     edges = np.append(np.linspace(0.0, high, CELLS + 1), max(np.pi, high + 1e-9))
-    theta, azimuth = _masses(claim, edges)
+    theta, azimuth = _bin_probabilities(claim, edges)
     fine = np.linspace(0.0, high, _FINE * CELLS + 1) if claim.symmetric else edges[:-1]
     line = (np.diff(claim.cdf(fine)) if claim.symmetric else theta[:-1]) / np.diff(fine)
     grid = SPHERE.point(np.linspace(0.0, high, _RINGS)[:, None], np.linspace(0.0, 1.0, _SPOKES)).astype(np.float32)
@@ -67,8 +67,8 @@ def lobe_of(claim: Distribution) -> LobeShape:
     return LobeShape(surface, peak, edges, theta, azimuth, 0.5 * (fine[1:] + fine[:-1]), line)
 
 
-def _reach(claim: Distribution, pilot: np.ndarray) -> float:
-    """Return an angle to the normal that contains 99.8 % of the directions, a round number of degrees in radians."""
+def _covering_angle(claim: Distribution, pilot: np.ndarray) -> float:
+    """Return a round angle to the normal, in radians, within which 99.8 % of the directions of a distribution are."""
     reach = float(np.degrees(np.quantile(SPHERE.polar(pilot), _ALMOST_ALL)))
     if reach < _NARROWEST:
         raise ValueError(
@@ -77,8 +77,8 @@ def _reach(claim: Distribution, pilot: np.ndarray) -> float:
     return float(np.radians(next(angle for angle in _ROUND if angle >= reach - 1e-3)))
 
 
-def _masses(claim: Distribution, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the probabilities of the bins of theta and of the bins of the azimuth."""
+def _bin_probabilities(claim: Distribution, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Integrate the density of a distribution over the bins of theta and over the bins of the azimuth."""
     if claim.symmetric:
         return np.diff(claim.cdf(edges)), np.full(SECTORS, 1.0 / SECTORS)
     masses = cell_masses(claim, edges, SECTORS, chart=SPHERE)

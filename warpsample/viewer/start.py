@@ -1,4 +1,4 @@
-"""Functions of `warpsample view`: from the options of the command to a window or a file."""
+"""Start of `warpsample view`: conversion of the command's options to settings, and the window or the picture."""
 
 from pathlib import Path
 
@@ -22,12 +22,12 @@ LEAST_SIZE = (1200, 675)
 
 
 def bunny() -> Path:
-    """Return the path of the bunny in warp-lang."""
+    """Return the path of the mesh of the Stanford bunny, which the package warp-lang contains."""
     return Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd"
 
 
 def choice(distribution: str | None, density: str | None, sequence: str, samples: int, seed: int) -> Choice:
-    """Return the settings that the options of the command specify.
+    """Check the options of `warpsample view`, and return the settings of the viewer.
 
     Args:
         distribution: name of the distribution, with parameters. Default: points on the sphere plus the normal, normalised.
@@ -49,7 +49,7 @@ def choice(distribution: str | None, density: str | None, sequence: str, samples
 
 
 def _parse_density(name: str) -> Distribution:
-    """Return the distribution that --density names; an error names this option."""
+    """Parse the value of the option --density as a distribution; an error names this option."""
     try:
         return as_spatial(name)
     except (TypeError, ValueError) as error:
@@ -59,7 +59,7 @@ def _parse_density(name: str) -> Distribution:
 def window(
     mesh: Mesh, points: int, chosen: Choice, *, up: str, size: tuple[int, int], occlusion: ShownOcclusion | None
 ) -> None:
-    """Open the viewer, and return when its window is closed."""
+    """Open the window of the viewer, and return when a user closes the window."""
     Viewer(mesh, points, chosen, up=up, size=size, occlusion=occlusion).plotter.show(title="warpsample")
 
 
@@ -73,7 +73,7 @@ def save(
     path: Path,
     occlusion: ShownOcclusion | None = None,
 ) -> str:
-    """Write a .png of the viewer, or an .html of its clouds on the mesh, and return a line about the picture."""
+    """Save the viewer as a .png, or its clouds on the mesh as an .html, without a window; return a line of description."""
     viewer = Viewer(mesh, points, chosen, up=up, size=size, off_screen=True, occlusion=occlusion)
     if path.suffix == ".png":
         viewer.plotter.enable_anti_aliasing("msaa", multi_samples=8, all_renderers=True)

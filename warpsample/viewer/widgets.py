@@ -31,7 +31,7 @@ def fit_texts(plotter: "pyvista.Plotter") -> None:
 
 
 class Menu:
-    """Title and radio buttons; exactly one button is on."""
+    """Menu of a window: a title and radio buttons, exactly one of which is on."""
 
     def __init__(
         self, plotter: "pyvista.Plotter", title: str, entries: list[str], *, top: float, choose: Callable[[str], None]
@@ -46,12 +46,12 @@ class Menu:
             choose: function that is called with the text of a button that was pressed.
         """
         self._plotter = plotter
-        self._texts = [_text(plotter, title, _LEFT, top, bold=True)]
+        self._texts = [_add_text(plotter, title, _LEFT, top, bold=True)]
         self._tops = [top - (i + 1) * ROW for i in range(len(entries))]
         self.buttons = {}
         height = plotter.window_size[1]
         for entry, low in zip(entries, self._tops, strict=True):
-            self._texts.append(_text(plotter, entry, 3 * _LEFT, low))
+            self._texts.append(_add_text(plotter, entry, 3 * _LEFT, low))
             self.buttons[entry] = plotter.add_radio_button_widget(
                 lambda entry=entry: choose(entry),
                 f"menu {title}",
@@ -64,7 +64,7 @@ class Menu:
         self.lay_out()
 
     def lay_out(self) -> None:
-        """Place each button next to its text, for the present size of the window."""
+        """Place each button of the menu next to its text, for the present size of the window."""
         width, height = self._plotter.window_size
         side = _BUTTON * ROW * height
         for button, low in zip(self.buttons.values(), self._tops, strict=True):
@@ -72,16 +72,16 @@ class Menu:
             button.GetRepresentation().PlaceWidget((x, x + side, y, y + side, 0.0, 0.0))
 
     def set(self, entry: str | None) -> None:
-        """Turn the button of one entry on and all other buttons off; None hides the menu."""
+        """Select one entry of the menu: turn its button on and all other buttons off. None hides the menu."""
         for text in self._texts:
             text.SetVisibility(entry is not None)
         for name, button in self.buttons.items():
-            _reveal(button, entry is not None)
+            _set_visible(button, entry is not None)
             button.GetRepresentation().SetState(int(name == entry))
 
 
 class Slider:
-    """Slider with its name and value above."""
+    """Slider of a window, with its name and value above."""
 
     def __init__(
         self,
@@ -104,7 +104,7 @@ class Slider:
             high: largest value.
         """
         self._name, self._ready = name, False
-        self.title = _text(plotter, "", _LEFT, top)
+        self.title = _add_text(plotter, "", _LEFT, top)
         self.widget = plotter.add_slider_widget(
             lambda value: self._update(value, turn),
             (low, high),
@@ -119,7 +119,7 @@ class Slider:
         )
         slider = self.widget.GetRepresentation()
         slider.ShowSliderLabelOff()
-        slider.GetSliderProperty().SetColor(*_rgb(DOTS))
+        slider.GetSliderProperty().SetColor(*_parse_colour(DOTS))
         self._ready = True
 
     def _update(self, value: float, turn: Callable[[float], None]) -> None:
@@ -131,9 +131,12 @@ class Slider:
     def set(
         self, value: float | None, span: tuple[float, float] | None = None, name: Callable[[float], str] | None = None
     ) -> None:
-        """Move the slider without a call of `turn`, and replace its range and name where given; a value of None hides it."""
+        """Move the slider to a value without a call of `turn`; None hides the slider.
+
+        `span` and `name` replace its range and its text, where given.
+        """
         self.title.SetVisibility(value is not None)
-        _reveal(self.widget, value is not None)
+        _set_visible(self.widget, value is not None)
         if value is None:
             return
         slider = self.widget.GetRepresentation()
@@ -145,17 +148,20 @@ class Slider:
         self.title.input = self._name(value)
 
 
-def _text(plotter: "pyvista.Plotter", words: str, x: float, y: float, bold: bool = False) -> Any:
-    """Add a text at shares of the panel's width and height, and return the actor."""
+def _add_text(plotter: "pyvista.Plotter", words: str, x: float, y: float, bold: bool = False) -> Any:
+    """Add a text to the panel, at fractions x and y of its width and height, and return the actor."""
     return plotter.add_text(words, position=(x, y), viewport=True, color=INK, font_file=font_file(bold))
 
 
-def _reveal(widget: Any, visible: bool) -> None:
-    """Show or hide a widget. SetEnabled would move the widget to the renderer under the mouse."""
+def _set_visible(widget: Any, visible: bool) -> None:
+    """Show or hide a button or a slider.
+
+    `SetEnabled` is not used, because it would move the widget to the renderer under the mouse.
+    """
     widget.GetRepresentation().SetVisibility(visible)
     widget.SetProcessEvents(visible)
 
 
-def _rgb(colour: str) -> tuple[float, ...]:
-    """Return a colour such as "#2f6690" as red, green and blue from 0 to 1."""
+def _parse_colour(colour: str) -> tuple[float, ...]:
+    """Convert a colour such as "#2f6690" to red, green and blue from 0 to 1."""
     return tuple(int(colour[i : i + 2], 16) / 255.0 for i in (1, 3, 5))

@@ -32,7 +32,9 @@ _KNOBS, _MESH, _CLOUD, _CHARTS = (0, 0), (0, 1), (1, 1), (0, 2)
 
 
 class Viewer:
-    """Clouds of directions on a mesh, one enlarged cloud, and charts of all directions; every change of a knob redraws all.
+    """Window of `warpsample view`: clouds of directions on a mesh, one enlarged cloud, and charts of all directions.
+
+    Every change of a menu or slider redraws all of them.
 
     Coordinates are relative to the middle of the mesh, where float32 is most precise.
 
@@ -56,7 +58,7 @@ class Viewer:
         off_screen: bool = False,
         occlusion: ShownOcclusion | None = None,
     ):
-        """Draw the mesh, the clouds and the charts.
+        """Build the window: menus and sliders, the mesh with clouds of directions, the enlarged cloud, and the charts.
 
         Args:
             mesh: mesh that carries the points.
@@ -92,7 +94,7 @@ class Viewer:
         self._draw_charts()
         self._draw_cloud()
         self._draw_mesh(mesh, up, occlusion)
-        self._choose(int(np.argmax(self.points.normal @ np.array(VIEW[up]))))
+        self._pin_point(int(np.argmax(self.points.normal @ np.array(VIEW[up]))))
         self.plotter.subplot(*_KNOBS)
         self.controls: Controls = Controls(self.plotter, choice, self.show)
         self.controls.lay_out()
@@ -100,7 +102,10 @@ class Viewer:
         self.show(choice)
 
     def show(self, choice: Choice) -> None:
-        """Draw a choice. If its kernels must be compiled first, the caption reports this."""
+        """Draw the clouds and charts of the given settings in the window.
+
+        If kernels must be compiled first, the caption reports this.
+        """
         kind = (choice.sequence, type(choice.distribution), getattr(choice.distribution, "method", None), type(choice.claim))
         if self._kinds and kind not in self._kinds:
             self.caption.input = "Compiling the kernels of this choice, once ..."
@@ -109,11 +114,11 @@ class Viewer:
         _, shown = limit_counts(len(self.points), choice.samples)
         self.clouds = all_clouds(replace(choice, samples=shown), self.points, self.scale)
         self.cloud_actor.show(self.clouds.position, self.clouds.pdf, lobe_of(choice.claim).peak)
-        self.caption.input = self._describe(choice, shown)
+        self.caption.input = self._describe_settings(choice, shown)
         self._show_near(choice)
 
     def summary(self) -> str:
-        """Return a line about the contents of the window: counts, distribution, compared density and verdicts."""
+        """Describe the window in one line: counts, distribution, compared density and verdicts."""
         choice = self.controls.choice
         _, shown = limit_counts(len(self.points), choice.samples)
         verdicts = (f"{name} {part.verdict()}" for name, part in (("θ", self.clouds.theta), ("φ", self.clouds.azimuth)))
@@ -121,14 +126,17 @@ class Viewer:
         return f"{counts} of {format_distribution(choice.distribution)}; " + "; ".join(verdicts).replace("\n", ": ")
 
     def pick(self, position: np.ndarray, face: int) -> None:
-        """Enlarge the cloud of another point, (3,) in drawn coordinates; a point on a degenerate face changes nothing."""
+        """Pin another point of the mesh, (3,) in drawn coordinates, and enlarge the cloud of directions there.
+
+        A point on a degenerate face changes nothing.
+        """
         if not self._normals[face].any():
             return
-        self._choose(len(self.points), SurfacePoints(position[None], self._normals[face][None], np.array([face])))
+        self._pin_point(len(self.points), SurfacePoints(position[None], self._normals[face][None], np.array([face])))
         self._show_near(self.controls.choice)
 
     def _show_near(self, choice: Choice) -> None:
-        """Draw the enlarged cloud, its lobe and the charts."""
+        """Draw the enlarged cloud at the pinned point, the lobe there, and the charts."""
         drawn = replace(choice, samples=min(choice.samples, _MOST_NEAR))
         self.near = one_cloud(drawn, self.chosen, self._chosen_id)
         lobe = lobe_of(choice.claim)
@@ -141,15 +149,18 @@ class Viewer:
         self._sheet.show(self.charts.draw(self.clouds.theta, self.clouds.azimuth, self.near.disk))
         self.plotter.render()
 
-    def _choose(self, point: int, at: SurfacePoints | None = None) -> None:
-        """Pin a point: `at`, or row `point` of `points`. `point` is the global id of the pinned point."""
+    def _pin_point(self, point: int, at: SurfacePoints | None = None) -> None:
+        """Mark a point as the pinned one: `at`, or row `point` of `points`.
+
+        `point` is the global id of the pinned point.
+        """
         self.chosen: SurfacePoints = at or self.points.take(slice(point, point + 1))
         self._chosen_id = point
         start = self.chosen.position[0]
         self._pin.show(start, start + 1.4 * self.scale * self.chosen.normal[0])
 
-    def _describe(self, choice: Choice, shown: int) -> str:
-        """Return the caption above the mesh."""
+    def _describe_settings(self, choice: Choice, shown: int) -> str:
+        """Return the caption above the mesh: counts, distribution, sequence, seed and compared density."""
         claim = choice.density if choice.density is not None and choice.density.parameters else None
         density = format_distribution(claim) if claim else choice.claim_name
         counts = describe_counts((len(self.points), shown), (self._requested, choice.samples))
@@ -165,12 +176,12 @@ class Viewer:
         return "\n".join(piece for line in lines for piece in wrap(line, _MOST_LETTERS))
 
     def _draw_charts(self) -> None:
-        """Add an empty sheet for the charts."""
+        """Add an empty sheet of pixels for the charts to the window."""
         self.plotter.subplot(*_CHARTS)
         self.charts, self._sheet = None, Sheet(self.plotter)
 
     def _draw_cloud(self) -> None:
-        """Add the parts of the enlarged cloud: points, lobe, tangent frame and texts."""
+        """Add the enlarged cloud to the window: points, lobe, tangent frame and texts, still empty."""
         self.plotter.subplot(*_CLOUD)
         self.near_actor, self.lobe_actor = CloudActor(self.plotter, point_size=4, bar=False), LobeActor(self.plotter)
         draw_frame(self.plotter)
@@ -178,7 +189,7 @@ class Viewer:
         self._add_text("Double-click on the mesh to pin another point.", 0.02, "bottom")
 
     def _draw_mesh(self, mesh: Mesh, up: str, occlusion: ShownOcclusion | None) -> None:
-        """Add the mesh with normals, clouds, pin and caption, and mouse picking."""
+        """Add the mesh to the window, with normals, empty clouds, pin, caption and mouse picking."""
         self.plotter.subplot(*_MESH)
         texture = None if occlusion is None else (occlusion.picture, occlusion.uv)
         actor = draw_mesh(self.plotter, self.vertices, mesh.faces, texture)
@@ -190,7 +201,7 @@ class Viewer:
         look_from(self.plotter, up, 1.0)
 
     def _add_text(self, words: str, height: float, edge: str) -> Any:
-        """Add a text with its top or bottom edge at a share of the renderer's height, and return the actor."""
+        """Add a text to the current renderer, with its edge `edge` at a fraction of the height, and return the actor."""
         text = self.plotter.add_text(words, position=(0.02, height), viewport=True, color=INK, font_file=font_file())
         text.prop.justification_vertical = edge
         return text

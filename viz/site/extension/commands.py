@@ -14,17 +14,17 @@ _CODE = re.compile(r"(--[a-z][a-z-]*|tcp://\S*\w)")
 
 
 def commands() -> dict[str, Any]:
-    """Return all commands, keyed by name."""
+    """Return all commands of `warpsample`, keyed by name."""
     return dict(typer.main.get_command(app).commands)
 
 
 class Command(Directive):
-    """Description, arguments and options of a command, from its help."""
+    """Directive that inserts the description, arguments and options of a command, from its help."""
 
     required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        """Return the nodes of a command: its text, and its options as targets of links and of the search."""
+        """Return the document nodes of a command: its text, and its options as targets of links and of the search."""
         command = commands()[self.arguments[0]]
         lines = [*(command.help or "").splitlines(), "", f".. program:: warpsample {self.arguments[0]}", ""]
         for parameter in command.params:
@@ -35,7 +35,7 @@ class Command(Directive):
 
 
 def _describe_parameter(parameter: Any) -> str:
-    """Return the help of a parameter with its choices and its default."""
+    """Return the help text of a command's option, with its choices and its default."""
     words = get_args(parameter.type_descriptor.annotation) if _is_choice(parameter) else ()
     default = parameter.default
     parts = [_CODE.sub(r"``\1``", " ".join((parameter.help or "").replace("*", r"\*").replace("`", "").split()))]

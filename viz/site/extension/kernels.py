@@ -40,19 +40,19 @@ KERNEL = "tree: funcs.Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.ve
 
 
 def home(item: Any) -> str | None:
-    """Return the module of a wp.func or of a wp.struct; None for other objects."""
+    """Return the name of the module that defines a wp.func or a wp.struct; None for other objects."""
     if isinstance(item, wp.Function):
         return item.func.__module__
     return item.cls.__module__ if hasattr(item, "cls") else None
 
 
 def format_type(kind: Any) -> str:
-    """Return a type as it is written in a kernel."""
+    """Format a type as a kernel writes it, such as "wp.vec3"."""
     return getattr(kind, "key", None) or _SHOWN.get(kind) or str(getattr(kind, "__name__", kind))
 
 
 def signature(app: Any, what: str, name: str, item: Any, options: Any, text: str, returned: str) -> tuple[str, str] | None:  # noqa: ARG001
-    """Return the signature of a wp.func in Warp's types, or of another function with readable array types."""
+    """Format the signature of a documented function: Warp's types for a wp.func, and short array types for others."""
     if not isinstance(item, wp.Function):
         return tuple(part and _ARRAY.sub(r"NDArray[\1]", part) for part in (text, returned))
     found = inspect.signature(item.func)
@@ -62,7 +62,7 @@ def signature(app: Any, what: str, name: str, item: Any, options: Any, text: str
 
 
 def example(item: Any) -> str:
-    """Return lines of a kernel that calls a function."""
+    """Return example lines of a kernel that calls a wp.func."""
     if not isinstance(item, wp.Function):
         return _STRUCTS[item.key]
     taken = set(inspect.signature(item.func).parameters)
@@ -70,9 +70,9 @@ def example(item: Any) -> str:
     if {"u", "w", "p"} & taken:
         lines.append("u = funcs.sobol(wp.uint64(0), wp.uint64(0), wp.uint32(i), wp.uint32(256))")
     if {"w", "p"} & taken:
-        lines.append(f"w = {_call(_map_of(item.key))}")
+        lines.append(f"w = {_format_call(_map_of(item.key))}")
     result = "distance, face" if item.key == "nearest_hit" else "x"
-    return "\n".join([*lines, f"{result} = {_call(item)}"])
+    return "\n".join([*lines, f"{result} = {_format_call(item)}"])
 
 
 _STRUCTS = {
@@ -82,12 +82,15 @@ _STRUCTS = {
 
 
 def _map_of(key: str) -> Any:
-    """Return the map to directions of a density or an inverse; for other functions the map of the cosine lobe."""
+    """Return the function that maps the unit square to directions, given the name of its density or its inverse.
+
+    For other names it is the map of the cosine lobe.
+    """
     if key.endswith("_pdf"):
         return getattr(funcs, key.removesuffix("_pdf"))
     shape, inverse, variant = key.partition("_to_square")
     return getattr(funcs, f"square_to_{shape}{variant}") if inverse else funcs.square_to_cosine_hemisphere
 
 
-def _call(item: Any) -> str:
+def _format_call(item: Any) -> str:
     return f"funcs.{item.key}({', '.join(_ARGUMENTS[key] for key in inspect.signature(item.func).parameters)})"

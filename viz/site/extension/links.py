@@ -13,7 +13,10 @@ _homes: dict[Path, str] = {}
 
 
 def find_homes(app: Any = None) -> dict[Path, str]:  # noqa: ARG001
-    """Return the page that includes each README; if there are several, the first page that includes nothing else."""
+    """Return the page of the site that includes each README.
+
+    If there are several pages, it is the first one that includes nothing else.
+    """
     found = [(page, _INCLUDED.findall(page.read_text())) for page in sorted(PAGES.rglob("*.md"))]
     for page, papers in sorted(found, key=lambda item: -len(item[1])):
         for paper in papers:
@@ -22,7 +25,7 @@ def find_homes(app: Any = None) -> dict[Path, str]:  # noqa: ARG001
 
 
 def rewrite(app: Any, path: Path, parent: str, content: list[str]) -> None:  # noqa: ARG001
-    """Replace the links of a README with links to pages of the site and to pictures of the repository."""
+    """Replace the links in a README's text by links to pages of the site and to pictures of the repository."""
     folder = (PAGES / path).resolve().parent
     content[0] = _LINK.sub(lambda link: _resolve_link(folder, link), content[0])
 

@@ -43,7 +43,7 @@ def _is_own(item: Any, module: ModuleType) -> bool:
 
 
 def module_of(app: Any, module: str, name: str) -> str | None:  # noqa: ARG001
-    """Return the module that defines a public name or a method, the target of "[source]"."""
+    """Return the module that defines a public name or a method, to which the link "[source]" leads."""
     first, *rest = name.split(".")
     item = public().get(f"{module}.{first}")
     if item is None:
@@ -54,7 +54,10 @@ def module_of(app: Any, module: str, name: str) -> str | None:  # noqa: ARG001
 
 
 def polish(app: Any, doctree: Any) -> None:  # noqa: ARG001
-    """Rename the field "Variables" to "Attributes", and link "warpsample.sobol" to "warpsample.funcs.sobol"."""
+    """Change a parsed page: rename the field "Variables" to "Attributes", and add link targets without ".funcs".
+
+    So "warpsample.sobol" links to "warpsample.funcs.sobol".
+    """
     for signature in doctree.findall(addnodes.desc_signature):
         signature["ids"] += [name.replace(".funcs.", ".") for name in signature["ids"] if ".funcs." in name]
     for name in doctree.findall(nodes.field_name):
@@ -63,7 +66,9 @@ def polish(app: Any, doctree: Any) -> None:  # noqa: ARG001
 
 
 def complete(app: Any, what: str, name: str, item: Any, options: Any, lines: list[str]) -> None:  # noqa: ARG001
-    """Add an example to a docstring after napoleon, and restore texts that napoleon takes for types: ours have none.
+    """Add an example to the lines of a docstring, and restore texts that napoleon has taken for types.
+
+    Docstrings of this package contain no types.
 
     docutils requires a gap after the code in "`wp.func`s".
     """
@@ -84,28 +89,28 @@ def example(name: str) -> str:
     item = public()[name]
     if name.startswith("warpsample.funcs."):
         return kernels.example(item)
-    if own := _own(item):
+    if own := _find_example(item):
         return own
     if inspect.isclass(item) and issubclass(item, Distribution):
-        return _of_lobe(item)
-    return next((text for maker in _makers(item) if (text := _own(maker))), "")
+        return _distribution_example(item)
+    return next((text for maker in _find_makers(item) if (text := _find_example(maker))), "")
 
 
-def _own(item: Any) -> str:
+def _find_example(item: Any) -> str:
     found = _EXAMPLE.search(inspect.getdoc(item) or "") if not isinstance(item, Enum) else None
     return textwrap.dedent(found[1]).strip() if found else ""
 
 
-def _of_lobe(kind: type[Distribution]) -> str:
-    """Return an example for a distribution: directions and densities."""
+def _distribution_example(kind: type[Distribution]) -> str:
+    """Return example lines for a distribution: sampled directions and their densities."""
     case = kind.cases()[0]
     return (
         f">>> lobe = ws.{case!r}\n>>> w = lobe.sample(ws.sample_square('sobol', points=1, count=64)[0])\n>>> p = lobe.pdf(w)"
     )
 
 
-def _makers(kind: Any) -> Iterator[Any]:
-    """Return the functions and methods that return a class, and the classes with a field or property of this class."""
+def _find_makers(kind: Any) -> Iterator[Any]:
+    """Yield the public functions and methods that return a class, and the classes with a field or property of this class."""
     calls = [call for call in public().values() if inspect.isfunction(call)]
     classes = [owner for owner in public().values() if inspect.isclass(owner) and owner is not kind]
     calls += [member for owner in classes for member in _members(owner)]

@@ -10,7 +10,7 @@ _KEY = re.compile(r"\b([A-Z][A-Za-z]+(?:1[89]|20)\d\d|ShirleyTrick)\b")
 
 
 def link(app: Any, doctree: nodes.document, page: str) -> None:
-    """Add anchors to the rows of the page of sources, and link keys on other pages to these anchors."""
+    """Add anchors to the rows of the page of sources, and link keys such as Walter2007 on other pages to these rows."""
     if page == PAGE:
         for row in doctree.findall(nodes.row):
             row["ids"].append(row[0].astext().lower())
@@ -22,10 +22,10 @@ def link(app: Any, doctree: nodes.document, page: str) -> None:
         ):
             inside = inside.parent
         if inside is None and _KEY.search(text):
-            text.parent.replace(text, _linked(app.builder.get_relative_uri(page, PAGE), text))
+            text.parent.replace(text, _link_keys(app.builder.get_relative_uri(page, PAGE), text))
 
 
-def _linked(address: str, text: str) -> list[nodes.Node]:
+def _link_keys(address: str, text: str) -> list[nodes.Node]:
     parts = _KEY.split(text)
     made: list[nodes.Node] = []
     for i, part in enumerate(parts):

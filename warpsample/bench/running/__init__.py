@@ -1,1 +1,1 @@
-"""Timing of work: interleaved runs, processes for single tools, and a description of the machine."""
+"""Timing of benchmarks: interleaved runs, one process per tool, and a description of the machine."""

@@ -1,4 +1,4 @@
-"""A job in a separate process that runs on request, so that threads and compilers of two libraries never share a process.
+"""Work in a separate process that runs on request, so that threads and compilers of two libraries never share one.
 
 The parent sends a pickled build function, then one pickled word for each run; the child answers with pickled dicts.
 The child process is `python -m` this module.
@@ -20,7 +20,7 @@ _PACKAGES = {"rvt": "rvt-py", "xrspatial": "xarray-spatial"}
 
 
 class ChildJob(NamedTuple):
-    """Job of a child process.
+    """Work of a child process: the function to time, and its report.
 
     Attributes:
         work: function to time.
@@ -34,10 +34,10 @@ class ChildJob(NamedTuple):
 
 
 class Child:
-    """Child process that builds a job; a context manager that ends the process."""
+    """Child process that prepares work and runs it on request; a context manager that ends the process."""
 
     def __init__(self, build: Callable[..., ChildJob], **arguments: Any):
-        """Start the process without waiting; the child imports `build` and calls it with the arguments."""
+        """Start the child process without waiting; the process imports `build` and calls it with the arguments."""
         self._name = f"{build.__module__}:{build.__qualname__}"
         self._built: dict[str, Any] | None = None
         command = [sys.executable, "-m", "warpsample.bench.running.child"]
@@ -47,29 +47,29 @@ class Child:
         self._send(build, arguments)
 
     def __enter__(self) -> "Child":
-        """Return the child, whose process runs since construction."""
+        """Return this object, whose child process runs since construction."""
         return self
 
     def __exit__(self, error: type[BaseException] | None, *rest: object) -> None:
-        """End the process: close the input and wait, or kill the process after an error, for example an interrupt."""
+        """End the child process: close its input and wait, or kill it after an error such as an interrupt."""
         if error:
             self.process.kill()
         with suppress(OSError):
             self.process.communicate()
 
     def wait_until_built(self) -> str | None:
-        """Wait until the child has built its job and run it once; return None, or the reason for a failure in one line."""
+        """Wait until the child process has built and run its job once; return None, or one line with the failure."""
         if self._built is None:
             self._built = self._read()
         return self._built.get("failure")
 
     def get_first_seconds(self) -> float:
-        """Return the seconds of the first run, for work that takes too long to repeat."""
+        """Return the seconds of the child's first run, for work that takes too long to repeat."""
         self.wait_until_built()
         return self._built["seconds"]
 
     def run(self) -> float:
-        """Run the job and return the seconds.
+        """Run the child's job once and return the seconds.
 
         Raises:
             RuntimeError: the child has no job, or its process has ended.
@@ -77,7 +77,7 @@ class Child:
         return self._request("run")["seconds"]
 
     def report(self) -> dict[str, Any]:
-        """Return the job's report of its last run."""
+        """Return the report of the child's job on its last run."""
         return self._request("report")
 
     def _request(self, request: str) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Description of the machine: processor, cores, versions and commit."""
+"""Description of the machine that runs a benchmark: processor, cores, versions and commit."""
 
 import platform
 import subprocess
@@ -13,7 +13,7 @@ from warpsample.host.engine import check_workers
 
 @dataclass(frozen=True)
 class Machine:
-    """Machine of a measurement, with versions of Python, warp-lang, NumPy and warpsample.
+    """Machine that ran a benchmark, with versions of Python, warp-lang, NumPy and warpsample.
 
     Attributes:
         cpu: model name of the processor, or its architecture if the system does not report a name.
@@ -34,7 +34,7 @@ class Machine:
     commit: str
 
     def __str__(self) -> str:
-        """Return one line for pictures and headings."""
+        """Return a description of the machine in one line, for pictures and headings."""
         return (
             f"{self.processor}, {self.cores} cores, warp-lang {self.warp}, NumPy {self.numpy}, "
             f"Python {self.python}, commit {self.commit}"
@@ -42,12 +42,12 @@ class Machine:
 
     @property
     def processor(self) -> str:
-        """Name of the processor and its instructions."""
+        """Name of the processor and its widest vector instructions."""
         return f"{self.cpu}, {({'avx512': 'AVX-512', 'avx2': 'AVX2'}).get(self.instructions, self.instructions)}"
 
 
 def describe_machine() -> Machine:
-    """Describe the machine of this process."""
+    """Return a description of this machine and of the versions of this process."""
     versions = [version(name) for name in ("warp-lang", "numpy", "warpsample")]
     here = check_workers(None), platform.system(), platform.python_version()
     return Machine(*_read_processor(), *here, *versions, find_commit(Path(__file__).parents[2]))
@@ -65,7 +65,7 @@ def _read_processor() -> tuple[str, str]:
 
 
 def find_commit(package: Path) -> str:
-    """Return the commit of the checkout that holds a package; "unknown" if the checkout has other files than the package."""
+    """Return the git commit of a package's checkout; "unknown" if the checkout has other files than the package."""
     try:
         top = Path(_run_git(package, "rev-parse", "--show-toplevel"))
         files = sorted(package.rglob("*.py"))

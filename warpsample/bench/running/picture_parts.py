@@ -1,4 +1,4 @@
-"""Titles, axis labels and bars of the benchmarks' pictures."""
+"""Titles, axis labels and bars of benchmark pictures."""
 
 from typing import TYPE_CHECKING
 

@@ -13,7 +13,7 @@ WARM_UP = 0.03
 
 
 def build_stopwatch(work: Callable[[], object], warm: Callable[[], object] | None = None) -> Callable[[], float]:
-    """Build a case: a function that runs `work` once and returns the seconds.
+    """Build a function that runs `work` once and returns the seconds.
 
     Before that run, `warm` (default: `work`) runs untimed for at least 30 ms. This loads kernels and arrays and wakes all
     cores; waking the second core of a virtual machine takes longer than many runs.
@@ -33,7 +33,7 @@ def build_stopwatch(work: Callable[[], object], warm: Callable[[], object] | Non
 
 
 def run_interleaved(cases: Mapping[Case, Callable[[], float]], repeats: int, budget: float = inf) -> dict[Case, list[float]]:
-    """Run all cases alternately for `repeats` rounds and return the seconds of each run.
+    """Run timed functions in alternation for `repeats` rounds and return the seconds of each run.
 
     Args:
         cases: functions that return the seconds of one run, such as from `build_stopwatch`.
@@ -53,5 +53,5 @@ def run_interleaved(cases: Mapping[Case, Callable[[], float]], repeats: int, bud
 def time_interleaved(
     works: Mapping[Case, Callable[[], object]], repeats: int, budget: float = inf
 ) -> dict[Case, list[float]]:
-    """Time all works alternately, each with a stopwatch; return the seconds of each run."""
+    """Time several functions in alternation for `repeats` rounds; return the seconds of each run."""
     return run_interleaved({case: build_stopwatch(work) for case, work in works.items()}, repeats, budget)

@@ -1,4 +1,4 @@
-"""Comparison of tools: one process for each tool, with alternating runs of the same task."""
+"""Timed comparison of tools: one process for each tool, with alternating runs of the same task."""
 
 from collections.abc import Callable, Iterable
 from contextlib import ExitStack
@@ -10,7 +10,7 @@ from warpsample.bench.running.timing import run_interleaved
 
 
 class Tool(NamedTuple):
-    """A tool for a task.
+    """Tool that a benchmark compares: its library and the function that builds its work.
 
     Attributes:
         library: package that pip installs, whose version the tables show.
@@ -25,7 +25,7 @@ class Tool(NamedTuple):
 
 @dataclass(frozen=True)
 class ToolRuns:
-    """Runs of tools, keyed by tool.
+    """Seconds, reports and failures of tools after a comparison, keyed by tool.
 
     Attributes:
         seconds: run time of each repeat.
@@ -38,7 +38,7 @@ class ToolRuns:
     failures: dict[Any, str]
 
     def require_all(self) -> dict[Any, list[float]]:
-        """Return the seconds, for cases that must all run.
+        """Return the seconds of all tools; raise a RuntimeError if a tool did not run.
 
         Raises:
             RuntimeError: a case did not run.
@@ -48,13 +48,16 @@ class ToolRuns:
         return self.seconds
 
     def rows(self, kind: type, figures: Callable[[str], dict[str, Any]], **case: Any) -> list[Any]:
-        """Build a row for each tool from the case and from `figures(tool)`; rows of tools that did not run come first."""
+        """Build a benchmark row for each tool, from the case and from `figures(tool)`.
+
+        Rows of tools that did not run come first.
+        """
         failed = [kind(tool=tool, failure=failure, **case) for tool, failure in self.failures.items()]
         return failed + [kind(tool=tool, **case, **{"seconds": t} | figures(tool)) for tool, t in self.seconds.items()]
 
 
 def keep_last_result(run: Callable[[], Any]) -> tuple[Callable[[], object], Callable[[], Any]]:
-    """Return (work, result): a function that runs and keeps the last result, and a function that returns the result."""
+    """Return a function that calls `run` and keeps the result, and a function that returns the last result."""
     last: list[Any] = []
 
     def work() -> None:
@@ -64,7 +67,7 @@ def keep_last_result(run: Callable[[], Any]) -> tuple[Callable[[], object], Call
 
 
 def run_tools(build: Callable[..., ChildJob], tools: Iterable[Any], repeats: int, **arguments: Any) -> ToolRuns:
-    """Build each tool's job, one after the other, then run all jobs alternately.
+    """Build each tool's job in its own process, one after the other, then run all jobs in alternation.
 
     Args:
         build: function (tool, **arguments) -> job.

@@ -1,4 +1,4 @@
-"""Time, error at texels and error of lookups of textures baked by each tool."""
+"""`bench textures`: time of baking textures, and error at texels and at positions looked up, for each tool."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -41,7 +41,7 @@ _TARGET = 0.02
 
 @dataclass(frozen=True)
 class BakedTexture(ToolRow):
-    """Time and error of one tool with one number of rays per texel."""
+    """Row of `bench textures`: time and error of one tool with one number of rays per texel."""
 
     scene: str = column("scene")
     side: int = column("side")
@@ -76,7 +76,7 @@ class BakedTexture(ToolRow):
 
 @dataclass(frozen=True, eq=False)
 class Known:
-    """Reference values at texels and at sample positions.
+    """Reference values of ambient occlusion at texels and at sample positions.
 
     Attributes:
         texels: indices of the texels with a reference value.
@@ -90,7 +90,7 @@ class Known:
 
 
 def load_scene(asset: Path | None, part: str | None, size: int) -> Textured:
-    """Load an asset with its texture coordinates and normals, or the bunny without an asset.
+    """Load a mesh with texture coordinates and normals from a file; without a file, load the bunny.
 
     The bunny is unwrapped anew, with the means of its face normals.
 
@@ -114,7 +114,10 @@ def load_scene(asset: Path | None, part: str | None, size: int) -> Textured:
 
 
 def compute_known(scene: Textured, size: int, rays: int = _RAYS, most: int = _MOST) -> Known:
-    """Compute reference values with many rays and another seed, at up to `most` texels and at `most` sample positions."""
+    """Compute reference values of ambient occlusion at up to `most` texels and at `most` sample positions.
+
+    They use many rays and another seed.
+    """
     t = texture_points(scene.mesh, scene.uv, size, normals="smooth", corner_normals=scene.normals[scene.mesh.faces])
     flaws = find_face_flaws(scene.uv)
     usable = ~(flaws["without_uv"] | flaws["zero_area"])
@@ -128,7 +131,10 @@ def compute_known(scene: Textured, size: int, rays: int = _RAYS, most: int = _MO
 
 
 def build_texture(tool: str, scene: Textured, known: Known, *, size: int, workers: int) -> ChildJob:
-    """Build one image by a tool and a number of rays, such as "Blender, 16 rays"; the report needs two runs."""
+    """Build the job that bakes one image with a tool and a number of rays, such as "Blender, 16 rays".
+
+    The job's report needs two runs.
+    """
     name, rays = tool.removesuffix(" rays").split(", ")
     (library, make, _), _ = TEXTURE_TOOLS[name]
     paint, images = make(scene, size, workers), deque[np.ndarray](maxlen=2)
@@ -163,7 +169,7 @@ def measure(
     ] = None,
     repeats: Repeats = 3,
 ) -> RowsByPart:
-    """Measure each tool with several numbers of rays."""
+    """Measure the baking of ambient occlusion by each tool with several numbers of rays; return the rows."""
     if part is not None and asset is None:
         raise ValueError(f"part: got {part!r} without an asset, want the asset with this part")
     tools = [f"{name}, {rays} rays" for name, (_, ladder) in TEXTURE_TOOLS.items() for rays in ladder]
@@ -173,7 +179,7 @@ def measure(
 def compare(
     asset: Path | None, size: int, tools: Sequence[str], repeats: int, *, part: str | None = None
 ) -> list[BakedTexture]:
-    """Compare tools on one scene, with alternating runs."""
+    """Measure the baking of one scene by several tools, with alternating runs."""
     scene, workers = load_scene(asset, part, size), check_workers(None)
     turns = run_tools(
         build_texture, tools, repeats, scene=scene, known=compute_known(scene, size), size=size, workers=workers
@@ -199,10 +205,10 @@ def compare(
 
 
 def interpolate_seconds(error: float, ladder: Sequence[tuple[float, Any]]) -> float | None:
-    """Return a tool's seconds to an error, interpolated linearly in logarithms between its (error, seconds).
+    """Interpolate the seconds in which a tool reaches an error, from its measured (error, seconds) pairs.
 
-    For an error above the largest, return the seconds of the largest. Return None for an error below the smallest, or
-    without measurements.
+    The interpolation is linear in logarithms. For an error above the largest, return the seconds of the largest. Return None
+    for an error below the smallest, or without measurements.
     """
     ladder_logs = np.log(sorted(ladder)).reshape(-1, 2)
     if not len(ladder_logs) or np.log(error) < ladder_logs[0, 0]:
@@ -211,7 +217,10 @@ def interpolate_seconds(error: float, ladder: Sequence[tuple[float, Any]]) -> fl
 
 
 def compare_times(error: float, seconds: float, ours: Sequence[tuple[float, Any]]) -> float | None:
-    """Return the ratio of `seconds` to warpsample's seconds for an error; None if warpsample's best error is larger."""
+    """Return the ratio of `seconds` to warpsample's seconds for the same error.
+
+    Return None if warpsample's best error is larger.
+    """
     least = interpolate_seconds(error, ours)
     return seconds / least if least else None
 

@@ -1,4 +1,4 @@
-"""Error of lookups in a texture, and its parts: noise, overlap and resolution."""
+"""Error of reading values from a baked texture, and its parts: noise, overlap and resolution."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from warpsample.texture.uv.charts import label_charts
 
 @dataclass(frozen=True, eq=False)
 class LookupPlaces:
-    """Sample positions on the surface, where an image is looked up.
+    """Positions on a surface at which a baked texture is read, with reference values.
 
     Attributes:
         uv: (N, 2) float64, texture coordinates.
@@ -30,11 +30,11 @@ class LookupPlaces:
     shared: np.ndarray
 
     def compute_error(self, images: Sequence[np.ndarray]) -> dict[str, float]:
-        """Compute the RMSE of lookups in two images that differ only by their random numbers, and its parts.
+        """Compute the RMSE of the values read from a baked texture, and its parts.
 
-        Noise is the difference of the images. Overlap and resolution are their common error, at shared positions and at the
-        other positions. The common error of a tool without seeds includes the tool's noise. The squares of the three parts
-        add up to the square of the whole.
+        The two images differ only by their random numbers. Noise is the difference of the images. Overlap and resolution are
+        their common error, at shared positions and at the other positions. The common error of a tool without seeds includes
+        the tool's noise. The squares of the three parts add up to the square of the whole.
         """
         first, second = (read_bilinear(image, self.uv) - self.right for image in images)
         common = first * second
@@ -48,13 +48,16 @@ class LookupPlaces:
 
 
 def read_bilinear(image: np.ndarray, uv: np.ndarray) -> np.ndarray:
-    """Read a square image (H, H) at (N, 2) coordinates, v down, bilinear and clamped as in viewers; return (N,)."""
+    """Read a square image (H, H) at (N, 2) texture coordinates with bilinear interpolation; return (N,).
+
+    The row index increases with v, and coordinates are clamped as in viewers.
+    """
     texels, weights = _find_texels(uv, len(image))
     return (image.ravel()[texels] * weights).sum(axis=1)
 
 
 def _find_texels(uv: np.ndarray, side: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the four texels (N, 4) that each lookup reads, and their weights."""
+    """Return the four texels (N, 4) that each bilinear lookup reads, and their weights."""
     place = np.clip(uv * side - 0.5, 0.0, side - 1.0)
     low = np.minimum(place.astype(int), max(side - 2, 0))
     (s, t), (x, y) = (place - low).T, low.T
@@ -64,7 +67,10 @@ def _find_texels(uv: np.ndarray, side: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def sample_places(t: TexturePoints, uv: np.ndarray, count: int, rays: int, seed: int) -> LookupPlaces:
-    """Sample `count` positions uniformly by area on the faces with coordinates; compute reference values with many rays."""
+    """Sample `count` positions uniformly by area on the faces with texture coordinates, with reference values.
+
+    The reference values use many rays.
+    """
     mesh, rows = t.mesh, np.flatnonzero(np.isfinite(uv).all(axis=(1, 2)))
     samples = sample_surface(Mesh(mesh.vertices, mesh.faces[rows]), count, seed=seed, barycentric=True)
     face, weights = rows[samples.face], samples.barycentric
@@ -75,7 +81,7 @@ def sample_places(t: TexturePoints, uv: np.ndarray, count: int, rays: int, seed:
 
 
 def _find_shared(t: TexturePoints, at: np.ndarray, face: np.ndarray) -> np.ndarray:
-    """Return (N,) bool, True for lookups that read a texel that another chart claims, as its first or its last claimant.
+    """Return (N,) bool, True for texture lookups that read a texel that two or more charts claim.
 
     Charts with equal texture coordinates would count as one chart, so positions in space separate them. The two sides of a
     folded chart are separated by orientation.

@@ -1,4 +1,4 @@
-"""Ambient occlusion in a texture by each tool, as functions from rays per texel to a new image (H, W), v down.
+"""Functions of each tool that bake ambient occlusion into an image (H, W) with a number of rays per texel, v down.
 
 All tools use the same smooth normals and no distance limit; each tool fills the gutters around charts in its own way.
 """
@@ -20,7 +20,7 @@ _AWAY = -1.0  # coordinate of faces without coordinates, outside the image
 
 
 class Textured(NamedTuple):
-    """Mesh with texture coordinates and normals.
+    """Mesh with texture coordinates and normals, to be baked by each tool.
 
     Attributes:
         mesh: the mesh.

@@ -1,1 +1,1 @@
-"""Tools of the benchmarks, each used as in its own documentation."""
+"""Tools that the benchmarks compare, each used as in its own documentation."""

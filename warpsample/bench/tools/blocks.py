@@ -1,4 +1,4 @@
-"""Meshes with faces of similar size, as users of view factors build them."""
+"""Meshes with faces of similar size, which are typical for view factors."""
 
 import numpy as np
 
@@ -9,13 +9,13 @@ _FEET = (((1, 0), (1, 1)), ((1, 1), (0, 1)), ((0, 1), (0, 0)), ((0, 0), (1, 0)))
 
 
 def build_mesh(name: str) -> Mesh:
-    """Build the mesh with this name, for example "boxes 6" or "city 4"."""
+    """Build the view-factor mesh with this name, for example "boxes 6" or "city 4"."""
     kind, size = name.split()
     return {"boxes": build_boxes, "city": build_blocks}[kind](int(size))
 
 
 def build_blocks(side: int) -> Mesh:
-    """Build side x side blocks in streets; all faces are half unit squares that face outward.
+    """Build a mesh of side x side blocks in streets; all faces are half unit squares that face outward.
 
     A block is 2 x 2 squares wide and 1 to 6 floors high.
     """
@@ -36,7 +36,7 @@ def build_blocks(side: int) -> Mesh:
 
 
 def build_boxes(outer: int) -> Mesh:
-    """Build an inward cube of edge 3 around an outward cube of edge 1.
+    """Build a mesh of an inward-facing cube of edge 3 around an outward-facing cube of edge 1.
 
     Each side of the outer cube is outer x outer squares; the inner cube has half as many squares per edge.
     """

@@ -1,4 +1,4 @@
-"""Jobs of `bench cluster`, with a Dask client of two processes or two threads."""
+"""Work that `bench cluster` times, with a Dask client of two processes or two threads."""
 
 import atexit
 import tempfile
@@ -38,7 +38,7 @@ def _use_workers(processes: int | None, threads: int | None) -> None:
 
 
 def _build_mean(points: int, chunk: int, rays: int) -> Callable[[], object]:
-    """Build a function that computes the mean of a lazy call: one task reduces all chunks to one number."""
+    """Build a function that computes the mean of a lazy Dask call; one task reduces all chunks to one number."""
     from warpsample import cluster
 
     lazy = cluster.ambient_occlusion(_load_bunny(0), points, rays, chunk=chunk)
@@ -46,7 +46,10 @@ def _build_mean(points: int, chunk: int, rays: int) -> Callable[[], object]:
 
 
 def build_way(tool: str, points: int) -> ChildJob:
-    """Build ambient occlusion by one of the ways, with chunks that divide evenly between two workers."""
+    """Build the job that computes ambient occlusion with two threads, or with two processes.
+
+    The chunks divide evenly between two workers.
+    """
     _use_workers(*WAYS[tool])
     warm = _build_mean(_SMALL, _SMALL // FEW_CHUNKS, RAYS)
     warm()
@@ -54,7 +57,10 @@ def build_way(tool: str, points: int) -> ChildJob:
 
 
 def build_chunks(tool: int, end: str) -> ChildJob:
-    """Build a job with few points in `tool` chunks on two processes, computed or written into a store."""
+    """Build the job that computes a few points in `tool` chunks on two processes.
+
+    The argument `end` states whether the result is computed or written into a store.
+    """
     from warpsample import cluster
 
     _use_workers(2, None)

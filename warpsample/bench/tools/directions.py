@@ -1,4 +1,4 @@
-"""Directions of the cosine lobe by each tool."""
+"""Functions of each tool that sample directions of the cosine lobe."""
 
 from collections.abc import Callable
 from functools import partial
@@ -37,7 +37,10 @@ def _compute_frames(n: np.ndarray) -> np.ndarray:
 
 
 def _numpy(normals: np.ndarray, count: int, workers: int) -> Built:
-    """Sample by Malley's method and a frame. A sphere by `standard_normal` plus the normal takes 2.6 times as long."""
+    """Build the NumPy sampler of the cosine lobe, by Malley's method and a frame.
+
+    A sphere by `standard_normal` plus the normal takes 2.6 times as long.
+    """
     rng = np.random.default_rng(SEED)
 
     def run() -> np.ndarray:
@@ -49,7 +52,10 @@ def _numpy(normals: np.ndarray, count: int, workers: int) -> Built:
 
 @wp.kernel(enable_backward=False)
 def _builtins(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int32, out: wp.array[wp.vec3]):
-    """Sample by Malley's method with Warp's generator. The sphere sampler plus the normal takes twice as long."""
+    """Sample the cosine lobe with Warp's built-in generator and Malley's method.
+
+    The sphere sampler plus the normal takes twice as long.
+    """
     i = wp.tid()
     state = wp.rand_init(seed, i)
     u = wp.randf(state)

@@ -1,4 +1,4 @@
-"""Functions of a direction with a known mean over the cosine lobe, and estimates of the mean.
+"""Functions of a direction with a known cosine-weighted mean, and estimates of the mean.
 
 The functions are smooth, discontinuous or peaked. No function shares an axis with the unit square's coordinates: a
 half-space along the strata of the azimuth would have no error. Axes are float32 in the kernels; rounding an axis moves a
@@ -27,7 +27,7 @@ from warpsample.host.vectors import as_vectors, new_vectors
 
 @dataclass(frozen=True)
 class KnownIntegral:
-    """Function of a unit direction in the local frame, with its mean.
+    """Function of a unit direction in the local frame, with its known mean over the cosine lobe.
 
     Attributes:
         name: name in tables.

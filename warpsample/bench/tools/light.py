@@ -1,4 +1,4 @@
-"""Irradiance over pi under uniform light from all directions, by way of faces: (rays per point, runs) -> (runs, P)."""
+"""Functions of each tool that compute irradiance / pi under uniform light from all directions, including via faces."""
 
 from collections.abc import Callable
 from itertools import count as count_from
@@ -26,7 +26,7 @@ def _ours(mesh: Mesh, points: SurfacePoints, workers: int) -> LightTool:
 
 
 def list_kinds(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
-    """Return ((K, 2) float64 pairs of reflectance and transmittance that occur, (F,) index of each face's pair)."""
+    """Return the (K, 2) distinct pairs of reflectance and transmittance of a mesh, and each face's pair (F,)."""
     nothing = np.zeros(len(mesh.faces))
     shares = [nothing if share is None else share for share in (mesh.reflectance, mesh.transmittance)]
     kinds, kind = np.unique(np.stack(shares, axis=1).round(6), axis=0, return_inverse=True)
@@ -34,7 +34,7 @@ def list_kinds(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> LightTool:
-    """Trace rays of the cosine lobe by `volpath`, which passes straight through masks.
+    """Build Mitsuba's tool, which traces rays of the cosine lobe with `volpath`; this passes straight through masks.
 
     A mesh without transmission has no masks, so `path` replaces `volpath`.
     """
@@ -69,19 +69,19 @@ def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> LightTool:
 
 
 def _split_by_kind(mesh: Mesh) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Return (faces, reflectance and transmittance) for each kind of face."""
+    """Return (faces, reflectance, transmittance) for each distinct pair of reflectance and transmittance."""
     kinds, kind = list_kinds(mesh)
     return [(mesh.faces[kind == k], kinds[k]) for k in range(len(kinds))]
 
 
 class _Rtrace(Radiance):
-    """Irradiance by Radiance's `rtrace` without its cache, with eight orders of reflection."""
+    """Irradiance computed by Radiance's `rtrace` without its cache, with eight orders of reflection."""
 
     program = "rtrace"
     light = "void glow sky 0 0 4 1 1 1 0\nsky source all 0 0 4 0 0 1 360\n"
 
     def define_materials(self, mesh: Mesh) -> tuple[str, np.ndarray]:
-        """Return plastic for faces that reflect and `trans` for faces that transmit straight through."""
+        """Define Radiance materials: plastic for faces that reflect, `trans` for faces that transmit straight through."""
         kinds, kind = list_kinds(mesh)
         if (kinds.min(axis=1) > 0.0).any():
             raise ValueError("mesh: got faces that reflect and transmit, want faces that do one of the two")
@@ -94,7 +94,7 @@ class _Rtrace(Radiance):
         return "\n".join(lines), kind
 
     def __call__(self, count: int, runs: int) -> np.ndarray:
-        """Compute all runs in one process."""
+        """Compute the irradiance of all runs in one process of `rtrace`."""
         return self.run_program(_OPTIONS.format(count), runs)[..., 0, 1]
 
 

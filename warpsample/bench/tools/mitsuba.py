@@ -1,4 +1,4 @@
-"""Scenes for Mitsuba's CPU variant, with points on the mesh."""
+"""Scenes for Mitsuba's CPU variant, with points on a mesh."""
 
 from typing import Any, NamedTuple
 
@@ -10,7 +10,7 @@ from warpsample.mesh.surface import SurfacePoints
 
 
 class MitsubaScene(NamedTuple):
-    """Scene of a mesh for Mitsuba.
+    """Mesh and points on the mesh, as Mitsuba objects.
 
     Attributes:
         dr: module drjit.
@@ -27,17 +27,17 @@ class MitsubaScene(NamedTuple):
     normals: Any
 
     def sample_cosine_ray(self, rng: Any, origin: Any, normal: Any) -> Any:
-        """Sample an independent ray of the cosine lobe."""
+        """Sample an independent cosine-weighted ray from each point."""
         u = self.mi.Point2f(rng.next_float32(), rng.next_float32())
         return self.mi.Ray3f(origin, self.mi.Frame3f(normal).to_world(self.mi.warp.square_to_cosine_hemisphere(u)))
 
     def build_random(self, size: int, seed: int) -> Any:
-        """Build `size` streams of random numbers."""
+        """Build Mitsuba's random generator with `size` independent streams."""
         return self.mi.PCG32(size, initstate=self.dr.opaque(self.mi.UInt64, seed))
 
 
 def build_mitsuba_scene(mesh: Mesh, points: SurfacePoints, workers: int) -> MitsubaScene:
-    """Build the scene of a mesh and points on the mesh, for `workers` threads."""
+    """Build the Mitsuba scene of a mesh and points on the mesh, for `workers` threads."""
     import drjit as dr
     import mitsuba as mi
 
@@ -50,7 +50,7 @@ def build_mitsuba_scene(mesh: Mesh, points: SurfacePoints, workers: int) -> Mits
 
 
 def build_mitsuba_shape(mi: Any, mesh: Mesh, faces: np.ndarray, surface: dict[str, Any] | None = None) -> Any:
-    """Build a shape from faces (F, 3) of a mesh, with an optional surface."""
+    """Build a Mitsuba shape from faces (F, 3) of a mesh, with an optional surface material."""
     properties = mi.Properties()
     if surface is not None:
         properties["surface"] = mi.load_dict(surface)

@@ -1,4 +1,4 @@
-"""Ambient occlusion by each tool, as functions from rays per point to the open fraction (P,), new at each call.
+"""Functions of each tool that estimate the open fraction (P,) of points from rays per point, new at each call.
 
 Other tools use independent cosine directions, as their users do. For embreex NumPy generates the directions in float32, in
 as many threads as there are cores; Mitsuba generates them in its own kernel.
@@ -24,20 +24,20 @@ Estimator = Callable[[int], np.ndarray]
 
 
 class Occlusion:
-    """Ambient occlusion by `ambient_occlusion`, with defaults or options."""
+    """Estimator that calls `ambient_occlusion` with defaults or other options."""
 
     def __init__(self, mesh: Mesh, points: SurfacePoints, workers: int, **options: Any) -> None:
         self.call = partial(ambient_occlusion, mesh, points, workers=workers, **options)
         self.seeds, self.last = count_from(), None
 
     def __call__(self, count: int) -> np.ndarray:
-        """Compute an estimate with a new seed, and keep it as `last`."""
+        """Estimate ambient occlusion with a new seed, and keep the estimate as `last`."""
         self.last: Estimate | None = self.call(count, seed=next(self.seeds))
         return self.last.value
 
 
 def build_embree_estimator(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
-    """Build an estimator by embreex, whose rays NumPy generates in threads."""
+    """Build an estimator of ambient occlusion by embreex, whose rays NumPy generates in threads."""
     return build_open_fraction(mesh, points, workers, build_embree_test(mesh))
 
 

@@ -1,4 +1,4 @@
-"""Visible sky in the cells of a raster by each tool, as functions () -> (rows, columns) with a new estimate at each call."""
+"""Functions of each tool that compute the visible sky in the cells of a raster, (rows, columns), new at each call."""
 
 from collections.abc import Callable
 from functools import partial

@@ -1,4 +1,4 @@
-"""Sky matrices by each tool, as functions (rays per point, runs) -> (runs, P, 145) with new random numbers for each run."""
+"""Functions of each tool that compute sky matrices (runs, P, 145) from rays per point and runs."""
 
 import os
 import shutil
@@ -35,7 +35,7 @@ _STEP = np.radians(_PATCHES.altitudes[0, 1])
 
 
 def repeat_runs(run: Callable[[int], np.ndarray]) -> SkyTool:
-    """Build a tool of several runs from a function of one run."""
+    """Build a function that computes several runs from a function that computes one run."""
     return lambda count, runs: np.stack([run(count) for _ in range(runs)])
 
 
@@ -45,7 +45,7 @@ def _ours(call: Callable[..., Any], mesh: Mesh, points: SurfacePoints, workers: 
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
-    """Trace independent cosine directions and count the free ones by patch, in one kernel."""
+    """Build Mitsuba's sky matrix: one kernel traces independent cosine directions and counts free ones by patch."""
     setup = build_mitsuba_scene(mesh, points, workers)
     dr, mi = setup.dr, setup.mi
     first, in_row = mi.UInt32(_FIRST.astype(np.uint32)), mi.UInt32(_IN_ROW.astype(np.uint32))
@@ -77,7 +77,7 @@ def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
 
 
 class Radiance:
-    """Program of Radiance, with one process for each thread and its share of the points.
+    """Interface to a program of Radiance, with one process for each thread and its share of the points.
 
     Several processes of one call use the same random numbers.
 
@@ -90,7 +90,7 @@ class Radiance:
     light = _SKY
 
     def __init__(self, mesh: Mesh, points: SurfacePoints, workers: int) -> None:
-        """Write the scene, scaled to a size of 100 because Radiance lifts sensors by 1e-4."""
+        """Write the Radiance scene, scaled to a size of 100 because Radiance lifts sensors by 1e-4."""
         import pyradiance
 
         self._home = Path(pyradiance.__file__).parent
@@ -108,11 +108,17 @@ class Radiance:
         self._parts = np.array_split(sensors, workers)
 
     def define_materials(self, mesh: Mesh) -> tuple[str, np.ndarray]:
-        """Return (definitions of the materials m0, m1, ..., (F,) material number of each face); by default black plastic."""
+        """Return the definitions of Radiance materials m0, m1, ... and each face's material number (F,).
+
+        The default is one black plastic.
+        """
         return "void plastic m0 0 0 5 0 0 0 0 0", np.zeros(len(mesh.faces), int)
 
     def run_program(self, options: str, runs: int) -> np.ndarray:
-        """Return (runs, P, values, 3) over pi; one process computes all runs with consecutive random numbers."""
+        """Run the Radiance program on all points and return (runs, P, values, 3), divided by pi.
+
+        One process computes all runs with consecutive random numbers.
+        """
         command = [self._home / "bin" / self.program, *options.split(), self._octree]
 
         def part(sensors: np.ndarray) -> np.ndarray:
@@ -127,15 +133,15 @@ class Radiance:
 
 
 class _Rcontrib(Radiance):
-    """Contributions of the sky patches, by `rcontrib`."""
+    """Sky matrix computed by Radiance's `rcontrib`: the contributions of the sky patches."""
 
     def __call__(self, count: int, runs: int) -> np.ndarray:
-        """Compute all runs in one process."""
+        """Compute the sky matrices of all runs in one process of `rcontrib`."""
         return self.run_program(_OPTIONS.format(count), runs)[:, :, 1:, 1]
 
 
 def _format_polygons(vertices: np.ndarray, faces: np.ndarray, materials: str, material: np.ndarray) -> str:
-    """Return the faces and their materials in Radiance's scene format."""
+    """Return the faces of a mesh and their materials in Radiance's scene format."""
     lines = [materials]
     for i, corners in enumerate(vertices[faces].reshape(-1, 9)):
         lines.append(f"m{material[i]} polygon f{i} 0 0 9 " + " ".join(f"{x:.9g}" for x in corners))

@@ -1,4 +1,4 @@
-"""Visibility of many suns by each tool, as functions () -> (P, T) bool."""
+"""Functions of each tool that test which points see which suns, (P, T) bool."""
 
 from collections.abc import Callable
 
@@ -19,14 +19,14 @@ def _ours(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> 
 
 
 def _trace(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
-    """Trace a ray for each pair; set pairs with an averted sun to False afterwards."""
+    """Build the test that traces a ray for each pair of point and sun; pairs with a sun behind become False afterwards."""
     directions = np.array(np.broadcast_to(suns, (len(points), *suns.shape)))
     facing = points.normal @ suns.T > 0.0
     return lambda: (trace(mesh, points, directions, any_hit=True, workers=workers).face < 0) & facing
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
-    """Test one lane for each pair; mask pairs with an averted sun."""
+    """Build Mitsuba's test, one lane for each pair of point and sun; pairs with a sun behind are masked."""
     setup = build_mitsuba_scene(mesh, points, workers)
     dr, mi = setup.dr, setup.mi
     towards = mi.Vector3f(np.ascontiguousarray(suns.T))

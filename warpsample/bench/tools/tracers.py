@@ -1,4 +1,7 @@
-"""Rays by each tool, as functions (any_hit, workers) that return the work; the work returns (R,) bool, True for a hit."""
+"""Ray tracers of each tool, as functions (any_hit, workers) that return a function to time.
+
+The timed function returns (R,) bool, True for a ray with a hit.
+"""
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -28,7 +31,7 @@ _PARTS = 8  # parts of the rays per thread, for a tool without threads of its ow
 
 
 def build_wide_tool(mesh: Mesh, kind: str, count: int) -> RayTool:
-    """Build the tool of warpsample's wide tree, by `trace`."""
+    """Build the ray tracer of warpsample's 16-wide tree, called by `trace`."""
     rays = build_rays(mesh, kind, count)
     return lambda any_hit, workers: (
         lambda: trace(mesh, *rays, any_hit=any_hit, tracer="wide", workers=workers).face.ravel() >= 0
@@ -36,7 +39,7 @@ def build_wide_tool(mesh: Mesh, kind: str, count: int) -> RayTool:
 
 
 def count_visits(mesh: Mesh, kind: str, count: int, any_hit: bool) -> tuple[float, float]:
-    """Return the mean number of (nodes, leaves) of the wide tree that a ray visits."""
+    """Return the mean numbers of (nodes, leaves) of the 16-wide tree that a ray visits."""
     scene = scene_of(mesh)
     start, way = (Triples.of(array, "rays") for array in build_rays(mesh, kind, count))
     # A name keeps the arrays alive while `query` holds their addresses.
@@ -50,7 +53,7 @@ def count_visits(mesh: Mesh, kind: str, count: int, any_hit: bool) -> tuple[floa
 
 
 def _warp_mesh(mesh: Mesh, kind: str, count: int) -> RayTool:
-    """Build the tool of wp.Mesh: the nearest-hit query by `trace`, or the any-hit query in a kernel.
+    """Build the ray tracer of wp.Mesh: the nearest-hit query by `trace`, or the any-hit query in a kernel.
 
     The any-hit query returns no face.
     """
@@ -74,9 +77,9 @@ def _warp_mesh(mesh: Mesh, kind: str, count: int) -> RayTool:
 
 
 def _embree(mesh: Mesh, kind: str, count: int) -> RayTool:
-    """Build the tool of embreex; threads trace parts of the rays, because embreex leaves threads to the caller.
+    """Build the ray tracer of embreex.
 
-    Embreex releases the interpreter's lock.
+    Threads trace parts of the rays, because embreex leaves threads to the caller.
     """
     scene, (origins, directions) = build_embree_scene(mesh), _flatten(*build_rays(mesh, kind, count))
 
@@ -94,7 +97,7 @@ def _embree(mesh: Mesh, kind: str, count: int) -> RayTool:
 
 
 def _open3d(mesh: Mesh, kind: str, count: int) -> RayTool:
-    """Build the tool of Open3D's RaycastingScene, which is Embree with a thread pool."""
+    """Build the ray tracer of Open3D's RaycastingScene, which is Embree with a thread pool."""
     import open3d
 
     scene, rays = build_open3d_scene(mesh), open3d.core.Tensor(np.hstack(_flatten(*build_rays(mesh, kind, count))))
@@ -106,7 +109,7 @@ def _open3d(mesh: Mesh, kind: str, count: int) -> RayTool:
 
 
 def build_embree_scene(mesh: Mesh) -> Any:
-    """Build Embree's scene of a mesh; tracing one ray makes embreex commit it."""
+    """Build the Embree scene of a mesh; tracing one ray makes embreex commit it."""
     from embreex.mesh_construction import TriangleMesh
     from embreex.rtcore_scene import EmbreeScene
 
@@ -117,13 +120,13 @@ def build_embree_scene(mesh: Mesh) -> Any:
 
 
 def build_embree_test(mesh: Mesh) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
-    """Build a function of origins and directions, (R, 3) each, that returns (R,) bool: True for a ray with a hit."""
+    """Build a function from origins and directions, (R, 3) each, to (R,) bool: True for a ray with a hit."""
     scene = build_embree_scene(mesh)
     return lambda origins, directions: np.asarray(scene.run(origins, directions, query="OCCLUDED")) >= 0
 
 
 def build_open3d_scene(mesh: Mesh) -> Any:
-    """Build Open3D's scene of a mesh; tracing one ray makes Open3D commit it."""
+    """Build the Open3D scene of a mesh; tracing one ray makes Open3D commit it."""
     import open3d
 
     scene = open3d.t.geometry.RaycastingScene()
@@ -143,7 +146,10 @@ TRACERS = {
 
 
 def list_builds(mesh: Mesh, workers: int) -> dict[str, Callable[[], object]]:
-    """Return functions that build each tool's scene; `workers` is for warpsample, the other tools use their defaults."""
+    """Return functions that build each tool's scene from a mesh.
+
+    The argument `workers` is for warpsample; the other tools use their defaults.
+    """
     scene = scene_of(mesh)
     scene.tree(workers)
     return {
@@ -156,7 +162,7 @@ def list_builds(mesh: Mesh, workers: int) -> dict[str, Callable[[], object]]:
 
 
 def _flatten(origins: np.ndarray, directions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return origins and directions as (R, 3), for tools that take one direction per origin."""
+    """Return the rays' origins and directions as (R, 3), for tools that take one direction per origin."""
     if directions.ndim == 3:
         origins = np.repeat(origins, directions.shape[1], axis=0)
     return np.array(np.broadcast_to(origins, (directions.size // 3, 3))), directions.reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""All view factors of a mesh by each tool.
+"""Tools that compute all view factors of a mesh.
 
 A tool has three methods. `run(count)` estimates the factors with `count` rays per face. `rows(faces)` returns the rows
 (R, F) float64 of some faces. `due` returns the expected mean square error of these rows, None for a tool without random
@@ -21,27 +21,27 @@ from warpsample.tracing.trace import trace
 
 
 class OurFactors:
-    """View factors by `view_factors`, with one matrix for each run."""
+    """View factors of a mesh by `view_factors`, with one matrix for each run."""
 
     def __init__(self, mesh: Mesh, workers: int, reciprocal: bool = False) -> None:
         self.call = partial(view_factors, mesh, reciprocal=reciprocal, workers=workers)
         self.seeds, self.last = count_from(), None
 
     def run(self, count: int) -> None:
-        """Compute a matrix with a new seed."""
+        """Compute the view-factor matrix with a new seed."""
         self.last: Any = self.call(count, seed=next(self.seeds))
 
     def rows(self, faces: np.ndarray) -> np.ndarray:
-        """Return rows of the matrix."""
+        """Return the given rows of the view-factor matrix."""
         return self.last.matrix[faces].toarray()
 
     def due(self, right: np.ndarray, faces: np.ndarray, rays: int) -> float:
-        """Return the mean square of the rows' standard errors."""
+        """Return the expected mean square error: the mean square of the rows' standard errors."""
         return float(np.mean(self.last.standard_error[faces].toarray() ** 2))
 
 
 class EmbreeFactors:
-    """View factors by independent rays: positions and directions by NumPy, nearest hits by embreex."""
+    """View factors of a mesh by independent rays: NumPy generates the rays, embreex finds the nearest hits."""
 
     def __init__(self, mesh: Mesh, workers: int) -> None:
         self.scene, self.workers, self.seeds = build_embree_scene(mesh), workers, count_from()
@@ -50,7 +50,7 @@ class EmbreeFactors:
         self.count = 0
 
     def run(self, count: int) -> None:
-        """Trace parts of the faces in threads; embreex releases the interpreter's lock."""
+        """Trace the rays of parts of the faces in threads; embreex releases the interpreter's lock."""
 
         def counts(part: slice, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
             faces = np.arange(part.start, part.stop)
@@ -67,7 +67,7 @@ class EmbreeFactors:
         self.parts, self.count = map_parts(self.size, count, self.workers, next(self.seeds), counts), count
 
     def rows(self, faces: np.ndarray) -> np.ndarray:
-        """Return the fraction of each face's rays that hits each face."""
+        """Return the given rows of the view-factor matrix: the fraction of each face's rays that hits each face."""
         from scipy.sparse import csr_array
 
         entries, counts = (np.concatenate(arrays) for arrays in zip(*self.parts, strict=True))
@@ -75,12 +75,12 @@ class EmbreeFactors:
         return shares[faces].toarray()
 
     def due(self, right: np.ndarray, faces: np.ndarray, rays: int) -> float:
-        """Return the variance of independent rays, averaged over the rows."""
+        """Return the expected mean square error: the variance of independent rays, averaged over the rows."""
         return float(np.mean(right * (1.0 - right))) / rays
 
 
 class PyViewFactor:
-    """View factors by pyViewFactor: an integral for each pair of faces, and one ray between the centroids."""
+    """View factors of a mesh by pyViewFactor: an integral per pair of faces, and one ray between the centroids."""
 
     def __init__(self, mesh: Mesh, workers: int) -> None:
         import numba
@@ -92,31 +92,34 @@ class PyViewFactor:
         self.mesh, self.last = PolyData.from_regular_faces(mesh.vertices, mesh.faces), np.zeros((0, 0))
 
     def run(self, count: int) -> None:
-        """Compute the matrix; `count` is ignored, because pyViewFactor has no number of rays."""
+        """Compute the view-factor matrix; `count` is ignored, because pyViewFactor casts no random rays."""
         self.last = self.matrix_of(self.mesh)
 
     def rows(self, faces: np.ndarray) -> np.ndarray:
-        """Return columns of the matrix: pyViewFactor's columns are the faces that emit."""
+        """Return the given rows of the view-factor matrix, which are columns of pyViewFactor's matrix."""
         return self.last[:, faces].T
 
     def due(self, right: np.ndarray, faces: np.ndarray, rays: int) -> None:
-        """Return None: the method has no random numbers."""
+        """Return None in place of an expected error: the method has no random numbers."""
 
 
 def build_trace_alone(mesh: Mesh, workers: int, faces: np.ndarray, count: int) -> Callable[[], object]:
-    """Build a function that only traces `count` rays per face by `ws.trace`; the rays are generated beforehand."""
+    """Build a function that only traces `count` rays per face by `ws.trace`, generated beforehand."""
     return partial(trace, mesh, *sample_rays(mesh, faces, count, np.random.default_rng(0)), workers=workers)
 
 
 def compute_normals(mesh: Mesh, faces: np.ndarray) -> np.ndarray:
-    """Compute the normals (R, 3) float32 of some faces of a mesh."""
+    """Compute the unit normals (R, 3) float32 of some faces of a mesh."""
     a, b, c = (mesh.vertices[mesh.faces[faces, i]] for i in range(3))
     n = np.cross(b - a, c - a)
     return (n / np.linalg.norm(n, axis=1, keepdims=True)).astype(np.float32)
 
 
 def sample_rays(mesh: Mesh, faces: np.ndarray, count: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Sample independent origins and cosine directions (R x count, 3) float32 on faces; a face's rays are consecutive."""
+    """Sample independent origins and cosine-weighted directions (R x count, 3) float32 on faces of a mesh.
+
+    The rays of a face are consecutive.
+    """
     a, b, c = (mesh.vertices[mesh.faces[faces, i]] for i in range(3))
     n = compute_normals(mesh, faces)
     start, first, second = (x[:, None].astype(np.float32) for x in (lift_off_surface(mesh, a, n), b - a, c - a))

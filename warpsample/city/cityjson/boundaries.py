@@ -15,7 +15,7 @@ DEPTHS = {"MultiSurface": 1, "CompositeSurface": 1, "Solid": 2, "MultiSolid": 3,
 
 
 def read_outlines(geometry: Part, vertices: int) -> Outlines:
-    """Return the outlines of a geometry's faces.
+    """Read the corners of all faces of a CityJSON geometry from the nested lists of `boundaries`.
 
     Args:
         geometry: JSON of the geometry.
@@ -46,7 +46,7 @@ def read_outlines(geometry: Part, vertices: int) -> Outlines:
 
 
 def read_semantics(geometry: Part, surfaces: int) -> np.ndarray:
-    """Return the (N,) int32 semantic object of each face, -1 without one.
+    """Return the number of the semantic object of each face of a geometry, (N,) int32; -1 for faces without semantics.
 
     Args:
         geometry: JSON of the geometry.
@@ -65,13 +65,16 @@ def read_semantics(geometry: Part, surfaces: int) -> np.ndarray:
 
 
 def nest_values(numbers: Sequence[int | None], boundaries: list[Any], depth: int) -> list[Any]:
-    """Return one number for each face, nested as the boundaries are: the `values` of a semantics object."""
+    """Nest a flat list of one number per face in the same way as the boundaries of a CityJSON geometry.
+
+    The result is the member `values` of a semantics object.
+    """
     left = iter(numbers)
 
-    def filled(part: list[Any], levels: int) -> list[Any]:
-        return [next(left) if levels == 1 else filled(item, levels - 1) for item in part]
+    def nest(part: list[Any], levels: int) -> list[Any]:
+        return [next(left) if levels == 1 else nest(item, levels - 1) for item in part]
 
-    return filled(boundaries, depth)
+    return nest(boundaries, depth)
 
 
 def _read_faces(geometry: Part) -> list[list[Any]]:
@@ -88,7 +91,10 @@ def _check_list(value: Any, at: str, wants: str) -> list[Any]:
 
 
 def _flatten_values(values: Any, boundaries: Sequence[Any], depth: int, at: str) -> list[Any]:
-    """Return a flat list of one number or None for each face; None at an outer level is None for all faces below."""
+    """Flatten the nested `values` of a semantics object to one number or None for each face.
+
+    None at an outer level stands for None at all faces below.
+    """
     if values is None:
         values = [None] * len(boundaries)
     if type(values) is not list or len(values) != len(boundaries):

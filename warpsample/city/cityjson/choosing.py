@@ -17,7 +17,7 @@ Choice = tuple[int, Part, float]
 
 
 def as_lod(value: Any, argument: str) -> float:
-    """Return a level of detail, given as a number or text, as a number.
+    """Convert a level of detail (LoD), such as 2.2 or "2.2", to a float.
 
     Raises:
         ValueError: the value is no level of detail.
@@ -29,7 +29,7 @@ def as_lod(value: Any, argument: str) -> float:
 
 
 def list_surface_geometries(thing: Part, templates: list[Part]) -> list[Choice]:
-    """Return the geometries of an object that have surfaces."""
+    """Return the geometries of a city object that consist of surfaces; points and lines are left out."""
     made = []
     for number, placed in enumerate(thing.parts("geometry")):
         is_instance = placed.text("type") == INSTANCE
@@ -43,7 +43,7 @@ def list_surface_geometries(thing: Part, templates: list[Part]) -> list[Choice]:
 
 
 def choose_geometries(found: list[Choice], thing: Part, lod: float | None) -> list[Choice]:
-    """Return the geometries of one LoD; by default the highest, without footprints.
+    """Return the geometries of a city object at one level of detail; by default the highest that is not a footprint.
 
     Many files have the same faces both as surfaces and as a solid. The form with semantics is taken, or else the solid.
     """
@@ -59,7 +59,10 @@ def choose_geometries(found: list[Choice], thing: Part, lod: float | None) -> li
 
 
 def find_superseded(objects: dict[str, Part], taken: dict[str, list[Choice]], above: dict[str, list[str]]) -> set[str]:
-    """Return the ids of objects with a coarser geometry than one of their parts; tracing both would count surfaces twice."""
+    """Return the ids of city objects with a coarser geometry than one of their parts.
+
+    These objects are left out, because tracing an object and its part would count the same surfaces twice.
+    """
     levels = {name: found[0][2] for name, found in taken.items() if found}
     return {
         parent
@@ -71,7 +74,7 @@ def find_superseded(objects: dict[str, Part], taken: dict[str, list[Choice]], ab
 
 
 def list_ancestors(objects: dict[str, Part], name: str) -> list[str]:
-    """Return the ids of an object's parents, grandparents and so on, each once.
+    """Return the ids of a city object's parents, grandparents and further ancestors, each once.
 
     Parents missing from the document are left out.
 

@@ -59,12 +59,12 @@ class City(Summary):
 
     @property
     def receiving(self) -> np.ndarray:
-        """(F,) float64, m2: areas of the triangles that get results; 0 for GroundSurfaces and a context."""
+        """Areas of the triangles that get results, (F,) float64 in m2; 0 for GroundSurfaces and for the context."""
         kind = np.append(self.surfaces.type, GROUND)[self.surface]  # GROUND is appended for -1, the context
         return np.where(kind == GROUND, 0.0, self.mesh.face_areas)
 
     def points(self, count: int | None = None, *, seed: int = 0) -> SurfacePoints:
-        """Return random points on each triangle, for means over surfaces; a GroundSurface touches the ground and gets none.
+        """Sample random points on each triangle of the city, for means over its surfaces; a GroundSurface gets no points.
 
         Args:
             count: approximate number of points, shared among triangles by area, with at least two on each. Default: four
@@ -89,7 +89,7 @@ class City(Summary):
     def surface_means(
         self, values: Any, error: Any = None, *, points: SurfacePoints | None = None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return area-weighted means over surfaces of values at points of the mesh, with standard errors.
+        """Average values at points of the mesh over each surface, weighted by area; return means and standard errors.
 
         Points have independent random numbers, so their errors are independent. With several points on a triangle, its error
         comes from the spread of the values, which includes the noise of rays and of point positions. With one point, as

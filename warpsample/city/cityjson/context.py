@@ -18,7 +18,7 @@ _REACH = 20.0  # margin of the plane in city diagonals; a larger one would reduc
 
 
 def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: Units) -> tuple[np.ndarray, np.ndarray]:
-    """Return vertices in metres and faces of a city, followed by vertices and faces of the context; None adds nothing."""
+    """Append the context (surrounding ground or terrain) to the vertices and faces of a city; return both in metres."""
     if context is None:
         return points, faces
     if isinstance(context, str) and context == GROUND_PLANE:
@@ -34,7 +34,7 @@ def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: U
 
 
 def _check_gap(city: np.ndarray, context: np.ndarray) -> None:
-    """Raise a ValueError for a context whose bounding box is far from that of the city, as in another unit or map."""
+    """Raise a ValueError if the bounding boxes of context and city are far apart, as after a mix-up of units or maps."""
     gaps = context.min(axis=0) - city.max(axis=0), city.min(axis=0) - context.max(axis=0)
     distance = float(np.hypot(*np.maximum.reduce([*gaps, np.zeros(3)])[:2]))
     if distance > _FARTHEST:
@@ -63,7 +63,7 @@ def _check_map(grid: Any, units: Units) -> None:
 
 
 def _make_plane(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return a level square through the lowest point, large enough to cover nearly everything below the horizon."""
+    """Build a level square through the city's lowest point, which covers nearly all directions below the horizon."""
     low, high = points.min(axis=0), points.max(axis=0)
     reach = _REACH * np.linalg.norm(high - low)
     ends = np.stack([low - reach, high + reach])

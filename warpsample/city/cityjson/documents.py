@@ -16,7 +16,7 @@ _VERSION = re.compile(r"[12]\.\d")
 
 
 def read_each(content: bytes, read: Callable[[int, Part], None]) -> None:
-    """Call `read(number, document)` for each document: the CityJSON head, then the features of a sequence.
+    """Parse each JSON document of a CityJSON file and pass it to `read(number, document)`.
 
     Raises:
         ValueError: a document is damaged or has another type or version, or `read` raises a TypeError or ValueError. For a
@@ -33,7 +33,7 @@ def read_each(content: bytes, read: Callable[[int, Part], None]) -> None:
 
 
 def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None]) -> bytes:
-    """Return the file's bytes with each document changed by `edit(number, document)`.
+    """Apply `edit(number, document)` to each JSON document of a CityJSON file; return the bytes of the changed file.
 
     Members keep their order and numbers their spelling; white space between members is removed.
     """
@@ -49,7 +49,7 @@ def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None])
 
 
 def _split_lines(content: bytes) -> list[bytes]:
-    """Return the lines of a sequence, or the content of any other file as one item.
+    """Split a CityJSON sequence into its lines; return the content of any other file as one item.
 
     A sequence has several lines, and its first line is a JSON document.
     """
@@ -71,7 +71,7 @@ def _check_header(tree: Part, kind: str) -> Part:
 
 
 class _SpelledNumber:
-    """Number whose text differs from Python's representation."""
+    """Float of a JSON file that is written back with its original text, which differs from Python's."""
 
     def __init__(self, text: str) -> None:
         self.text = text

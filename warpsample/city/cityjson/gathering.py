@@ -27,7 +27,7 @@ _BYTES = 250  # memory per corner, for its triangles and the mesh computed from 
 
 @dataclass(frozen=True)
 class Geometry:
-    """Geometry to trace, and its position in the file.
+    """One CityJSON geometry to trace, with its city object and its position in the file.
 
     Attributes:
         document: number of the document in a sequence, without empty lines; 0 in other files.
@@ -83,7 +83,7 @@ class Gathered:
         return Outlines(*map(np.concatenate, parts))
 
     def place(self, points: np.ndarray) -> int:
-        """Append vertices and return the number of the first one.
+        """Append vertices to the mesh in the making, and return the index of the first appended vertex.
 
         Raises:
             ValueError: a vertex is too far from the origin to be traced.
@@ -95,7 +95,7 @@ class Gathered:
         return self._offset - len(points)
 
     def add(self, geometry: Geometry, outlines: Outlines, semantics: np.ndarray, first: int) -> None:
-        """Append a geometry with corners numbered relative to the vertex `first`.
+        """Append a geometry to the mesh in the making; its corners are numbered from the vertex `first`.
 
         Raises:
             MemoryError: the triangles of all geometries would need more memory than is free.
@@ -111,13 +111,13 @@ class Gathered:
 
 @dataclass(frozen=True)
 class Head:
-    """Members of the first document that apply to all documents."""
+    """Members of the first JSON document of a CityJSON file that apply to all documents: templates and transform."""
 
     tree: Part
 
     @cached_property
     def templates(self) -> list[Part]:
-        """Geometries shared by objects."""
+        """Template geometries, which several city objects place as copies."""
         return self.tree.part("geometry-templates").parts("templates") if "geometry-templates" in self.tree else []
 
     @cached_property
@@ -125,20 +125,23 @@ class Head:
         return {}
 
     def outlines(self, template: Part) -> Outlines:
-        """Return the outlines of a template; each template is read once."""
+        """Return the outlines of the faces of a template geometry; each template is read once."""
         if template.path not in self._outlines:
             self._outlines[template.path] = read_outlines(template, len(self.template_points))
         return self._outlines[template.path]
 
     @cached_property
     def template_points(self) -> np.ndarray:
-        """(V, 3) float64, vertices of the templates."""
+        """Vertices of the template geometries, (V, 3) float64."""
         found = self.tree.part("geometry-templates")
         return _read_rows(found.content.get("vertices-templates"), found.at("vertices-templates"))
 
     @cached_property
     def transform(self) -> np.ndarray:
-        """(2, 3) float64, scale and translation of vertices. Only version 1.0 may lack a transform."""
+        """Scale and translation from stored vertices to world coordinates, (2, 3) float64.
+
+        Only version 1.0 may lack a transform.
+        """
         if "transform" not in self.tree and self.tree.text("version").startswith("1.0"):
             return np.float64([(1, 1, 1), (0, 0, 0)])
         found = self.tree.part("transform")
@@ -148,13 +151,16 @@ class Head:
         return np.stack([scale, translate])
 
     def points(self, tree: Part) -> np.ndarray:
-        """Return the (V, 3) float64 vertices of a document in world coordinates."""
+        """Read the vertices of a JSON document in world coordinates, (V, 3) float64."""
         scale, translate = self.transform
         return _read_rows(tree.values("vertices"), tree.at("vertices")) * scale + translate
 
 
 def gather(content: bytes, lod: float | None) -> Gathered:
-    """Read the surfaces of all objects of a file, for one level of detail or the highest of each object."""
+    """Read the surfaces of all city objects of a CityJSON file.
+
+    Of each object, the geometry of the given level of detail is read, or by default that of its highest one.
+    """
     found: list[tuple[Gathered, Head]] = []
 
     def read(number: int, tree: Part) -> None:
@@ -185,7 +191,10 @@ def _add_document(found: Gathered, head: Head, tree: Part, number: int, lod: flo
 
 @dataclass(frozen=True)
 class _Place:
-    """City object, its document, and the document's vertices, which are numbered from `first`."""
+    """One city object while it is read, with its JSON document and the vertices of this document.
+
+    The vertices are numbered from `first` in the mesh.
+    """
 
     document: int
     name: str
@@ -224,7 +233,10 @@ def _read_types(geometry: Part, faces: int) -> tuple[list[str], np.ndarray]:
 def _place_template(
     placed: Part, outlines: Outlines, template: np.ndarray, points: np.ndarray
 ) -> tuple[Outlines, np.ndarray]:
-    """Return the outlines and vertices of a template placed by an object; rings are reversed if the matrix mirrors."""
+    """Copy a template geometry to where a city object places it; return the outlines and vertices of the copy.
+
+    The order of corners is reversed if the transformation matrix mirrors.
+    """
     matrix = _read_matrix(placed)
     anchors = placed.indices("boundaries", points)
     if len(anchors) != 1:
@@ -245,13 +257,13 @@ def _read_matrix(placed: Part) -> np.ndarray:
 
 
 def _reverse_rings(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Return the corners with the order of each ring reversed."""
+    """Reverse the order of the corners in each ring (closed outline) of a face."""
     ends = np.cumsum(sizes)
     return corners[np.repeat(2 * ends - sizes, sizes) - 1 - np.arange(len(corners))]
 
 
 def _read_rows(rows: object, at: str) -> np.ndarray:
-    """Return lists of three finite numbers as an (n, 3) float64 array."""
+    """Convert a list of [x, y, z] lists of a JSON file to an (n, 3) float64 array, and check that all numbers are finite."""
     wants = "lists of three numbers"
     if type(rows) is not list or any(type(row) is not list or len(row) != 3 for row in rows):
         raise ValueError(f"{at}: got {told(rows)}, want {wants}")

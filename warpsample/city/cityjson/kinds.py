@@ -12,11 +12,14 @@ _NOT_BUILT |= {"SolitaryVegetationObject", "CityFurniture", "CityObjectGroup", "
 
 
 def is_built(kind: str) -> bool:
-    """Return whether objects of a type have roofs and walls; True for unknown types, for example of extensions."""
+    """Return True if city objects of a CityJSON type have roofs and walls, such as buildings; True for unknown types."""
     return kind not in _NOT_BUILT
 
 
 def classify_by_normal(crosses: np.ndarray) -> np.ndarray:
-    """Return the (N,) index in BY_NORMAL of faces with normals (N, 3) of any length; faces without a normal are walls."""
+    """Classify faces by their normals as roof, wall or ground; return (N,) indices in BY_NORMAL.
+
+    Normals are (N, 3) of any length; faces without a normal are walls.
+    """
     length = np.linalg.norm(crosses, axis=1)
     return np.select([crosses[:, 2] > _STEEP * length, crosses[:, 2] < -_STEEP * length], [0, 2], 1)

@@ -15,7 +15,7 @@ _EACH = 4  # default number of points per triangle, on average
 
 
 def spread_points(mesh: Mesh, areas: np.ndarray, count: int | None, seed: int) -> SurfacePoints:
-    """Return random points on triangles, shared in proportion to `areas`, with at least two points on each.
+    """Sample random points on the triangles of a mesh, in proportion to `areas`, with at least two points on each.
 
     Args:
         mesh: mesh with F triangles.

@@ -40,7 +40,7 @@ class CitySurfaces:
     area: NDArray[np.float64]
 
     def __len__(self) -> int:
-        """Return the number of surfaces."""
+        """Return the number of surfaces in the table."""
         return len(self.area)
 
     @property
@@ -68,7 +68,7 @@ class CitySurfaces:
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """Positions of surfaces in the file, and polygons of each surface.
+    """Position in the CityJSON file, and polygons, of each row of the table of surfaces.
 
     Attributes:
         geometry: (N,) number of each surface's geometry.
@@ -82,7 +82,10 @@ class Rows:
 
 
 def tabulate_surfaces(found: Gathered, points: np.ndarray, outlines: Outlines, split: bool) -> tuple[CitySurfaces, Rows]:
-    """Return the table of surfaces in the order of the file, and their positions; with `split`, one surface per polygon."""
+    """Tabulate the surfaces of a city in the order of the file; return the table and the position of each row in the file.
+
+    With `split`, each polygon is a surface.
+    """
     geometry = np.repeat(np.arange(len(found.geometries)), [len(each.rings) for each in found.outlines])
     semantic = np.concatenate(found.semantics)
     types, kind = _classify_polygons(found, geometry, semantic, classify_by_normal(outlines.crosses(points)[outlines.outer]))

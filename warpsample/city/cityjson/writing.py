@@ -25,7 +25,7 @@ Results = Mapping[str, np.ndarray]
 
 
 class Editor:
-    """Writer of surfaces' results into the documents of the file from which the surfaces were read."""
+    """Writer that adds results of surfaces to the JSON documents of the CityJSON file that the surfaces come from."""
 
     geometries: Sequence[Geometry]
     surfaces: CitySurfaces
@@ -35,7 +35,7 @@ class Editor:
     def __init__(
         self, geometries: Sequence[Geometry], surfaces: CitySurfaces, rows: Rows, results: Results, *, split: bool
     ) -> None:
-        """Store the results, with totals added, and the positions of the surfaces."""
+        """Store the results of all surfaces and their positions in the file, and add totals (integrals over the areas)."""
         self.geometries, self.surfaces, self.rows, self.split = geometries, surfaces, rows, split
         self.results: Results = dict(add_totals(results, surfaces.area))
         self.numbers: dict[int, list[int]] = {}
@@ -44,7 +44,7 @@ class Editor:
         self.starts: Any = np.searchsorted(rows.geometry, np.arange(len(geometries) + 1)).tolist()
 
     def edit(self, number: int, document: dict[str, Any]) -> None:
-        """Add the results to one document of the file, in place."""
+        """Add the results to one JSON document of the CityJSON file, in place."""
         below: dict[str, list[int]] = {}
         for at in self.numbers.get(number, ()):
             geometry, held = self.geometries[at], range(self.starts[at], self.starts[at + 1])
@@ -87,7 +87,10 @@ class Editor:
 
 
 def add_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
-    """Yield all columns and, for columns per m2, the integrals over the surfaces' areas."""
+    """Yield the name and the numbers of each result and, for a result per m2, also the total over each surface.
+
+    The total is the result times the area of the surface, and its name lacks the suffix "_m2".
+    """
     for name, column in results.items():
         yield name, column
         plain, end = (name.removesuffix(ERROR), ERROR) if name.endswith(ERROR) else (name, "")
@@ -96,12 +99,15 @@ def add_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.nd
 
 
 def _format_finite(cells: Mapping[str, float]) -> Iterator[tuple[str, float]]:
-    """Yield the finite numbers, rounded to 7 significant digits."""
+    """Yield names and values of all finite results, rounded to 7 significant digits; NaN and infinity are left out."""
     return ((name, float(f"{value:.{_DIGITS}g}")) for name, value in cells.items() if isfinite(value))
 
 
 def _split_semantics(geometry: dict[str, Any], semantic: list[int], types: list[str]) -> list[int | None]:
-    """Give each face with a type its own semantic object, in place; return the object of each face, None without a type."""
+    """Split the semantic objects of a geometry, in place, so that each face with a type has a semantic object of its own.
+
+    Return the number of the semantic object of each face, None for faces without a type.
+    """
     old = (geometry.get("semantics") or {}).get("surfaces", [])
     made: list[dict[str, Any]] = []
     renamed: dict[int, list[int]] = {}

@@ -262,17 +262,17 @@ def _compute_tiles(quantity: Quantity, source: Any, options: dict[str, Any], *, 
 def run_of(
     quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str
 ) -> tuple[RasterRun, dict[str, Any]]:
-    """Return the checked run of a call, and its options as attributes for files.
+    """Check the arguments of a call of `warpsample.rasters`; return the run, and the options as attributes of a Dataset.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
     """
     how = {name: options.get(name, default) for name, default in TREES_AND_TILES.items()}
     own = {name: value for name, value in options.items() if name not in how}
-    _check(quantity, own)
+    _check_options(quantity, own)
     run = RasterRun.of(source, quantity, own, model=model, receiver=receiver, **how)
     own = {name: run.options.get(name, default) for name, default in quantity.parameters.items() if name not in _NOT_STORED}
-    rasters = {name: _name_of(how[name]) for name in ("canopy", "trunk", "far")}
+    rasters = {name: _describe_source(how[name]) for name in ("canopy", "trunk", "far")}
     attributes = {"model": model, "receiver": receiver, **how, **rasters, "margin": run.margin if run.tile else None}
     attributes["method"] = "horizons" if run.by_horizons else "rays"
     attributes = {name: value for name, value in attributes.items() if value is not None}
@@ -280,7 +280,7 @@ def run_of(
 
 
 def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:
-    """Return the unit and the title of one array of a Dataset."""
+    """Return the attributes `units` and `long_name` of one array of a result, such as "standard_error"."""
     said = {
         "standard_error": "standard error of the ",
         "half_width": "half width of the 95 % confidence interval of the ",
@@ -289,8 +289,11 @@ def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:
     return {"units": quantity.unit.replace("/m2", " m-2") or "1", "long_name": said.get(name, "") + quantity.title}
 
 
-def _check(quantity: Quantity, options: Mapping[str, Any]) -> None:
-    """Raise a TypeError for an option that the call lacks or that the raster determines."""
+def _check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
+    """Raise a TypeError for an option that a call of `warpsample.rasters` does not accept.
+
+    Options that the raster determines, such as points, are not accepted either.
+    """
     known = [name for name in (*quantity.parameters, *TREES_AND_TILES) if name not in _SET_HERE]
     for name in options:
         if name not in known:
@@ -298,25 +301,28 @@ def _check(quantity: Quantity, options: Mapping[str, Any]) -> None:
 
 
 def _attributes(quantity: Quantity, source: Any, attributes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the attributes of a Dataset: definition, unit, source, version and options, as numbers and strings."""
+    """Return the attributes of the resulting Dataset: definition, unit, source, version and options.
+
+    All values are numbers or strings.
+    """
     return {
         "quantity": quantity.name,
         "definition": quantity.on_rasters[attributes["receiver"]].format(normal=_NORMAL[attributes["receiver"]]),
         "unit": quantity.unit or "1",
-        "source": _name_of(source),
+        "source": _describe_source(source),
         "warpsample": version("warpsample"),
-        **{name: _plain(value) for name, value in attributes.items()},
+        **{name: _convert_attribute(value) for name, value in attributes.items()},
     }
 
 
-def _name_of(source: Any) -> Any:
-    """Return the path of a raster, or the type of an array; return numbers and None unchanged."""
+def _describe_source(source: Any) -> Any:
+    """Describe an input raster by its path or, for an array, by its type; return numbers and None unchanged."""
     if source is None or isinstance(source, Real):
         return source
     return fspath(source) if isinstance(source, str | PathLike) else f"an array, {type(source).__name__}"
 
 
-def _plain(value: Any) -> int | float | str:
+def _convert_attribute(value: Any) -> int | float | str:
     """Convert a value to a type that NetCDF, Zarr and GeoTIFF can store; sequences become a string with spaces."""
     if isinstance(value, tuple | list | np.ndarray):
         return " ".join(str(item) for item in value)

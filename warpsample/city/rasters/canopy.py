@@ -49,7 +49,7 @@ class Crowns:
 
 @dataclass(frozen=True, eq=False)
 class Canopy:
-    """Checked rasters of tree crowns, not yet read.
+    """Checked input rasters of tree crowns, whose heights are not read yet.
 
     Attributes:
         top: Raster of the crowns' tops, on the cells of the ground.
@@ -64,7 +64,9 @@ class Canopy:
 
     @classmethod
     def of(cls, ground: RasterReader, canopy: Any, trunk: Any, relative: Any) -> "Canopy | None":
-        """Return the canopy over the ground, or None without one; arguments as for `surface`.
+        """Check the rasters of tree crowns over a raster of the ground; return a Canopy, or None if `canopy` is None.
+
+        The arguments `canopy`, `trunk` and `relative` are those of `surface`.
 
         Raises:
             TypeError, ValueError, FileNotFoundError: Invalid rasters, or rasters with other cells; the message names the
@@ -75,11 +77,15 @@ class Canopy:
             check_for_crowns("trunk", trunk, TRUNK)
             check_for_crowns("relative", relative, True)
             return None
-        share = check_number(trunk, "trunk", 0.0, 1.0) if isinstance(trunk, Real) else _reader_on(ground, trunk, "trunk")
-        return cls(_reader_on(ground, canopy, "canopy"), share, relative)
+        share = (
+            check_number(trunk, "trunk", 0.0, 1.0)
+            if isinstance(trunk, Real)
+            else _read_on_same_cells(ground, trunk, "trunk")
+        )
+        return cls(_read_on_same_cells(ground, canopy, "canopy"), share, relative)
 
     def crowns(self, grid: Grid, rows: slice = _ALL, columns: slice = _ALL) -> Crowns:
-        """Read the crowns over the ground in the given rows and columns.
+        """Read the bases and tops of the tree crowns in the given rows and columns.
 
         Raises:
             ValueError: Heights below 0.
@@ -99,7 +105,10 @@ class Canopy:
         if isinstance(self.trunk, RasterReader):
             trunk = self.trunk.read(rows, columns)
             if (bottomless := np.isnan(trunk) & ~np.isnan(top)).any():
-                warn(f"trunk: got none for {bottomless.sum():,} crowns, which then reach down to the ground", stacklevel=3)
+                warn(
+                    f"trunk: got no height for {bottomless.sum():,} crowns, which then reach down to the ground",
+                    stacklevel=3,
+                )
             base = np.fmax(ground + trunk, grid.height)
         else:
             base = grid.height + self.trunk * (top - grid.height)
@@ -110,8 +119,8 @@ class Canopy:
         return Crowns(np.where(none, np.nan, base), np.where(none, np.nan, top))
 
 
-def prisms(grid: Grid, crowns: Crowns) -> tuple[np.ndarray, np.ndarray]:
-    """Build the joint surface of all crowns, facing outwards: (V, 3) float64 vertices and (F, 3) int32 faces.
+def build_prisms(grid: Grid, crowns: Crowns) -> tuple[np.ndarray, np.ndarray]:
+    """Build one closed prism per tree crown; return (V, 3) float64 vertices and (F, 3) int32 faces, facing outwards.
 
     There are no walls between neighbouring crowns, so that crowns of equal base and top form one prism.
     """
@@ -119,7 +128,7 @@ def prisms(grid: Grid, crowns: Crowns) -> tuple[np.ndarray, np.ndarray]:
     row, column = np.divmod(cells, crowns.top.shape[1])
     base, top = crowns.base.ravel()[cells], crowns.top.ravel()[cells]
     ring = [(column + i, row + j) for i, j in _RING]
-    quads = [_quads(grid, ring, [top] * 4), _quads(grid, ring[::-1], [base] * 4)]
+    quads = [_place_quadrilaterals(grid, ring, [top] * 4), _place_quadrilaterals(grid, ring[::-1], [base] * 4)]
     padded = (np.pad(heights, 1, constant_values=np.nan) for heights in (crowns.base, crowns.top))
     around = [np.where(np.isnan(heights), np.inf, heights) for heights in padded]
     for (down, right), *ends in _SIDES:
@@ -129,20 +138,20 @@ def prisms(grid: Grid, crowns: Crowns) -> tuple[np.ndarray, np.ndarray]:
             wall = low < high
             foot, head = low[wall], high[wall]
             corners = [(at[0][wall], at[1][wall]) for at in (left, end, end, left)]
-            quads.append(_quads(grid, corners, [foot, foot, head, head]))
+            quads.append(_place_quadrilaterals(grid, corners, [foot, foot, head, head]))
     vertices = np.concatenate(quads).reshape(-1, 3)
     first = 4 * np.arange(len(vertices) // 4, dtype=np.int32)[:, None]
     faces = (first + np.array([[0, 1, 2, 0, 2, 3]], np.int32)).reshape(-1, 3)
     return vertices, faces[:, ::-1] if grid.mirrored else faces
 
 
-def _quads(grid: Grid, corners: list[tuple[np.ndarray, np.ndarray]], heights: list[np.ndarray]) -> np.ndarray:
-    """Return (N, 4, 3) positions from the columns, rows and heights of four corners."""
+def _place_quadrilaterals(grid: Grid, corners: list[tuple[np.ndarray, np.ndarray]], heights: list[np.ndarray]) -> np.ndarray:
+    """Return the map positions of N quadrilaterals, (N, 4, 3), from the columns, rows and heights of their corners."""
     return np.stack([grid.places(*at, height) for at, height in zip(corners, heights, strict=True)], axis=1)
 
 
-def _reader_on(ground: RasterReader, source: Any, argument: str) -> RasterReader:
-    """Return the reader of a raster that must have the cells of the ground.
+def _read_on_same_cells(ground: RasterReader, source: Any, argument: str) -> RasterReader:
+    """Return a reader of a raster of tree crowns, after a check that its cells are those of the ground's raster.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: An invalid raster, or other cells; the message names the argument.
@@ -152,33 +161,33 @@ def _reader_on(ground: RasterReader, source: Any, argument: str) -> RasterReader
     shape, wanted = found.shape, ground.shape
     if shape != wanted:
         raise ValueError(
-            f"{argument}: got {shape[0]} x {shape[1]} cells, want {wanted[0]} x {wanted[1]}, those of the heights"
+            f"{argument}: got {shape[0]} x {shape[1]} cells, want {wanted[0]} x {wanted[1]}, as in the raster of heights"
         )
     rows, columns = (np.array(corners) for corners in zip((0, 0), (0, shape[1]), (shape[0], 0), strict=True))
     off = found.outline.places(columns, rows, 0.0 * rows) - ground.outline.places(columns, rows, 0.0 * rows)
     if np.abs(off).max() > _OFF * min(ground.outline.sides):
         raise ValueError(
-            f"{argument}: got cells that are {np.abs(off).max():g} off those of the heights, want the same cells"
+            f"{argument}: got cells that are {np.abs(off).max():g} away from the cells of the heights, want the same cells"
         )
     check_same_map(ground, found, argument)
     return found
 
 
 def check_for_crowns(argument: str, value: Any, default: float) -> None:
-    """Raise a ValueError for an argument about crowns that differs from its default although there is no canopy."""
+    """Raise a ValueError if an option of tree crowns differs from its default although no raster of crowns is given."""
     if not isinstance(value, Real) or value != default:
         raise ValueError(f"{argument}: got {told(value)} without canopy, want canopy, too")
 
 
 def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> None:
-    """Raise a ValueError if two rasters have different horizontal CRS."""
+    """Raise a ValueError if two rasters have different horizontal coordinate reference systems (CRS)."""
     if other.crs and ground.crs and other.crs.to_2d() != ground.crs.to_2d():
         raise ValueError(f"{argument}: got coordinates of {other.crs.name}, want {ground.crs.name}, as the heights have")
 
 
 @contextmanager
 def rename_argument(argument: str) -> Iterator[None]:
-    """Replace the argument name `source` in error messages by another name."""
+    """Context manager that replaces "source: " by the name of another argument in messages of errors raised inside."""
     try:
         yield
     except (TypeError, ValueError, FileNotFoundError) as error:

@@ -34,7 +34,7 @@ class _Corners:
 
 
 def build_joined_cells(grid: Grid, step: float) -> Triangles:
-    """Build the triangles of a raster, with walls between neighbours whose heights differ by more than a step.
+    """Build the triangles of a raster of heights, with vertical walls between neighbours that differ by more than a step.
 
     A cell consists of four triangles around its centre, which keeps the cell's height, or of two if all corners are in one
     plane with the centre. A wall fills the gap between the edges of two cells and faces away from the upper cell. There are
@@ -44,10 +44,10 @@ def build_joined_cells(grid: Grid, step: float) -> Triangles:
         grid: Heights of the cells.
         step: Largest height difference of linked cells, in cell lengths; 0 makes flat blocks.
     """
-    corners = _corners(grid, step)
-    top_faces, top_cells, peaks = _tops(grid, corners)
+    corners = _build_corners(grid, step)
+    top_faces, top_cells, peaks = _build_tops(grid, corners)
     centres = grid.centres(peaks)
-    wall_faces, wall_cells, crossings = _walls(grid, corners, first=len(corners.height) + len(peaks))
+    wall_faces, wall_cells, crossings = _build_walls(grid, corners, first=len(corners.height) + len(peaks))
     vertices = [grid.places(corners.column, corners.row, corners.height), centres, crossings]
     faces = np.concatenate([top_faces, wall_faces])
     return Triangles(
@@ -58,16 +58,16 @@ def build_joined_cells(grid: Grid, step: float) -> Triangles:
     )
 
 
-def _corners(grid: Grid, step: float) -> _Corners:
-    """Build the vertices at the corners of the cells."""
+def _build_corners(grid: Grid, step: float) -> _Corners:
+    """Build the vertices at the corners of all cells: one vertex for each group of linked cells at a corner."""
     rows, columns = grid.height.shape
     padded = np.pad(grid.height, 1, constant_values=np.nan)
     around = np.stack([padded[i : i + rows + 1, j : j + columns + 1] for i, j in _RING])
     number = np.full(around.shape, -1, np.int32)
     heights, places, known = [], [], 0
-    links = _links(around, step * np.array(grid.sides))
+    links = _mask_links(around, step * np.array(grid.sides))
     for slot in range(4):
-        members = _members(links, slot)
+        members = _mask_linked_cells(links, slot)
         first = ~np.isnan(around[slot]) & ~members[:slot].any(axis=0)
         more, total = np.zeros(around.shape[1:]), np.ones(around.shape[1:])
         for other in range(slot + 1, 4):
@@ -85,13 +85,16 @@ def _corners(grid: Grid, step: float) -> _Corners:
     return _Corners(number, np.concatenate(heights), row, column)
 
 
-def _links(around: np.ndarray, steps: np.ndarray) -> list[np.ndarray]:
-    """Return masks of cells in the ring that differ from the next cell by at most a step along the row or column."""
+def _mask_links(around: np.ndarray, steps: np.ndarray) -> list[np.ndarray]:
+    """Return, for each of the four cells around a corner, the mask of corners where the next cell in the ring is linked.
+
+    Two cells are linked if their heights differ by at most a step.
+    """
     return [np.abs(around[(slot + 1) % 4] - around[slot]) <= steps[slot % 2] for slot in range(4)]
 
 
-def _members(links: list[np.ndarray], slot: int) -> np.ndarray:
-    """Return (4, ...) bool masks of the cells in the ring that are linked, directly or not, with the cell `slot`."""
+def _mask_linked_cells(links: list[np.ndarray], slot: int) -> np.ndarray:
+    """Return (4, ...) masks of the cells around each corner that are linked, directly or indirectly, with cell `slot`."""
     members = np.zeros((4, *links[0].shape), bool)
     members[slot] = True
     for way, before in ((1, 0), (-1, -1)):
@@ -102,8 +105,8 @@ def _members(links: list[np.ndarray], slot: int) -> np.ndarray:
     return members
 
 
-def _tops(grid: Grid, corners: _Corners) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Build the top faces of cells; return faces, the cell of each face, and cells with a vertex at the centre.
+def _build_tops(grid: Grid, corners: _Corners) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Build the top faces of all cells; return the faces, the cell of each face, and the cells with a vertex at the centre.
 
     Centre vertices are numbered after the corners.
     """
@@ -141,8 +144,8 @@ class _Edges:
     b: np.ndarray
 
 
-def _edges(grid: Grid, corners: _Corners) -> Iterator[_Edges]:
-    """Yield the edges between cells that do not share both end vertices, first within rows, then within columns."""
+def _find_edges(grid: Grid, corners: _Corners) -> Iterator[_Edges]:
+    """Yield the edges between neighbouring cells that share at most one end vertex: first within rows, then columns."""
     n, number = corners.number, np.arange(grid.height.size).reshape(grid.height.shape)
     upper, lower = n[:, :-1, 1:-1], n[:, 1:, 1:-1]
     in_rows = (lower[_UPPER_LEFT], upper[_LOWER_LEFT], lower[_UPPER_RIGHT], upper[_LOWER_RIGHT])
@@ -154,17 +157,19 @@ def _edges(grid: Grid, corners: _Corners) -> Iterator[_Edges]:
         yield _Edges(*(array[apart] for array in (pa, qa, pb, qb, a, b)))
 
 
-def _walls(grid: Grid, corners: _Corners, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Build the walls; return faces, the upper cell of each face, and (X, 3) vertices where edges of two cells cross.
+def _build_walls(grid: Grid, corners: _Corners, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Build the vertical walls between cells; return faces, the upper cell of each face, and (X, 3) additional vertices.
+
+    An additional vertex is where the edges of two neighbouring cells cross.
 
     Crossing vertices are numbered from `first`.
     """
     faces, cells, crossings = [], [], []
-    for edge in _edges(grid, corners):
+    for edge in _find_edges(grid, corners):
         at_p = corners.height[edge.pa] - corners.height[edge.pb]
         at_q = corners.height[edge.qa] - corners.height[edge.qb]
         cross = at_p * at_q < 0.0
-        crossings.append(_crossings(grid, corners, edge, cross, at_p / np.where(cross, at_p - at_q, 1.0)))
+        crossings.append(_find_crossings(grid, corners, edge, cross, at_p / np.where(cross, at_p - at_q, 1.0)))
         middle = np.zeros(len(cross), np.int32)
         middle[cross] = first + np.arange(len(crossings[-1]))
         first += len(crossings[-1])
@@ -176,8 +181,8 @@ def _walls(grid: Grid, corners: _Corners, first: int) -> tuple[np.ndarray, np.nd
     return np.concatenate(faces), np.concatenate(cells), np.concatenate(crossings)
 
 
-def _crossings(grid: Grid, corners: _Corners, edge: _Edges, cross: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """Return (X, 3) points where the edges of two cells cross, at the fraction `share` of the way from p to q.
+def _find_crossings(grid: Grid, corners: _Corners, edge: _Edges, cross: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """Return the (X, 3) points where the edges of two neighbouring cells cross, at the fraction `share` from p to q.
 
     Crossings occur only between long and narrow cells.
     """

@@ -24,7 +24,7 @@ _DECLARED = re.compile(rb"<NoDataValue[^>/]*>([^<]+)<")  # in the text of a VRT
 
 @dataclass(frozen=True)
 class Coding:
-    """Nodata value, scale and offset of a raster: height = number * scale + offset.
+    """Coding of heights in a raster: its nodata value, scale and offset, with height = number * scale + offset.
 
     Attributes:
         nodata: Number that marks cells without data, or None.
@@ -39,12 +39,13 @@ class Coding:
         """Raise a ValueError for a scale or an offset that is not finite, or a scale of 0."""
         if not (isfinite(self.scale) and isfinite(self.offset) and self.scale):
             raise ValueError(
-                f"source: got heights of scale {self.scale:g} and offset {self.offset:g}, want finite ones, the scale not 0"
+                f"source: got heights of scale {self.scale:g} and offset {self.offset:g}, want finite numbers, "
+                "and a scale other than 0"
             )
 
     @classmethod
     def of_file(cls, path: str, file: Any, band: int) -> "Coding":
-        """Return the coding of a band of an open file.
+        """Read nodata value, scale and offset of one band of an open raster file.
 
         Raises:
             ValueError: A VRT whose nodata value is a text; GDAL would read the text as 0.
@@ -57,7 +58,11 @@ class Coding:
 
     @classmethod
     def of_array(cls, array: xr.DataArray) -> "Coding":
-        """Return the coding in the attributes of an xarray.DataArray; raise a ValueError if attributes are not numbers."""
+        """Read nodata value, scale and offset from the attributes of an xarray.DataArray.
+
+        Raises:
+            ValueError: An attribute is not a number.
+        """
         given = {name: array.attrs[name] for name in _ATTRIBUTES if name in array.attrs}
         try:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
@@ -67,7 +72,7 @@ class Coding:
         return cls(nodata, scale, offset)
 
     def heights(self, values: np.ndarray) -> np.ndarray:
-        """Convert stored numbers to heights, as a float64 copy with NaN in cells without data.
+        """Convert stored numbers of a raster to heights, as a float64 copy with NaN in cells without data.
 
         Raises:
             TypeError: Values that are not real numbers.

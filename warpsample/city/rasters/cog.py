@@ -25,7 +25,9 @@ def check_sidecars(path: Path, argument: str) -> None:
     """Raise a ValueError for a new GeoTIFF beside old files that GDAL reads as its masks, overviews or statistics."""
     older = [file.name for suffix in _SIDECARS if (file := Path(f"{path}{suffix}")).exists()]
     if older and not path.exists():
-        raise ValueError(f"{argument}: got {str(path)!r}, but GDAL would read {older[0]} with it; want another name")
+        raise ValueError(
+            f"{argument}: got {str(path)!r} next to {older[0]}, which GDAL would read as part of it; want another name"
+        )
 
 
 def write_cog(
@@ -71,7 +73,7 @@ def write_cog(
 def _write_plain(
     path: Path, run: RasterRun, about: Mapping[str, Any], tiles: Iterable[tuple[Span, Mapping[str, np.ndarray]]]
 ) -> None:
-    """Write all tiles to a plain tiled GeoTIFF."""
+    """Write the results of all tiles to a tiled GeoTIFF without overviews."""
     outline, (rows, columns) = run.reader.outline, run.reader.shape
     shape = {"height": rows, "width": columns, "count": len(run.names), "dtype": "float32", "nodata": np.nan}
     where = {"crs": outline.crs and outline.crs.to_wkt(), "transform": outline.transform}
@@ -85,17 +87,17 @@ def _write_plain(
 
 
 def _check_written(path: Path, run: RasterRun, tiles: Iterable[tuple[Span, Mapping[str, np.ndarray]]]) -> None:
-    """Read the file again and raise an OSError if its numbers differ from the tiles."""
+    """Raise an OSError if a written GeoTIFF, read again, differs from the results of the tiles."""
     with rasterio.open(path) as file:
         for span, arrays in tiles:
             there = file.read(window=Window.from_slices(*span))
             if not np.array_equal(there, np.stack([arrays[name] for name in run.names]), equal_nan=True):
-                raise OSError("other numbers are read from it than were written, as happens on a full disk")
+                raise OSError("the numbers read back differ from those written, as happens on a full disk")
 
 
 @contextmanager
 def _convert_write_errors(path: Path) -> Iterator[None]:
-    """Convert errors of writing to a WriteError that names the file."""
+    """Context manager that converts errors of rasterio and of the system inside to a WriteError with the file's name."""
     try:
         yield
     except (RasterioError, CPLE_BaseError) as error:

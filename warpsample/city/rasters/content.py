@@ -16,7 +16,7 @@ _BAND = 1 << 22  # cells per reading step
 
 
 def digests_of(reader: RasterReader) -> np.ndarray:
-    """Read a whole raster and return the SHA-256 of the heights in each block, (block rows, block columns, 32) uint8."""
+    """Compute the SHA-256 checksum of the heights in each block of a raster, (block rows, block columns, 32) uint8."""
     rows, columns = reader.shape
     found = np.empty((-(-rows // _BLOCK[0]), -(-columns // _BLOCK[1]), 32), np.uint8)
     wide = max(1, min(found.shape[1], _BAND // (_BLOCK[0] * _BLOCK[1])))
@@ -24,12 +24,12 @@ def digests_of(reader: RasterReader) -> np.ndarray:
     for top in range(0, found.shape[0], high):
         for left in range(0, found.shape[1], wide):
             part = slice(top, min(top + high, found.shape[0])), slice(left, min(left + wide, found.shape[1]))
-            found[part] = _digests(reader.heights(*_cells(part, reader.shape)))
+            found[part] = _hash_blocks(reader.heights(*_cells_of_blocks(part, reader.shape)))
     return found
 
 
 def unchanging(reader: RasterReader, digests: np.ndarray, argument: str) -> RasterReader:
-    """Return a reader of the same raster that checks all blocks it reads against checksums.
+    """Return a reader of a raster that raises an error where heights differ from earlier checksums.
 
     Args:
         reader: Reader of the raster.
@@ -44,9 +44,9 @@ def unchanging(reader: RasterReader, digests: np.ndarray, argument: str) -> Rast
         part = tuple(
             slice(cut.start // side, -(-cut.stop // side)) for cut, side in zip((rows, columns), _BLOCK, strict=True)
         )
-        cells = _cells(part, reader.shape)
+        cells = _cells_of_blocks(part, reader.shape)
         found = reader.heights(*cells)
-        other = np.argwhere((_digests(found) != digests[part]).any(axis=-1))
+        other = np.argwhere((_hash_blocks(found) != digests[part]).any(axis=-1))
         if len(other):
             row, column = (other[0] + [part[0].start, part[1].start]) * _BLOCK
             raise ValueError(
@@ -59,25 +59,25 @@ def unchanging(reader: RasterReader, digests: np.ndarray, argument: str) -> Rast
 
 
 def place_of(reader: RasterReader) -> dict[str, str | float]:
-    """Return the transform, the CRS by name and digest, and the height factor of a raster."""
+    """Describe the position of a raster on the map: its transform, its CRS (name and checksum), and its height factor."""
     crs = reader.crs and f"{reader.crs.name}, {sha256(reader.crs.to_wkt().encode()).hexdigest()[:16]}"
     transform = " ".join(repr(float(number)) for number in reader.transform[:6])
     return {"transform": transform, "crs": crs or "none", "factor": reader.factor}
 
 
-def _cells(part: tuple[slice, slice], shape: tuple[int, int]) -> tuple[slice, slice]:
-    """Return the rows and columns of the cells in some blocks."""
+def _cells_of_blocks(part: tuple[slice, slice], shape: tuple[int, int]) -> tuple[slice, slice]:
+    """Convert a range of blocks of a raster to the rows and columns of its cells."""
     ends = zip(part, _BLOCK, shape, strict=True)
     return tuple(slice(cut.start * side, min(cut.stop * side, size)) for cut, side, size in ends)
 
 
-def _digests(heights: np.ndarray) -> np.ndarray:
-    """Return the checksums of the blocks of an array that begins at a block."""
-    digests = [[bytes.fromhex(digest_of(block)) for block in _cut(band, 1)] for band in _cut(heights, 0)]
+def _hash_blocks(heights: np.ndarray) -> np.ndarray:
+    """Compute the checksum of each block of an array whose first cell is the first cell of a block."""
+    digests = [[bytes.fromhex(digest_of(block)) for block in _split_blocks(band, 1)] for band in _split_blocks(heights, 0)]
     return np.frombuffer(b"".join(map(b"".join, digests)), np.uint8).reshape(len(digests), -1, 32)
 
 
-def _cut(heights: np.ndarray, axis: int) -> Iterator[np.ndarray]:
-    """Yield an array in pieces of one block along an axis."""
+def _split_blocks(heights: np.ndarray, axis: int) -> Iterator[np.ndarray]:
+    """Split an array along an axis into pieces with the length of a block."""
     starts = range(_BLOCK[axis], heights.shape[axis], _BLOCK[axis])
     return iter(np.split(heights, starts, axis))

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from affine import Affine
 
-from warpsample.city.rasters.canopy import Canopy, Crowns, prisms
+from warpsample.city.rasters.canopy import Canopy, Crowns, build_prisms
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.scenery import Columns, Part, join_triangles
@@ -26,7 +26,7 @@ _ALMOST = 1e-6  # rounding of corner coordinates, in cells
 
 @dataclass(frozen=True, eq=False)
 class Bounds:
-    """Upper and lower heights of the cells of a raster.
+    """Upper and lower bounds of the terrain's heights in the cells of a coarse raster.
 
     Attributes:
         upper: (rows, columns) float64 upper bounds; NaN in cells without data.
@@ -41,7 +41,7 @@ class Bounds:
 
 @dataclass(frozen=True, eq=False)
 class FarField:
-    """Pooled terrain outside the margins of all tiles.
+    """Distant terrain outside the margins of tiles, pooled to upper and lower bounds in cells that grow with distance.
 
     Attributes:
         own: The raster's own cells, pooled in blocks of `size` x `size`.
@@ -59,7 +59,7 @@ class FarField:
     def of(
         cls, reader: RasterReader, other: RasterReader | None, *, margin: int, model: str, canopy: Canopy | None = None
     ) -> "FarField":
-        """Read and pool a whole raster, by bands of rows, and read the other raster.
+        """Pool a whole raster of heights to bounds in coarse cells, and read the raster of the terrain beyond its edges.
 
         Args:
             reader: Reader of the raster.
@@ -75,7 +75,9 @@ class FarField:
         return cls(_pool_raster(reader, canopy, size, int(model != "block")), beyond, size, reader.outline)
 
     def columns(self, tile: tuple[slice, slice], near: tuple[slice, slice], lowest: float) -> list[Columns]:
-        """Return functions that build the upper and the lower columns of a tile; an empty list without terrain outside.
+        """Return two functions that build the distant terrain of a tile as columns with upper and with lower heights.
+
+        The list is empty if there is no terrain outside the full-resolution part.
 
         Args:
             tile: Rows and columns of the points. Columns are lowered by distance, because of the Earth's curvature.
@@ -88,11 +90,14 @@ class FarField:
         return [partial(self._build_columns, levels, which, floor) for which in (0, 1)] if levels else []
 
     def _build_columns(self, levels: list[tuple[np.ndarray, np.ndarray, Affine]], which: int, floor: float) -> Part:
-        """Build the columns with the upper (0) or lower (1) heights of all rings."""
+        """Build the triangles of all distant columns, with upper heights (`which` = 0) or lower heights (`which` = 1)."""
         return join_triangles([self._build_prisms(level[which], level[2], floor) for level in levels])
 
     def window_of(self, tile: tuple[slice, slice], margin: int) -> tuple[slice, slice]:
-        """Return the rows and columns of a tile with its margin, extended to whole cells of the nearest ring."""
+        """Return the rows and columns to read at full resolution for a tile and its margin.
+
+        The margin is extended to whole cells of the nearest ring.
+        """
         lowest = [(part.start - margin) // self.size * self.size for part in tile]
         highest = [-(-(part.stop + margin) // self.size) * self.size for part in tile]
         return tuple(slice(low, high) for low, high in zip(lowest, highest, strict=True))
@@ -100,7 +105,10 @@ class FarField:
     def _pool_rings(
         self, tile: tuple[slice, slice], near: tuple[slice, slice]
     ) -> list[tuple[np.ndarray, np.ndarray, Affine]]:
-        """Return upper heights, lower heights and transforms of all rings."""
+        """Pool the terrain around a tile in rings with growing cells.
+
+        Return the upper heights, the lower heights and the transform of each ring.
+        """
         levels = [self._read_other(near, size) for size in dict.fromkeys((1, self.size))] if self.beyond else []
         inner, size = near, self.size
         reach = _FINENESS * size
@@ -119,7 +127,7 @@ class FarField:
         return [(*self._lower_by_curvature(tile, *level), level[2]) for level in levels]
 
     def _extent(self) -> list[tuple[float, float]]:
-        """Return the first and last row, and the first and last column, of both rasters together."""
+        """Return the first and last row, and the first and last column, that the two rasters cover together."""
         rows, columns = self.outline.height.shape
         x, y = [0.0, columns], [0.0, rows]
         if self.beyond:
@@ -131,7 +139,10 @@ class FarField:
         return [(min(y), max(y)), (min(x), max(x))]
 
     def _pool_window(self, window: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
-        """Return upper and lower heights of blocks of `size` x `size` cells in a window, and the transform of the blocks."""
+        """Pool the terrain in a window to blocks of `size` x `size` cells.
+
+        Return the upper heights, the lower heights and the transform of the blocks.
+        """
         rows, columns = (np.arange(part.start, part.stop, size) for part in window)
         whole, none = self._mask_own_blocks(rows, columns, size)
         where = Affine.translation(window[1].start, window[0].start) @ Affine.scale(size)
@@ -144,7 +155,10 @@ class FarField:
         return upper, lower, where
 
     def _mask_own_blocks(self, rows: np.ndarray, columns: np.ndarray, size: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return two masks of blocks from the given rows and columns: entirely inside the raster, and entirely outside."""
+        """Return the mask of blocks entirely inside the raster and the mask of blocks entirely outside.
+
+        The blocks have `size` x `size` cells and begin at the given rows and columns.
+        """
         within, outside = [], []
         for first, most in zip((rows, columns), self.outline.height.shape, strict=True):
             within.append((first >= 0) & (first + size <= most))
@@ -152,7 +166,7 @@ class FarField:
         return within[0][:, None] & within[1], outside[0][:, None] | outside[1]
 
     def _read_other(self, near: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
-        """Return heights of the other raster inside a window but beyond the raster's edge.
+        """Return the bounds of the surrounding raster's heights inside a window, only beyond the edge of the tiled raster.
 
         Blocks are large, or small where the edge cuts a large block.
         """
@@ -168,7 +182,7 @@ class FarField:
     def _lower_by_curvature(
         self, tile: tuple[slice, slice], upper: np.ndarray, lower: np.ndarray, where: Affine
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return upper and lower heights reduced by the Earth's curvature minus refraction.
+        """Lower the upper and lower heights of distant terrain by the Earth's curvature, less atmospheric refraction.
 
         Upper heights are reduced for the smallest distance from the tile, lower heights for the largest.
         """
@@ -184,14 +198,17 @@ class FarField:
         return upper - scale * shortest**2 * nearest, lower - scale * longest**2 * farthest
 
     def _build_prisms(self, heights: np.ndarray, where: Affine, floor: float) -> Part:
-        """Build columns from the height `floor` to the given heights."""
+        """Build the triangles of one column per cell, from the height `floor` to the given height of the cell."""
         outline = self.outline
         grid = Grid(heights, outline.transform @ where, outline.crs, outline.metres, outline.dims, {})
-        return prisms(grid, Crowns(np.where(np.isnan(heights), np.nan, floor), heights))
+        return build_prisms(grid, Crowns(np.where(np.isnan(heights), np.nan, floor), heights))
 
 
 def _pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, grow: int) -> Bounds:
-    """Pool a raster in blocks of `size` x `size` cells; lower heights are NaN for blocks with missing or cut cells."""
+    """Pool a raster to the highest and lowest height of each block of `size` x `size` cells.
+
+    The lower height is NaN for a block with cells without data, and for a block that the raster's edge cuts.
+    """
     rows, columns = reader.shape
     step = max(1, _BAND // max(columns, 1) // size) * size
     uppers, lowers = [], []
@@ -214,7 +231,10 @@ def _pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, grow: i
 
 
 def _widen_extremes(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarray:
-    """Return the highest or lowest height of each cell and its eight neighbours; without `grow`, the heights themselves."""
+    """Return the highest or lowest height among each cell and its eight neighbours, or the heights unchanged for `grow` = 0.
+
+    `pick` is numpy.fmax or numpy.fmin.
+    """
     if not grow:
         return heights
     padded = np.pad(heights, 1, constant_values=np.nan)
@@ -223,7 +243,10 @@ def _widen_extremes(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarra
 
 
 def _scatter_extremes(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
-    """Return the highest and lowest of all heights that overlap each cell of a lattice."""
+    """Resample bounds of heights to another lattice of cells.
+
+    Return the highest and lowest height of all raster cells that overlap each lattice cell.
+    """
     upper, lower = np.full(shape, -np.inf), np.full(shape, np.inf)
     rows, columns, box = _find_overlap(bounds, where, shape)
     part = slice(rows[0], rows[1]), slice(columns[0], columns[1])
@@ -243,7 +266,7 @@ def _scatter_extremes(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> 
 
 
 def _find_overlap(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[Any, Any, Any]:
-    """Return the rows and columns of a raster that overlap a lattice, and the lattice cells covered by each raster cell."""
+    """Return the rows and columns of a raster that overlap a lattice, and the lattice cells that each of them overlaps."""
     to_lattice = ~where @ bounds.transform
     corners = [~to_lattice @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), (shape[1], shape[0]))]
     ends = []
@@ -263,7 +286,7 @@ def _find_overlap(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tupl
 
 
 def _mask_covered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> np.ndarray:
-    """Return the mask of lattice cells that lie entirely within a raster."""
+    """Return a mask of the cells of a lattice that lie entirely within a raster."""
     row, column = np.mgrid[: shape[0] + 1, : shape[1] + 1]
     a, b, c, d, e, f = (~bounds.transform @ where)[:6]
     x, y = a * column + b * row + c, d * column + e * row + f

@@ -16,7 +16,7 @@ TOP, WALL = 0, 1
 
 @dataclass(frozen=True, eq=False)
 class Grid:
-    """Heights of cells on a map.
+    """Raster of heights in memory, with its position on the map.
 
     Attributes:
         height: (rows, columns) float64, in the unit of the map's coordinates; NaN in cells without data.
@@ -36,30 +36,30 @@ class Grid:
 
     @property
     def valid(self) -> np.ndarray:
-        """(rows, columns) bool mask of the cells with heights."""
+        """Mask of the cells with heights, (rows, columns) bool."""
         return ~np.isnan(self.height)
 
     @property
     def whole(self) -> bool:
-        """Boolean, True if cells without data occur only in complete rows and columns along the edges."""
+        """True if the cells with heights fill a rectangle, with cells without data only along its outside."""
         valid = self.valid
         rows, columns = (np.flatnonzero(valid.any(axis=axis)) for axis in (1, 0))
         return len(rows) == 0 or bool(valid[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1].all())
 
     @property
     def cells(self) -> np.ndarray:
-        """(P,) int64 numbers, row * columns + column, of the cells with heights."""
+        """Numbers of the cells with heights, row * columns + column, (P,) int64."""
         return np.flatnonzero(self.valid)
 
     @property
     def sides(self) -> tuple[float, float]:
-        """Distances between the centres of neighbours in a row, and of neighbours in a column."""
+        """Width and height of a cell on the map: distances between the centres of neighbours in a row, and in a column."""
         a, b, _, d, e, _ = self.transform[:6]
         return float(np.hypot(a, d)), float(np.hypot(b, e))
 
     @property
     def mirrored(self) -> bool:
-        """Boolean, True if the raster is mirrored compared with one whose first row is in the north."""
+        """True if the raster is a mirror image of the map, such as a raster whose first row is in the south."""
         return self.transform.determinant > 0.0
 
     @property
@@ -74,7 +74,7 @@ class Grid:
         return true_north(self.crs, float(middle[0]), float(middle[1]))
 
     def places(self, column: np.ndarray, row: np.ndarray, height: np.ndarray) -> np.ndarray:
-        """Return the (N, 3) float64 map positions of points given by column, row and height.
+        """Convert column, row and height of points to map positions, (N, 3) float64.
 
         Integer columns and rows are corners of cells.
         """
@@ -82,7 +82,7 @@ class Grid:
         return np.stack([a * column + b * row + c, d * column + e * row + f, height], axis=1)
 
     def centres(self, cells: np.ndarray) -> np.ndarray:
-        """Return the (N, 3) float64 map positions of cell centres at the cells' heights."""
+        """Return the map positions of the centres of cells, at the heights of the cells, (N, 3) float64."""
         row, column = np.divmod(cells, self.height.shape[1])
         return self.places(column + 0.5, row + 0.5, self.height.ravel()[cells])
 

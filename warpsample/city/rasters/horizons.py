@@ -34,13 +34,16 @@ _OPTIONS = ("count", "max_distance", "seed", "skip", "workers", "progress")
 
 
 def finds_horizons(quantity: Quantity, options: dict[str, Any]) -> bool:
-    """Return True if a quantity is a sky view and all options are compatible with the search for horizons."""
+    """Return True if a quantity with these options can be computed by a search for the horizon in each azimuth.
+
+    The quantity must be a sky view, and all options must be those that the search knows.
+    """
     given = {name for name, value in options.items() if value != quantity.parameters[name]}
     return quantity.call in (sky_view_factor, visible_sky) and given <= set(_OPTIONS)
 
 
 def sky_by_horizons(quantity: Quantity, mesh: Mesh, points: SurfacePoints, options: dict[str, Any]) -> Seen:
-    """Compute the visible fraction of the sky above +z at points on a field of heights, by horizons.
+    """Compute the visible fraction of the sky at points of a raster's surface from the horizon in each azimuth.
 
     Args:
         quantity: `sky_view_factor` or `visible_sky`.
@@ -56,11 +59,11 @@ def sky_by_horizons(quantity: Quantity, mesh: Mesh, points: SurfacePoints, optio
     at = PlacedPoints.of(mesh, points)
     cast = RayOptions.of(len(at), seed=own["seed"], ids=at.id)
     cast = cast.by(skip=own["skip"], tracer="wide", workers=own["workers"], progress=own["progress"])
-    return _look(Plan.of(at, own["count"], cast), reach_of(own["max_distance"]), quantity.call is sky_view_factor)
+    return _search_horizons(Plan.of(at, own["count"], cast), reach_of(own["max_distance"]), quantity.call is sky_view_factor)
 
 
-def _look(plan: Plan, reach: float, cosine: bool) -> Seen:
-    """Run the kernel for all points and return value, errors, ray counts and status."""
+def _search_horizons(plan: Plan, reach: float, cosine: bool) -> Seen:
+    """Run the kernel that searches for horizons at all points; return value, errors, ray counts and status of each point."""
     points, options = len(plan.at), plan.options
     found = {name: np.zeros(points, kind) for name, kind in _ARRAYS.items()}
     if not points:
@@ -86,12 +89,14 @@ def _look(plan: Plan, reach: float, cosine: bool) -> Seen:
 
 
 def _collect_results(found: dict[str, np.ndarray]) -> Seen:
-    """Return the results of the kernel with half widths of 95 % confidence intervals."""
+    """Add the half widths of 95 % confidence intervals to the results of the kernel."""
     return Seen(half_width=half_width_of_normal(found["standard_error"]), **found)
 
 
 def azimuths_and_rays(count: int) -> tuple[int, int]:
-    """Return the number of azimuths, and of rays per azimuth, for `count` rays or slightly fewer.
+    """Divide `count` rays of a point among azimuths; return the number of azimuths and the rays per azimuth.
+
+    The product may be slightly less than `count`.
 
     More than two azimuths are odd in number. With an even number, opposite walls and corners would have equal errors.
     """

@@ -18,19 +18,19 @@ _SHARES = ("ao", "sky", "visible-sky")
 
 
 def half_width_of(found: Any) -> np.ndarray:
-    """Return the half width of the 95 % confidence interval at each point of a result, (P,) float32, in its unit."""
+    """Return half the width of the 95 % confidence interval at each point of a result, (P,) float32, in its unit."""
     if isinstance(found, Estimate):
         return interval_of(np.float32(0.0), found.spread, found.degrees_of_freedom, _LEVEL).upper
     return half_width_of_normal(found.standard_error)
 
 
 def half_width_of_normal(standard_error: np.ndarray) -> np.ndarray:
-    """Return the half widths of 95 % confidence intervals for standard errors of sums of many terms, float32."""
+    """Return half the width of the 95 % confidence interval for each standard error of a sum of many terms, float32."""
     return interval_of(np.float32(0.0), standard_error, _DEGREES, _LEVEL).upper
 
 
 def interval(dataset: xr.Dataset, level: float = _LEVEL) -> xr.Dataset:
-    """Return the confidence interval of each cell.
+    """Return the lower and upper ends of the confidence interval of each cell of a raster result.
 
     The interval is value -+ half_width at a level of 0.95. At other levels the half width is scaled with the quantile of a t
     distribution with 9 degrees of freedom. A `far_error` is added on both sides. Intervals of fractions are clipped to 0 to

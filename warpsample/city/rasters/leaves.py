@@ -31,11 +31,11 @@ TRANSMITTANCE = 0.03
 """Default transmittance of crowns with leaves, as in SOLWEIG."""
 
 _MONTHS, _DAYS = 12, 365
-_WANTS = "a share from 0 to 1, or 12 of them, for each month, or 365, for each day"
+_WANTS = "a fraction from 0 to 1, or 12 fractions for the months, or 365 for the days"
 
 
 def check_transmittance(value: Any) -> np.ndarray:
-    """Return the transmittance of crowns as a float64 array: (1,) constant, (12,) by month, or (365,) by day.
+    """Check the transmittance of tree crowns; return (1,) float64 for a constant, (12,) for months, or (365,) for days.
 
     Raises:
         TypeError, ValueError: Values that are not numbers from 0 to 1, or another count.
@@ -47,23 +47,29 @@ def check_transmittance(value: Any) -> np.ndarray:
 
 
 def shares_of_hours(transmittance: np.ndarray, hours: np.ndarray) -> np.ndarray:
-    """Return the (T,) transmittance of crowns at (T,) hours, datetime64 of a year without 29 February."""
+    """Return the transmittance of tree crowns in each hour, (T,), from its values by month or by day.
+
+    The hours are (T,) datetime64 of years without 29 February.
+    """
     if len(transmittance) == _MONTHS:
         return transmittance[hours.astype("datetime64[M]").astype(int) % 12]
     if len(transmittance) == _DAYS:
-        return transmittance[np.array([_day_of(day) for day in hours.astype("datetime64[D]")], int)]
+        return transmittance[np.array([_day_of_year(day) for day in hours.astype("datetime64[D]")], int)]
     return np.broadcast_to(transmittance, hours.shape)
 
 
-def _day_of(day: np.datetime64) -> int:
-    """Return the day's number from 0 in a year without 29 February; files of typical years join months of several years."""
+def _day_of_year(day: np.datetime64) -> int:
+    """Return the number of a day in a year without 29 February, counted from 0.
+
+    The year itself is ignored, because weather files of typical years join months of several years.
+    """
     month = day.astype("datetime64[M]")
     first = np.datetime64("2021-01", "M") + month.astype(int) % 12
     return int((first.astype("datetime64[D]") - np.datetime64("2021-01-01")).astype(int) + (day - month).astype(int))
 
 
 def estimate_through_crowns(scenery: Scenery, transmittance: np.ndarray, call: Callable[[Mesh], Any]) -> Seen:
-    """Compute a result that does not depend on time, through crowns.
+    """Compute a quantity that does not depend on time, with light that tree crowns transmit.
 
     Args:
         scenery: Scenes with and without crowns.
@@ -80,7 +86,10 @@ def compute_through_crowns(
     options: dict[str, Any],
     transmittance: np.ndarray,
 ) -> Seen:
-    """Compute a quantity at points of a surface, hour by hour if the transmittance of crowns depends on the date."""
+    """Compute a quantity at points of a surface, with light that tree crowns transmit.
+
+    The hours are separate if the transmittance depends on the date.
+    """
     if len(transmittance) == 1 or scenery.with_crowns is None:
         return estimate_through_crowns(scenery, transmittance[:1], lambda mesh: quantity.call(mesh, points, **options))
     given = {name: value for name, value in quantity.parameters.items() if name != "first_point"} | options
@@ -100,10 +109,11 @@ def compute_through_crowns(
 
 
 def check_dates(quantity: Quantity, transmittance: np.ndarray) -> None:
-    """Raise a ValueError for a transmittance by date if the quantity does not depend on time."""
+    """Raise a ValueError for a transmittance by month or day if the quantity does not depend on time."""
     if len(transmittance) != 1 and "weather" not in quantity.parameters:
         raise ValueError(
-            f"transmittance: got {len(transmittance)} shares for the {quantity.title}, want one: it has no date"
+            f"transmittance: got {len(transmittance)} shares for the {quantity.title}, want one share, "
+            "because this quantity does not depend on the date"
         )
 
 
@@ -116,18 +126,21 @@ def compute_irradiation_through(
     count: int,
     options: RayOptions,
 ) -> Irradiation:
-    """Compute the irradiation at points of a surface through crowns; arguments as for `irradiation` and `received`."""
+    """Compute the irradiation at points of a surface, with light that tree crowns transmit.
 
-    def through(mesh: Mesh, shares: np.ndarray) -> Irradiation:
+    The arguments are those of `irradiation` and `received`.
+    """
+
+    def compute(mesh: Mesh, shares: np.ndarray) -> Irradiation:
         plan = Plan.of(PlacedPoints.of(mesh, points), count, options)
         return received(plan, dim_light(light, shares), series=False)
 
-    parts = [through(made(), shares) for made, shares in _list_views(scenery, shares_of_hours(transmittance, light.hours))]
+    parts = [compute(made(), shares) for made, shares in _list_views(scenery, shares_of_hours(transmittance, light.hours))]
     return _add_results(Irradiation, parts)
 
 
 def dim_light(light: Light, shares: np.ndarray) -> Light:
-    """Return a light multiplied by a fraction (T,) in each hour."""
+    """Return the light of sun and sky with each of its T hours multiplied by a fraction, (T,)."""
     return replace(
         light,
         direct=light.direct * shares[light.sun_rows],
@@ -139,27 +152,33 @@ def dim_light(light: Light, shares: np.ndarray) -> Light:
 def count_suns_through(
     scenery: Scenery, points: SurfacePoints, suns: np.ndarray, shares: np.ndarray, **options: Any
 ) -> np.ndarray:
-    """Return the (P,) float64 number of suns (T, 3) visible from each point; suns behind crowns count as `shares`."""
+    """Count the hours in which the sun is visible from each point, (P,) float64.
+
+    An hour with the sun, (T, 3), behind a tree crown counts as the transmittance `shares`, (T,).
+    """
     views = _list_views(scenery, shares)
     return np.sum([direct_sun(made(), points, suns, weights=np.array(share), **options) for made, share in views], axis=0)
 
 
 def _list_views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[], Mesh], np.ndarray], ...]:
-    """Return the functions that build each scene, and the weight of each scene's result."""
+    """Return a function that builds the mesh, and the weight of its result, for the scenes with and without crowns."""
     if scenery.with_crowns is None:
         return ((scenery.without_crowns, np.ones_like(shares)),)
     return (scenery.with_crowns, 1.0 - shares), (scenery.without_crowns, shares)
 
 
 def _scale_estimate(found: Any, share: np.ndarray) -> Seen:
-    """Return an estimate multiplied by `share`."""
+    """Multiply the value and the errors of an estimate by `share`."""
     numbers = found.value, found.standard_error, half_width_of(found)
     value, error, half = (np.float32(share * array.astype(np.float64)) for array in numbers)
     return Seen(value, error, half, found.rays, found.status)
 
 
 def _add_results(kind: type[Any], parts: list[Any]) -> Any:
-    """Return the sum of results; fields that are not amounts of light are taken from the first result."""
+    """Add the results of the scenes with and without crowns, field by field.
+
+    Fields that are not amounts of light, such as the status, are those of the first result.
+    """
     summed = ("value", "standard_error", "half_width", "direct", "diffuse", "ground", "rays")
     names = [item.name for item in fields(kind) if item.name in summed]
     sums = {name: sum(getattr(part, name) for part in parts[1:]) for name in names}

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from warpsample.city.rasters.canopy import TRUNK, Canopy, Crowns, prisms
+from warpsample.city.rasters.canopy import TRUNK, Canopy, Crowns, build_prisms
 from warpsample.city.rasters.cells import STEP, build_joined_cells
 from warpsample.city.rasters.centres import build_tin
 from warpsample.city.rasters.grid import TOP, Grid
@@ -25,7 +25,7 @@ RECEIVERS = ("horizontal", "surface")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RasterSurface(Summary):
-    """Triangles of a raster of heights, in map coordinates.
+    """Surface of a raster of heights as a mesh of triangles, in map coordinates.
 
     Attributes:
         grid: Heights of the cells.
@@ -50,11 +50,11 @@ class RasterSurface(Summary):
 
     @property
     def scenery(self) -> Scenery:
-        """Meshes with and without crowns, both kept in memory."""
+        """Meshes of the surface without and with tree crowns, both kept in memory."""
         return Scenery(lambda: self.mesh, None if self.canopy_mesh is None else lambda: self.canopy_mesh)
 
     def points(self, receiver: str = "horizontal") -> tuple[SurfacePoints, np.ndarray]:
-        """Return the centres of the cells with heights, and the cell numbers.
+        """Return the centres of the cells with heights as surface points, and the numbers of the cells.
 
         Args:
             receiver: "horizontal" for normals up, "surface" for the area-weighted mean normal of the cell's triangles.
@@ -87,7 +87,7 @@ class RasterSurface(Summary):
         return SurfacePoints(self.grid.centres(cells), normal, id=cells.astype(np.uint64), raised=raised), cells
 
     def to_raster(self, values: Any, cell: np.ndarray) -> xr.DataArray:
-        """Return numbers of cells as a raster.
+        """Arrange one number per cell as a georeferenced raster (xarray.DataArray).
 
         Args:
             values: (P,) numbers.
@@ -117,7 +117,7 @@ class RasterSurface(Summary):
 
 
 def on_map(grid: Grid, values: np.ndarray) -> xr.DataArray:
-    """Return an array of all cells as a DataArray with the coordinates, CRS and transform of a raster."""
+    """Convert an array with a number for each cell to a DataArray with the coordinates, CRS and transform of a raster."""
     made = xr.DataArray(values, grid.coordinates, grid.dims)
     if grid.crs is not None:
         with warnings.catch_warnings():  # CF has no words for some, the WKT beside it has
@@ -166,13 +166,13 @@ def surface(
     reader = ground_of(source)
     canopy = Canopy.of(reader, canopy, trunk, relative)
     grid = check_heights(reader.grid())
-    return surface_of(grid, model, canopy and canopy.crowns(grid))
+    return build_surface(grid, model, canopy and canopy.crowns(grid))
 
 
-def surface_of(grid: Grid, model: str, crowns: Crowns | None = None) -> RasterSurface:
-    """Build the surface of a grid, and of the crowns over the grid."""
+def build_surface(grid: Grid, model: str, crowns: Crowns | None = None) -> RasterSurface:
+    """Build the surface mesh of a grid of heights, and a second mesh with tree crowns if there are any."""
     made = build_tin(grid) if model == "tin" else build_joined_cells(grid, STEP if model == "joined" else 0.0)
     mesh, with_crowns = Mesh(made.vertices, made.faces), None
     if crowns is not None and crowns.any:
-        with_crowns = Mesh(*join_triangles([(mesh.vertices, mesh.faces), prisms(grid, crowns)]))
+        with_crowns = Mesh(*join_triangles([(mesh.vertices, mesh.faces), build_prisms(grid, crowns)]))
     return RasterSurface(grid, model, mesh, made.kind, made.cell, with_crowns)

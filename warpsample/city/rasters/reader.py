@@ -22,7 +22,7 @@ _ALL = slice(None)
 
 @dataclass(frozen=True, eq=False)
 class RasterReader:
-    """Position of a raster's cells and a function that reads heights; `Grid` describes the other attributes.
+    """Reader of a raster: its position on the map, and a function that reads heights. `Grid` describes the other attributes.
 
     Attributes:
         shape: Numbers of rows and columns.
@@ -41,12 +41,12 @@ class RasterReader:
 
     @property
     def outline(self) -> Grid:
-        """Grid of the raster without heights, and without memory for heights."""
+        """Grid with the position of the raster's cells; all heights are NaN and take no memory."""
         nothing = np.broadcast_to(np.nan, self.shape)
         return Grid(nothing, self.transform, self.crs, self.metres, self.dims, self.coordinates)
 
     def grid(self, rows: slice = _ALL, columns: slice = _ALL) -> Grid:
-        """Read the raster, or the part with the given rows and columns, as a Grid.
+        """Read the heights of the raster, or of the given rows and columns, as a Grid.
 
         Raises:
             ValueError: No cells, or too many cells, before anything is read.
@@ -61,7 +61,7 @@ class RasterReader:
         return Grid(heights, transform, self.crs, self.metres, self.dims, coordinates)
 
     def read(self, rows: slice, columns: slice) -> np.ndarray:
-        """Return the float64 heights of some rows and columns, in the unit of the coordinates."""
+        """Read the heights of some rows and columns, float64 in the unit of the raster's coordinates."""
         rows, columns = slice(*rows.indices(self.shape[0])), slice(*columns.indices(self.shape[1]))
         heights = self.heights(rows, columns)
         return heights * self.factor if abs(self.factor - 1.0) > 1e-5 else heights
@@ -71,5 +71,9 @@ def _check_size(shape: tuple[int, int]) -> None:
     """Raise an error for a raster without cells, or with too many cells for the free memory."""
     rows, columns = shape
     if not 0 < rows * columns <= _MOST_CELLS:
-        raise ValueError(f"source: got {rows:,} x {columns:,} cells, want 1 to {_MOST_CELLS:,}; take it in tiles")
-    check_memory(_BYTES * rows * columns, f"the surface of {rows:,} x {columns:,} cells", "take it in tiles")
+        raise ValueError(f"source: got {rows:,} x {columns:,} cells, want 1 to {_MOST_CELLS:,}; split it into tiles")
+    check_memory(
+        _BYTES * rows * columns,
+        f"the surface of {rows:,} x {columns:,} cells",
+        "split it into tiles",
+    )

@@ -17,7 +17,9 @@ Columns = Callable[[], Part]
 
 @dataclass(frozen=True, eq=False)
 class Scenery:
-    """Two scenes, built on each call, so that only one mesh and its tree is in memory at a time.
+    """Two functions that build the meshes without and with tree crowns.
+
+    The meshes are built on each call, so that only one mesh and its search tree is in memory at a time.
 
     Attributes:
         without_crowns: Function that returns the mesh without crowns.
@@ -30,7 +32,7 @@ class Scenery:
 
 @dataclass(eq=False)
 class Foreground:
-    """Triangles at full resolution that several scenes share, held in memory once.
+    """Triangles of a tile at full resolution, shared by several scenes and held in memory once.
 
     After a scene with all triangles is built, its mesh holds them.
 
@@ -42,8 +44,11 @@ class Foreground:
     triangles: Part
     ground: tuple[int, int]
 
-    def before(self, *columns: Columns) -> Scenery:
-        """Return the scenes with columns in the background: the first columns without crowns, the last ones with crowns."""
+    def add_columns(self, *columns: Columns) -> Scenery:
+        """Return the scenes of a tile with columns of distant terrain behind the full-resolution triangles.
+
+        The scene without crowns gets the first columns, the scene with crowns the last ones.
+        """
         sizes = len(self.triangles[0]), len(self.triangles[1])
         with_crowns = (
             partial(self._append_columns, sizes, *columns[-1:]) if sizes != self.ground or len(columns) > 1 else None
@@ -51,7 +56,7 @@ class Foreground:
         return Scenery(partial(self._append_columns, self.ground, *columns[:1]), with_crowns)
 
     def _append_columns(self, sizes: tuple[int, int], *columns: Columns) -> Mesh:
-        """Build the mesh of the first `sizes` vertices and faces together with columns."""
+        """Build a mesh of the first `sizes` vertices and faces of the foreground and of the columns of distant terrain."""
         own = tuple(array[:size] for array, size in zip(self.triangles, sizes, strict=True))
         mesh = Mesh(*join_triangles([own, *(made() for made in columns)]))
         if len(own[1]) == len(self.triangles[1]):
@@ -61,7 +66,7 @@ class Foreground:
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """Results at P points, with crowns taken into account.
+    """Results of a quantity at P points, with light that tree crowns transmit.
 
     Attributes:
         value: (P,) float32.
@@ -79,7 +84,7 @@ class Seen:
 
 
 def join_triangles(parts: Sequence[Part]) -> Part:
-    """Join the triangles of all parts, in order."""
+    """Concatenate vertices and faces of several meshes into one, and renumber the faces."""
     vertices, faces = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
     first, start = 0, 0
     for some_vertices, some_faces in parts:

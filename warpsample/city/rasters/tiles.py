@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.canopy import Canopy, check_for_crowns, check_same_map, prisms, rename_argument
+from warpsample.city.rasters.canopy import Canopy, build_prisms, check_for_crowns, check_same_map, rename_argument
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
 from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, compute_through_crowns
-from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, surface_of
+from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, build_surface
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import check_heights, ground_of, reader_of
 from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, join_triangles
@@ -35,7 +35,7 @@ Span = tuple[slice, slice]
 
 @dataclass(eq=False)
 class RasterRun:
-    """Checked arguments of a call on a raster, and the pooled terrain, which the first tile reads.
+    """Computation of one quantity on a raster: its checked arguments, and the distant terrain, which the first tile reads.
 
     Attributes:
         reader: Reader of the heights.
@@ -77,7 +77,7 @@ class RasterRun:
         margin: Any,
         far: Any,
     ) -> "RasterRun":
-        """Check the arguments of a call of `rasters` and return the run.
+        """Check the arguments of a call of `warpsample.rasters`, and return the RasterRun.
 
         Raises:
             TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
@@ -106,7 +106,7 @@ class RasterRun:
         return cls(reader, quantity, options, model, receiver, trees, shares, tile, margin, other)
 
     def check(self) -> None:
-        """Compute one cell of level ground, so that invalid options of the quantity raise an error before the run starts.
+        """Raise an error for invalid options of the quantity, by a computation for one cell of level ground.
 
         Raises:
             TypeError, ValueError: An option that cannot be used; the message names the option.
@@ -123,7 +123,7 @@ class RasterRun:
         return {name: raster for name, raster in given.items() if isinstance(raster, RasterReader)}
 
     def reading(self, rasters: Mapping[str, RasterReader]) -> "RasterRun":
-        """Return a copy of the run with other input rasters."""
+        """Return a copy of the run that reads other input rasters, keyed by argument name."""
         canopy = self.canopy
         if canopy is not None:
             canopy = replace(canopy, top=rasters["canopy"], trunk=rasters.get("trunk", canopy.trunk))
@@ -131,24 +131,24 @@ class RasterRun:
 
     @property
     def far(self) -> bool:
-        """Boolean, True if terrain outside the margins is pooled, so that results are bounds."""
+        """True if terrain outside the margins is pooled, so that results have upper and lower bounds."""
         return self.tile is not None or self.other is not None
 
     @cached_property
     def far_field(self) -> FarField | None:
-        """Far field of ground and buildings, read once; None without terrain outside the margins."""
+        """Pooled distant ground and buildings, read once; None without terrain outside the margins."""
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model) if self.far else None
 
     @cached_property
     def far_field_with_trees(self) -> FarField | None:
-        """Far field with tree crowns included; `far_field` if there are none."""
+        """Pooled distant terrain with tree crowns included; equal to `far_field` without tree crowns."""
         if not self.far or self.canopy is None:
             return self.far_field
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model, canopy=self.canopy)
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the result arrays."""
+        """Names of the result arrays, such as "value" and "standard_error"."""
         return ("value", "standard_error", "half_width", *(("far_error",) if self.far else ()))
 
     @property
@@ -159,7 +159,7 @@ class RasterRun:
 
     @property
     def sides(self) -> tuple[int, int]:
-        """Rows and columns of a tile; the last tiles may be smaller."""
+        """Number of rows and columns of a tile; the last tiles may be smaller."""
         rows, columns = self.reader.shape
         return (rows, columns) if self.tile is None else (min(self.tile, rows), min(self.tile, columns))
 
@@ -172,7 +172,10 @@ class RasterRun:
                 yield slice(row, min(row + height, rows)), slice(column, min(column + width, columns))
 
     def numbers(self, span: Span) -> dict[str, np.ndarray]:
-        """Compute the results of a tile: (rows, columns) float32 by name, NaN in cells without data."""
+        """Compute the quantity in the cells of one tile; return (rows, columns) float32 arrays, keyed by name.
+
+        Cells without data are NaN.
+        """
         shape = tuple(part.stop - part.start for part in span)
         log.info("tile of rows %d to %d, columns %d to %d", *(edge for part in span for edge in (part.start, part.stop - 1)))
         laid = {name: np.full(shape, np.nan, np.float32) for name in self.names}
@@ -186,7 +189,7 @@ class RasterRun:
             check_heights(grid)
         if not (inside & grid.valid).any():
             return laid
-        surface = surface_of(grid, self.model)
+        surface = build_surface(grid, self.model)
         points, cells = surface.points(self.receiver)
         chosen = inside.ravel()[cells]
         i, j = np.divmod(cells[chosen], grid.height.shape[1])
@@ -204,38 +207,41 @@ class RasterRun:
         return laid
 
     def _build_foreground(self, mesh: Mesh, grid: Grid, window: Span) -> Foreground:
-        """Build the surface of a tile with its margin, and the crowns over it."""
+        """Build the triangles of a tile with its margin, followed by those of the tree crowns there."""
         ground = mesh.vertices, mesh.faces
         crowns = self.canopy and self.canopy.crowns(grid, *window)
-        triangles = join_triangles([ground, prisms(grid, crowns)]) if crowns and crowns.any else ground
+        triangles = join_triangles([ground, build_prisms(grid, crowns)]) if crowns and crowns.any else ground
         return Foreground(triangles, tuple(map(len, ground)))
 
     def _build_scenes(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
-        """Return the scenes with upper and with lower columns, or the only scene without columns."""
+        """Return two scenes of a tile, with upper and with lower columns of distant terrain.
+
+        Without distant terrain there is only one scene.
+        """
         if self.far_field is None:
-            return [foreground.before()]
+            return [foreground.add_columns()]
         fields = [self.far_field, *([] if self.far_field_with_trees is self.far_field else [self.far_field_with_trees])]
         lowest = float(foreground.triangles[0][:, 2].min())
         columns = zip(*(field.columns(span, near, lowest) for field in fields), strict=True)
-        return [foreground.before(*each) for each in columns] or [foreground.before()]
+        return [foreground.add_columns(*each) for each in columns] or [foreground.add_columns()]
 
     @property
     def by_horizons(self) -> bool:
-        """Boolean, True if rays search for horizons in tiles whose cells all have heights.
+        """True if tiles without missing heights are computed by a search for the horizon in each azimuth.
 
         Rays pass below crowns and through cells without data, so that an azimuth has no single horizon there.
         """
         return self.canopy is None and finds_horizons(self.quantity, self.options)
 
     def _compute_values(self, points: SurfacePoints, whole: bool, scene: Scenery) -> Seen:
-        """Compute the results at points of a tile, by horizons where possible."""
+        """Compute the quantity at points of a tile: from horizons where possible, else by independent rays."""
         if whole and self.by_horizons:
             return sky_by_horizons(self.quantity, scene.without_crowns(), points, self.options)
         return compute_through_crowns(self.quantity, scene, points, self.options, self.transmittance)
 
 
 def _average_bounds(found: list[Seen]) -> dict[str, np.ndarray]:
-    """Return the mean of the results with upper and lower columns, and half of the difference as `far_error`."""
+    """Average the results with upper and with lower distant terrain; half of their difference is `far_error`."""
     upper, lower = (vars(seen) for seen in (found[0], found[-1]))
     names = ("value", "standard_error", "half_width")
     means = {name: (upper[name].astype(np.float64) + lower[name]) / 2.0 for name in names}

@@ -1,4 +1,4 @@
-"""Second implementations, the twins: every map, density and frame in float64 NumPy, written differently from the kernels.
+"""Twins: second implementations of every map, density and frame, in float64 NumPy, written differently from the kernels.
 
 Where a record states a limit (a clamped edge, a blurred horizon), its twin has the same limit. Parameters are first rounded
 to float32, as in the kernels. The module `sequences` has the twins of the sequences, in exact integers.
@@ -17,7 +17,7 @@ _TWINS = {**shapes.TWINS, **microfacets.TWINS}
 
 
 def check_twin(distribution: Distribution) -> Twin:
-    """Return the twin of a distribution: its functions (directions, density).
+    """Return the twin of a distribution: its second implementations (directions, density) in float64.
 
     Raises:
         NotImplementedError: the distribution has no twin; the message explains how to add it.
@@ -35,12 +35,12 @@ def check_twin(distribution: Distribution) -> Twin:
 
 
 def directions(distribution: Distribution, u: np.ndarray) -> np.ndarray:
-    """Return the exact value of `distribution.sample(u)`: (..., width) float64 for float64 u."""
+    """Compute the exact directions of `distribution.sample(u)` in float64, (..., width), for float64 u."""
     return check_twin(distribution)[0](distribution, u)
 
 
 def density(distribution: Distribution, w: np.ndarray) -> np.ndarray:
-    """Return the exact value of `distribution.pdf(w)`: float64, for float64 w in the support and of about unit length."""
+    """Compute the exact density of `distribution.pdf(w)` in float64, for float64 w in the support, of about unit length."""
     return check_twin(distribution)[1](distribution, w)
 
 

@@ -11,18 +11,18 @@ BLUR = 2.0**-21
 
 
 def spherical(theta: np.ndarray, turns: np.ndarray) -> np.ndarray:
-    """Return unit vectors from the angle to +z in radians and the azimuth as a fraction of 2 pi."""
+    """Convert angles to +z, in radians, and azimuths, as fractions of 2 pi, to unit vectors."""
     sine, azimuth = np.sin(theta), TAU * turns
     return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), np.cos(theta)], axis=-1)
 
 
 def polar_angle(w: np.ndarray) -> np.ndarray:
-    """Return the angle to +z in radians."""
+    """Return the angle between vectors w and +z, in radians."""
     return np.arctan2(np.sqrt(w[..., 0] ** 2 + w[..., 1] ** 2), w[..., 2])
 
 
 def frames(n: np.ndarray) -> np.ndarray:
-    """Return the frames about unit normals, (N, 3, 3) float64 with columns tangent, bitangent, normal (Duff2017)."""
+    """Build the frames about unit normals, (N, 3, 3) float64 with columns tangent, bitangent, normal (Duff2017)."""
     x, y, z = n.T
     sign = np.copysign(1.0, z)
     a = -1.0 / (sign + z)
@@ -38,15 +38,18 @@ def frames(n: np.ndarray) -> np.ndarray:
 
 
 def parameter(distribution: Any, name: str) -> float:
-    """Return a scalar of a distribution rounded to float32, as the kernels use it."""
+    """Return a parameter of a distribution rounded to float32, as the kernels use it."""
     return float(np.float32(getattr(distribution, name)))
 
 
 def by_theta(theta: Callable[[Any, np.ndarray], np.ndarray]) -> Callable[[Any, np.ndarray], np.ndarray]:
-    """Build a map with azimuth 2 pi u[1] from a function (distribution, u[0]) that returns the angle to +z in radians."""
+    """Build a map to directions from a function (distribution, u[0]) that returns the angle to +z in radians.
+
+    The azimuth is 2 pi u[1].
+    """
     return lambda d, u: spherical(theta(d, u[..., 0]), u[..., 1])
 
 
 def constant(value: float) -> Callable[[Any, np.ndarray], np.ndarray]:
-    """Build a density with the same value in all directions."""
+    """Return a density function that has the same value in all directions."""
     return lambda d, w: np.full(w.shape[:-1], value)

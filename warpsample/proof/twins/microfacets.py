@@ -17,7 +17,7 @@ def _tilted(d: Any, turns: np.ndarray, sine: np.ndarray, cosine: np.ndarray) -> 
     """Return normals with the slopes sine / cosine (alpha_x cos phi, alpha_y sin phi), for phi in turns."""
     x, y = _roughnesses(d)
     azimuth = TAU * turns
-    return _unit(np.stack([x * sine * np.cos(azimuth), y * sine * np.sin(azimuth), cosine], axis=-1))
+    return _normalize(np.stack([x * sine * np.cos(azimuth), y * sine * np.sin(azimuth), cosine], axis=-1))
 
 
 def _steepness(d: Any, w: np.ndarray) -> np.ndarray:
@@ -49,37 +49,37 @@ def _ggx_normals(d: Any, w: np.ndarray) -> np.ndarray:
     return 1.0 / (area * np.square(np.cos(theta)) ** 2 * (1.0 + np.tan(theta) ** 2 * _steepness(d, w)) ** 2)
 
 
-def _view(d: Any) -> np.ndarray:
-    """Return the view direction, rounded to float32 as in the kernels."""
+def _view_of(d: Any) -> np.ndarray:
+    """Return the view direction of a distribution, rounded to float32 as in the kernels."""
     return np.array(d.view, np.float32).astype(np.float64)
 
 
 def _cosine_to_view(d: Any, m: np.ndarray) -> np.ndarray:
-    """Return the cosine between normals and the view, clamped from below as in the kernels."""
-    return np.maximum(m @ _view(d), BLUR * (np.abs(m) @ np.abs(_view(d))))
+    """Return the cosine between normals m and the view direction, clamped from below as in the kernels."""
+    return np.maximum(m @ _view_of(d), BLUR * (np.abs(m) @ np.abs(_view_of(d))))
 
 
 def _rotate_to_view(d: Any, w: np.ndarray) -> np.ndarray:
     """Rotate vectors about z from a frame whose x axis lies below the stretched view to the stretched local frame."""
-    (x, y, _), (alpha, alpha_y) = _view(d), _roughnesses(d)
+    (x, y, _), (alpha, alpha_y) = _view_of(d), _roughnesses(d)
     x, y = x * alpha, y * alpha_y
     turn = np.exp(1j * np.arctan2(y, x)) * (w[..., 0] + 1j * w[..., 1])
     return np.stack([turn.real, turn.imag, w[..., 2]], axis=-1)
 
 
-def _unit(w: np.ndarray) -> np.ndarray:
-    """Return vectors scaled to unit length."""
+def _normalize(w: np.ndarray) -> np.ndarray:
+    """Scale vectors to unit length."""
     return w / np.sqrt(np.einsum("...i,...i", w, w))[..., None]
 
 
 def _visible_ggx(d: Any, u: np.ndarray) -> np.ndarray:
     """Return normals by Dupuy2023, listing 3, as printed, except that the azimuth starts at the view."""
-    (x, y, z), (alpha, alpha_y) = _view(d), _roughnesses(d)
-    view = _unit(np.array([np.hypot(alpha * x, alpha_y * y), 0.0, z]))
+    (x, y, z), (alpha, alpha_y) = _view_of(d), _roughnesses(d)
+    view = _normalize(np.array([np.hypot(alpha * x, alpha_y * y), 0.0, z]))
     cap_z = (1.0 - u[..., 0]) * (1.0 + view[2]) - view[2]
     sine = np.sqrt(np.maximum(1.0 - cap_z**2, 0.0))
     cap = np.stack([sine * np.cos(TAU * u[..., 1]), sine * np.sin(TAU * u[..., 1]), cap_z], axis=-1)
-    return _unit(_rotate_to_view(d, cap + view) * (alpha, alpha_y, 1.0))
+    return _normalize(_rotate_to_view(d, cap + view) * (alpha, alpha_y, 1.0))
 
 
 def _visible_ggx_density(d: Any, m: np.ndarray) -> np.ndarray:
@@ -87,7 +87,7 @@ def _visible_ggx_density(d: Any, m: np.ndarray) -> np.ndarray:
 
     G1 / v.z has a form that stays finite for grazing views.
     """
-    (x, y, z), (alpha, alpha_y) = _view(d), _roughnesses(d)
+    (x, y, z), (alpha, alpha_y) = _view_of(d), _roughnesses(d)
     seen = 2.0 / (z + np.hypot(z, np.hypot(alpha * x, alpha_y * y)))
     return seen * _cosine_to_view(d, m) * _ggx_normals(d, m)
 
@@ -97,13 +97,13 @@ def _visible_slope_limit(d: Any) -> tuple[float, float]:
 
     alpha sin v is the length of (alpha_x v_x, alpha_y v_y). The sine of the view's angle v to +z is at least 1e-12.
     """
-    (x, y, z), (alpha, alpha_y) = _view(d), _roughnesses(d)
+    (x, y, z), (alpha, alpha_y) = _view_of(d), _roughnesses(d)
     across = max(np.hypot(alpha * x, alpha_y * y), 1e-12 * np.sqrt(alpha * alpha_y))
     return z / across, across
 
 
 def _visible_beckmann(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return normals of the visible Beckmann distribution at u.
+    """Sample visible Beckmann normals at u.
 
     The slope along the view comes from bisection of its distribution function, the slope across it from SciPy's `ndtri`.
     """
@@ -122,11 +122,14 @@ def _visible_beckmann(d: Any, u: np.ndarray) -> np.ndarray:
         above = share_above(middle) > target
         low, high = np.where(above, middle, low), np.where(above, high, middle)
     aside = ndtri(u[..., 1] + 2.0**-25) / np.sqrt(2.0)
-    return _unit(_rotate_to_view(d, np.stack([low, aside, np.ones_like(low)], axis=-1)) * (*_roughnesses(d), 1.0))
+    return _normalize(_rotate_to_view(d, np.stack([low, aside, np.ones_like(low)], axis=-1)) * (*_roughnesses(d), 1.0))
 
 
 def _visible_beckmann_density(d: Any, m: np.ndarray) -> np.ndarray:
-    """Return the density of normals times their visible fraction, over the visible area (Heitz2014, equations 2 and 3)."""
+    """Return the density of visible Beckmann normals (Heitz2014, equations 2 and 3).
+
+    It is the density of all normals times their visible fraction, divided by the visible area.
+    """
     from scipy.special import erf
 
     a, across = _visible_slope_limit(d)

@@ -12,13 +12,16 @@ Key = tuple[int, int, int, int]
 
 
 def expected(name: str, *, seed: int, point: int, sample: int, count: int, stream: int | None = None) -> tuple[int, int]:
-    """Return both coordinates of a sample of a point, or of one of the point's streams, in cells of 2^-24."""
+    """Compute the exact coordinates of one sample of a sequence, as two integers in units of 2^-24.
+
+    The sample belongs to a surface point, or to one of the point's random streams.
+    """
     twin, own_key, _ = _TWINS[name]
     return twin(own_key(seed, point) if stream is None else _stream_key(seed, point, stream), sample, count)
 
 
 def frozen_digest(name: str) -> str:
-    """Return the recorded value of `streams.digest` for a sequence."""
+    """Return the recorded hash of a sequence's values, to compare with `streams.digest`."""
     return _TWINS[name][2]
 
 
@@ -28,7 +31,7 @@ def names() -> set[str]:
 
 
 def pcg4d(x: int, y: int, z: int, w: int) -> Key:
-    """Return the hash of four words by Jarzynski2020, listing 13."""
+    """Hash four 32-bit words with PCG4D (Jarzynski2020, listing 13)."""
     v = [(a * 1664525 + 1013904223) & _MASK for a in (x, y, z, w)]
     for turn in range(2):
         for k, (i, j) in enumerate([(1, 3), (2, 0), (0, 1), (1, 2)]):
@@ -39,7 +42,7 @@ def pcg4d(x: int, y: int, z: int, w: int) -> Key:
 
 
 def philox4x32_10(counter: Sequence[int], key: Sequence[int]) -> list[int]:
-    """Return four words of the counter-based generator of Salmon2011, table 2 and section 4.3."""
+    """Return four random words of the generator Philox4x32-10 (Salmon2011, table 2 and section 4.3)."""
     x, key = list(counter), list(key)
     for _ in range(10):
         high_0, low_0 = divmod(0xD2511F53 * x[0], 2**32)
@@ -50,14 +53,14 @@ def philox4x32_10(counter: Sequence[int], key: Sequence[int]) -> list[int]:
 
 
 def _finalize(word: int) -> int:
-    """Return a word after the finaliser fmix32 of Appleby2016."""
+    """Mix a 32-bit word with the finaliser fmix32 of Appleby2016."""
     for shift, factor in ((16, 0x85EBCA6B), (13, 0xC2B2AE35), (16, 1)):
         word = (word ^ (word >> shift)) * factor & _MASK
     return word
 
 
 def _swap_halves(word: int) -> int:
-    """Return a word with its two 16-bit halves exchanged."""
+    """Swap the two 16-bit halves of a 32-bit word."""
     return (word & 0xFFFF) << 16 | word >> 16
 
 
@@ -69,27 +72,27 @@ def _combine(run: Sequence[int], low: int) -> Key:
 
 
 def _premixed_words(seed: int, point: int) -> Key:
-    """Return the four words of a run and a point before hashing."""
+    """Return the partly mixed key of a surface point: four words that still need a hash."""
     return _combine(philox4x32_10([point >> 32, 0, 0, 2], [seed & _MASK, seed >> 32]), point & _MASK)
 
 
 def _raw_words(seed: int, point: int) -> Key:
-    """Return the words of point id and seed unchanged."""
+    """Return the key of a surface point for Philox: the halves of its id and of the seed, unchanged."""
     return point & _MASK, point >> 32, seed & _MASK, seed >> 32
 
 
 def _key(seed: int, point: int) -> Key:
-    """Return the four words of the key of a point, from seed and point id."""
+    """Return the key of a surface point: four random words from its id and the seed."""
     return pcg4d(*_premixed_words(seed, point))
 
 
 def _stream_key(seed: int, point: int, stream: int) -> Key:
-    """Return the four words of the key of a stream of a point."""
+    """Return the key of one random stream of a surface point: four random words."""
     return pcg4d(*_combine(_key(seed, point), stream))
 
 
-def _half(words: Sequence[int], sample: int) -> tuple[int, int]:
-    """Return the two variates of a sample from four words, which two samples share."""
+def _variates_from_words(words: Sequence[int], sample: int) -> tuple[int, int]:
+    """Return the two variates of a sample from four random words, which two consecutive samples share."""
     first = 2 * (sample & 1)
     return words[first] >> 8, words[first + 1] >> 8
 
@@ -99,16 +102,16 @@ def _independent(key: Key, sample: int, count: int) -> tuple[int, int]:
     half = sample >> 1
     half = (half ^ half >> 16) * 0x85EBCA6B & _MASK
     half ^= half >> 13
-    return _half(pcg4d(key[1] ^ half, key[0], key[2], (key[3] + _swap_halves(half)) & _MASK), sample)
+    return _variates_from_words(pcg4d(key[1] ^ half, key[0], key[2], (key[3] + _swap_halves(half)) & _MASK), sample)
 
 
 def _philox(key: Key, sample: int, count: int) -> tuple[int, int]:
     """Return the variates of the sequence "philox", in cells of 2^-24."""
-    return _half(philox4x32_10([sample >> 1, key[0], key[1], 0], key[2:]), sample)
+    return _variates_from_words(philox4x32_10([sample >> 1, key[0], key[1], 0], key[2:]), sample)
 
 
 def _rotation(sample: int, step: int, key: int) -> int:
-    """Return a sample of a rank-1 rotation sequence, shifted by a key, in cells of 2^-24."""
+    """Return one coordinate sample * step + key modulo 1 of a lattice, in units of 2^-24."""
     return (((sample * step % 2**64) >> 32) + key & _MASK) >> 8
 
 
@@ -124,12 +127,12 @@ def _fibonacci(key: Key, sample: int, count: int) -> tuple[int, int]:
 
 
 def _reverse_bits(x: int) -> int:
-    """Return a 32-bit word with its bits in reverse order."""
+    """Reverse the order of the bits of a 32-bit word."""
     return int(f"{x:032b}"[::-1], 2)
 
 
 def _owen(x: int, key: int) -> int:
-    """Return the hash of Vegdahl2021 of a bit-reversed word."""
+    """Scramble a bit-reversed word by the hash of Vegdahl2021 (nested uniform scrambling)."""
     x ^= x * 0x3D20ADEA & _MASK
     x = (x + key) * ((key >> 16) | 1) & _MASK
     x ^= x * 0x05526C56 & _MASK

@@ -10,13 +10,16 @@ from warpsample.proof.twins.angles import BLUR, TAU, by_theta, constant, paramet
 def _cosine(d: Any, u: np.ndarray) -> np.ndarray:
     """Return cosine-distributed directions of the hemisphere at u, by the distribution's method."""
     if d.method == "concentric":
-        r, turns = _triangles(u)
+        r, turns = _concentric(u)
         return spherical(np.arctan2(r, np.sqrt((1.0 - r) * (1.0 + r))), turns)
     return spherical(np.arctan2(np.sqrt(u[..., 0]), np.sqrt(1.0 - u[..., 0])), u[..., 1])
 
 
-def _triangles(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return (radius, turns) of the concentric map by the square's four triangles, with u at cell centres (Shirley1997)."""
+def _concentric(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return radius and azimuth, in turns, of the concentric map, by the square's four triangles (Shirley1997).
+
+    u is moved to the centre of its cell.
+    """
     a = 2.0 * u[..., 0] - 1.0 + 2.0**-24
     b = 2.0 * u[..., 1] - 1.0 + 2.0**-24
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -29,7 +32,7 @@ def _triangles(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def _disk(d: Any, u: np.ndarray) -> np.ndarray:
     """Return uniformly distributed points of the unit disk at u, by the distribution's method."""
-    r, turns = _triangles(u) if d.method == "concentric" else (np.sqrt(u[..., 0]), u[..., 1])
+    r, turns = _concentric(u) if d.method == "concentric" else (np.sqrt(u[..., 0]), u[..., 1])
     return r[..., None] * np.stack([np.cos(TAU * turns), np.sin(TAU * turns)], axis=-1)
 
 
@@ -57,7 +60,10 @@ def _offset_sphere(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _offset_sphere_density(d: Any, w: np.ndarray) -> np.ndarray:
-    """Return the exact density: one formula if the surface point is outside the sphere, one if it is inside."""
+    """Return the exact density of the offset sphere.
+
+    There is one formula for a surface point outside the sphere, and one for a surface point inside.
+    """
     rho, theta = parameter(d, "rho"), polar_angle(w)
     if rho < 1.0:
         root = np.sqrt(np.maximum(rho**2 - np.sin(theta) ** 2, BLUR * rho**2))

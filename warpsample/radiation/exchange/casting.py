@@ -1,4 +1,4 @@
-"""Casting of the faces' rays in blocks on worker threads, and counting of the surfaces that they hit."""
+"""Casting of rays from faces, in blocks on worker threads, and counting of the surfaces that the rays hit."""
 
 import threading
 from collections import deque
@@ -32,17 +32,20 @@ _BLOCK_RAYS = 1 << 22  # most rays per block of several faces
 
 
 class InOrder:
-    """Queue that accepts numbered blocks from threads in any order and passes them to a function in ascending order."""
+    """Queue that accepts numbered blocks of work in any order and passes them on in ascending order.
+
+    Threads put blocks in; a function receives them.
+    """
 
     def __init__(self, take: Callable[[Block], None]) -> None:
-        """Store the function that receives the blocks."""
+        """Store the function that receives the blocks in ascending order."""
         self._take = take
         self._next = 0
         self._early: dict[int, Block] = {}
         self._taking = threading.Lock()
 
     def put(self, number: int, block: Block) -> None:
-        """Add a block, and pass all blocks that are next in order to the function; numbers start at 0."""
+        """Add a numbered block, and pass all blocks that are next in order to the function; numbers start at 0."""
         with self._taking:
             self._early[number] = block
             while self._next in self._early:
@@ -52,7 +55,7 @@ class InOrder:
 
 @dataclass(frozen=True)
 class Casting:
-    """Checked arguments of a call of `view_factors` that concern rays."""
+    """Checked arguments of `view_factors` that concern rays: mesh, number of rays, seed and threads."""
 
     mesh: Mesh
     per_replicate: int
@@ -69,23 +72,23 @@ class Casting:
         return self.per_replicate * self.replicates
 
     def upward(self) -> np.ndarray | None:
-        """Return the share of each face's hemisphere above the horizon, (F,) float64; None if `up` is None."""
+        """Share of each face's hemisphere above the horizon, (F,) float64; None if `up` is None."""
         if self.up is None:
             return None
         return np.clip(0.5 + 0.5 * (self.mesh.face_normals.astype(np.float64) @ self.up), 0.0, 1.0)
 
     def counts(self, rows: np.ndarray, surfaces: np.ndarray | None) -> tuple[Counts, np.ndarray]:
-        """Cast the rays of the faces `rows`; return their counts, and the (F,) mask of the faces that cast rays.
+        """Cast the rays of the faces `rows`; return counts of hits, and the (F,) mask of the faces that cast rays.
 
         surfaces: (F,) int32, column of each face; None for one column per face.
         """
         scene = scene_of(self.mesh, through=True)
         tree = WIDE.accelerator(scene, cpu(), self.workers)
-        rays, normals = self._rays(scene), self.mesh.face_normals
+        rays, normals = self._build_rays(scene), self.mesh.face_normals
         rays.normals = normals.ctypes.data
         collector = Collector(len(self.mesh.faces), self.replicates, scene.has_glass)
         if self.skip and len(rows):
-            opens = self._opens(rays, [tree, rays.glass.tree] if scene.has_glass else [tree], rows)
+            opens = self._find_open_faces(rays, [tree, rays.glass.tree] if scene.has_glass else [tree], rows)
             collector.all_open(rows[opens], self.per_replicate)
             rows = rows[~opens]
         done = begin(len(rows), RAY_WORK * self.rays * len(rows))
@@ -95,13 +98,13 @@ class Casting:
             if done:
                 done(len(block.rows))
 
-        self._cast(rays, tree, rows=rows, surfaces=surfaces, blocks=InOrder(take))
+        self._cast_rows(rays, tree, rows=rows, surfaces=surfaces, blocks=InOrder(take))
         cast = np.zeros(len(self.mesh.faces), np.bool_)
         cast[rows] = True
         return collector.counts(), cast
 
-    def _opens(self, rays: FaceRaysArgs, trees: list[AcceleratorArgs], rows: np.ndarray) -> np.ndarray:
-        """Return the (B,) mask of the faces in `rows` that have nothing of any tree above their plane."""
+    def _find_open_faces(self, rays: FaceRaysArgs, trees: list[AcceleratorArgs], rows: np.ndarray) -> np.ndarray:
+        """Return the (B,) mask of the faces in `rows` that have no geometry above their plane."""
         opens = np.zeros((len(trees), len(rows)), np.uint8)
         rays.rows = rows.ctypes.data
         for tree, found in zip(trees, opens, strict=True):
@@ -109,7 +112,7 @@ class Casting:
             run(open_kernel(), len(rows), inputs, cpu(), workers=self.workers, work=RAY_WORK * len(rows))
         return (opens == 1).all(axis=0)
 
-    def _cast(
+    def _cast_rows(
         self,
         rays: FaceRaysArgs,
         tree: AcceleratorArgs,
@@ -118,13 +121,16 @@ class Casting:
         surfaces: np.ndarray | None,
         blocks: InOrder,
     ) -> None:
-        """Cast and count the rays of `rows` in blocks; one thread computes a block, so that none waits for another."""
+        """Cast the rays of the faces `rows` in blocks on threads, and count the hits.
+
+        One thread computes a block, so that none waits for another.
+        """
         size = max(1, min(_BLOCK, _BLOCK_RAYS // self.rays, -(-len(rows) // (4 * self.workers))))
         firsts = iter(range(0, len(rows), size))
 
         def part() -> None:
             for first in firsts:
-                blocks.put(first // size, self._block(rays, tree, rows[first : first + size], surfaces))
+                blocks.put(first // size, self._cast_block(rays, tree, rows[first : first + size], surfaces))
 
         if size >= len(rows):
             part()
@@ -132,8 +138,11 @@ class Casting:
             parts, stop = [partial(Context().run, part) for _ in range(self.workers)], partial(deque, firsts, maxlen=0)
             uninterrupted(partial(share, parts, stop), stop)
 
-    def _rays(self, scene: Scene) -> FaceRaysArgs:
-        """Return the kernel's arguments; the addresses of the scene's arrays are valid as long as the mesh lives."""
+    def _build_rays(self, scene: Scene) -> FaceRaysArgs:
+        """Return the kernel argument that describes the rays of all faces.
+
+        The addresses of the scene's arrays are valid as long as the mesh lives.
+        """
         return FaceRaysArgs(
             vertices=scene.vertices.ctypes.data,
             triangles=scene.faces.ctypes.data,
@@ -148,7 +157,9 @@ class Casting:
             **({"glass": scene.glass(self.workers)} if scene.has_glass else {}),
         )
 
-    def _block(self, of_all: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None) -> Block:
+    def _cast_block(
+        self, of_all: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None
+    ) -> Block:
         """Cast the rays of one block of faces, and count the surfaces that they hit."""
         codes = np.empty((len(rows), self.replicates, self.per_replicate), np.int32)
         rays = FaceRaysArgs.from_buffer_copy(of_all)

@@ -1,4 +1,4 @@
-"""Reciprocal exchange that closes: each pair's count is multiplied by factors with which every row adds up to its area."""
+"""Scaling of exchanged radiation between pairs of surfaces so that each row of view factors adds up to 1."""
 
 import warnings
 from dataclasses import dataclass
@@ -20,13 +20,13 @@ _DAMPING = 1e-12  # relative to the diagonal, so that rows that cannot close do 
 
 
 def rows_of(indptr: np.ndarray) -> np.ndarray:
-    """Return the (E,) int32 row of each entry of a CSR matrix."""
+    """Return the row of each entry of a CSR matrix, (E,) int32, from the matrix' index pointers."""
     return np.repeat(np.arange(len(indptr) - 1, dtype=np.int32), np.diff(indptr))
 
 
 @dataclass(frozen=True, eq=False)
 class Closure:
-    """Scaled exchange and its linearisation in the unknowns u.
+    """Exchange between pairs of surfaces, scaled so that rows close, and the derivatives of the scale factors.
 
     Pair (i, j) is multiplied by exp(2 (u_i + u_j) / (q_i + q_j)), the loss of row i by exp(0.3 u_i / q_i); q is the row's
     ray density.
@@ -48,7 +48,7 @@ class Closure:
     yields: np.ndarray
 
     def step(self, gap: np.ndarray) -> np.ndarray:
-        """Return the change of u, (N,) or (N, k), that increases the row sums by `gap`, to first order."""
+        """Solve for the change of the unknowns u, (N,) or (N, k), that increases the row sums by `gap`, to first order."""
         slopes = self.exchange.copy()
         slopes.data *= self.give
         diagonal = slopes.sum(axis=1) + self.yields * self.lost * self.less
@@ -56,7 +56,7 @@ class Closure:
 
 
 def closure_of(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densities: np.ndarray) -> Closure:
-    """Scale the pairs (N, N) and the losses so that each row adds up to its area.
+    """Scale the exchange of pairs of surfaces (N, N) and the losses so that each row adds up to its area.
 
     The u with which all rows close minimises a convex function. It is found by Newton steps that change no factor by more
     than e.
@@ -86,7 +86,7 @@ def closure_of(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densitie
 
 
 def _conjugate(matrix: "csr_array", diagonal: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """Return x with (matrix + diagonal) x = right, to five digits, by conjugate gradients.
+    """Solve (matrix + diagonal) x = right for x to five digits, by conjugate gradients.
 
     Sums do not depend on the number of threads. The columns of `right` are solved separately, until all have converged.
     """

@@ -1,4 +1,4 @@
-"""Correction of rays that hit a back face where another face coincides with it and faces the ray.
+"""Correction of rays that hit the back of a face where another face coincides with it and faces the ray.
 
 Which of two coincident faces a tracer reports is arbitrary. The walls of a thin slab or of adjacent houses may be cut into
 different triangles, so the other face is searched for around the hit.
@@ -24,7 +24,7 @@ _NONE = wp.constant(wp.int32(2**31 - 1))
 
 @wp.struct
 class Hit:
-    """Hit point p, search radius r, normal n of the face that was hit, and address of all normals, (F, 3) float32."""
+    """Hit of a ray on the back of a face: point p, search radius r, normal n, and address of all normals (F, 3) float32."""
 
     p: wp.vec3
     r: wp.float32
@@ -33,19 +33,19 @@ class Hit:
 
 
 @wp.func
-def _lowest(face: wp.int32, hit: Hit, best: wp.int32) -> wp.int32:
-    """Return the smaller of `best` and `face` if `face` is opposite to the face that was hit, else `best`."""
+def _choose_face(face: wp.int32, hit: Hit, best: wp.int32) -> wp.int32:
+    """Return the smaller of the face numbers `best` and `face` if `face` is opposite to the face hit, else `best`."""
     if wp.dot(vec3_at(hit.normals, face), hit.n) < _OPPOSITE:
         best = wp.min(best, face)
     return best
 
 
-_look_around = faces_touching(_lowest, Hit, wp.int32)
+_look_around = faces_touching(_choose_face, Hit, wp.int32)
 
 
 @once
 def coincident_kernel() -> wp.Kernel:
-    """Build the kernel that replaces hits of backs by coincident front faces, one ray per task.
+    """Build the kernel that replaces hits on backs of faces by coincident front faces, one ray per task.
 
     `where`, (N,) int64: indices among the codes of the rays that hit a back.
     """

@@ -1,4 +1,4 @@
-"""Design effects: variance of the hits of lattice rays relative to independent rays, estimated over all rows.
+"""Design effects: ratio of the variance of hits by lattice rays to that of independent rays, over all rows.
 
 The replicates of one number give few degrees of freedom: alone they often give an error bar of a third of the right one, or
 0 where they agree. But design effects are similar for similar numbers of hits or misses: 1 for few, 0.1 for thousands. So
@@ -17,7 +17,9 @@ _SLICE = 1 << 20  # hits at a time: the squares of all hits would take more memo
 
 
 def factors_and_variances(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return factors F and their variances, (4 v F (1 - F) / n + (R - 1) s^2) / (4 + R - 1), with the design effect v.
+    """Return view factors F and their variances, from the hits of each replicate and a design effect v.
+
+    The variance is (4 v F (1 - F) / n + (R - 1) s^2) / (4 + R - 1), with s^2 from the R replicates.
 
     Args:
         hits: (E, R) hits of each replicate, as integers or as float64 sums of weights from 0 to 1. All must be of one kind,
@@ -27,39 +29,39 @@ def factors_and_variances(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.n
     if hits.dtype.kind == "f" and len(hits):
         whole = (hits == np.rint(hits)).all(axis=1)
         if 0 < np.count_nonzero(whole) < len(hits):
-            return _apart(hits, rays, whole)
+            return _compute_by_kind(hits, rays, whole)
     value, variance = np.empty(len(hits)), np.empty(len(hits))
-    own, effects = hits.shape[1] - 1, _effects(hits, rays)
-    for part, total, spread in _slices(hits):
-        independent, kind = _independent(total, rays)
+    own, effects = hits.shape[1] - 1, _estimate_effects(hits, rays)
+    for part, total, spread in _iterate_slices(hits):
+        independent, kind = _compute_independent_variance(total, rays)
         value[part] = total / rays
         expected = _PRIOR * effects[kind] * independent
         variance[part] = (expected + own * spread) / ((_PRIOR + own) * float(rays) ** 2)
     return value, variance
 
 
-def _apart(hits: np.ndarray, rays: int, whole: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the factors and variances of two kinds of numbers, each kind computed separately."""
+def _compute_by_kind(hits: np.ndarray, rays: int, whole: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the view factors and variances of two kinds of entries, each kind computed separately."""
     found = np.empty((2, len(hits)))
     for kind in (whole, ~whole):
         found[:, kind] = factors_and_variances(hits[kind], rays)
     return found[0], found[1]
 
 
-def _effects(hits: np.ndarray, rays: int) -> np.ndarray:
-    """Return (_CLASSES,) design effects: the mean over each class's numbers and one fitted value."""
+def _estimate_effects(hits: np.ndarray, rays: int) -> np.ndarray:
+    """Estimate the design effect of each variance class, (_CLASSES,): mean over the class and one fitted value."""
     sums, numbers = np.zeros(_CLASSES), np.zeros(_CLASSES)
-    for _, total, spread in _slices(hits) if hits.shape[1] > 1 else ():
-        independent, kind = _independent(total, rays)
+    for _, total, spread in _iterate_slices(hits) if hits.shape[1] > 1 else ():
+        independent, kind = _compute_independent_variance(total, rays)
         there = independent > 0.0
         sums += np.bincount(kind[there], spread[there] / independent[there], _CLASSES)
         numbers += np.bincount(kind[there], minlength=_CLASSES)
-    usual = _usual(sums, numbers)
+    usual = _fit_effects(sums, numbers)
     return (sums + usual) / (numbers + 1.0)
 
 
-def _usual(sums: np.ndarray, numbers: np.ndarray) -> np.ndarray:
-    """Return (_CLASSES,) design effects that are a power of the hits' variance, fitted to all numbers, 1 for single hits.
+def _fit_effects(sums: np.ndarray, numbers: np.ndarray) -> np.ndarray:
+    """Fit design effects, (_CLASSES,), that are a power of the hits' variance, 1 for single hits.
 
     With a single replicate the power is -1/4: a boundary through points that fill four dimensions evenly leaves m^(3/4) of m
     cells undecided.
@@ -74,8 +76,8 @@ def _usual(sums: np.ndarray, numbers: np.ndarray) -> np.ndarray:
     return np.exp2(-low * np.arange(_CLASSES))
 
 
-def _slices(hits: np.ndarray) -> Iterator[tuple[slice, np.ndarray, np.ndarray]]:
-    """Iterate over slices of the hits: (slice, total of each row, variance of the total from the replicates)."""
+def _iterate_slices(hits: np.ndarray) -> Iterator[tuple[slice, np.ndarray, np.ndarray]]:
+    """Iterate over slices of view-factor entries: (slice, total hits, variance of the total from the replicates)."""
     replicates = hits.shape[1]
     step = _SLICE // replicates
     for first in range(0, len(hits), step):
@@ -85,7 +87,7 @@ def _slices(hits: np.ndarray) -> Iterator[tuple[slice, np.ndarray, np.ndarray]]:
         yield slice(first, first + step), total, squares / max(1, replicates - 1)
 
 
-def _independent(total: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the variance n F (1 - F) that independent rays would have, and its class, the binary exponent."""
+def _compute_independent_variance(total: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the variance n F (1 - F) of hits by independent rays, and its class, the binary exponent."""
     variance = total * np.maximum(rays - total, 0) / rays
     return variance, np.clip(np.frexp(variance)[1], 0, _CLASSES - 1)

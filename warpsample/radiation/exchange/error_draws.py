@@ -1,4 +1,4 @@
-"""Random draws of the factors' errors: with the given variances, and a sum of 0 in each row."""
+"""Random draws of the errors of view factors, with the given variances and a sum of 0 in each row."""
 
 import numpy as np
 
@@ -19,38 +19,42 @@ _LOST = ("outside", "behind")
 
 
 class ErrorDraws:
-    """`number` draws of the errors of all factors and of the rows' losses.
+    """Random draws of the errors of all view factors and of the rows' losses; `number` draws.
 
-    The errors of a row are independent, minus their sum in proportion to the variances. So are counts of independent rays,
-    where one surface gains the rays that others lose; here each error has its own design effect.
+    Losses are radiation that goes outside or hits backs of faces. The errors of a row are independent, minus their sum in
+    proportion to the variances. So are counts of independent rays, where one surface gains the rays that others lose; here
+    each error has its own design effect.
     """
 
     def __init__(self, factors: RowFactors) -> None:
-        """Compute each error's size before the row's sum is subtracted, and the share of this sum that each error takes."""
+        """Compute the size of each view factor's error, and its share of the row's sum that is subtracted."""
         self._row, everywhere = rows_of(factors.indptr), np.arange(len(factors.indptr) - 1)
         self._places = [self._row, *[everywhere] * len(_LOST)]
         variances = [factors.variance, *(factors.others[name][1] for name in _LOST)]
         parts = [np.zeros(len(variance)) for variance in variances]
         for _ in range(_PASSES):
             free = [quotients(variance, 1.0 - part) for variance, part in zip(variances, parts, strict=True)]
-            parts = [quotients(one, whole) for one, whole in zip(free, self._of_rows(free), strict=True)]
+            parts = [quotients(one, whole) for one, whole in zip(free, self._sum_by_row(free), strict=True)]
         # Two or three errors cannot keep their variances and a sum of 0: scale to keep the row's total variance.
-        left = self._of_rows([one * (1.0 - part) for one, part in zip(free, parts, strict=True)])
-        more = [quotients(*sums) for sums in zip(self._of_rows(variances), left, strict=True)]
+        left = self._sum_by_row([one * (1.0 - part) for one, part in zip(free, parts, strict=True)])
+        more = [quotients(*sums) for sums in zip(self._sum_by_row(variances), left, strict=True)]
         self._sizes, self._parts = [np.sqrt(one * scale) for one, scale in zip(free, more, strict=True)], parts
-        self._of_outside = {name: _split(factors, name) for name in ("sky", "ground") if name in factors.others}
+        self._of_outside = {name: _split_error(factors, name) for name in ("sky", "ground") if name in factors.others}
         lengths = [len(part) for part in (*parts, *(size for _, size in self._of_outside.values()))]
-        self._signs, codes = _balanced(sum(lengths))
+        self._signs, codes = _choose_signs(sum(lengths))
         self._codes = np.split(codes, np.cumsum(lengths)[:-1])
         self.number: int = len(self._signs)
 
     def draw(self, number: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-        """Return errors of the (E,) factors, and a dictionary from loss to (N,) errors; equal for equal numbers."""
+        """Return one random draw of the errors: (E,) errors of view factors, and (N,) errors of each loss by name.
+
+        Equal numbers give equal draws.
+        """
         signs = self._signs[number]
         free = [signs[codes] for codes in self._codes[: len(self._sizes)]]
         for error, size in zip(free, self._sizes, strict=True):
             np.multiply(error, size, out=error)
-        for error, part, sums in zip(free, self._parts, self._of_rows(free), strict=True):
+        for error, part, sums in zip(free, self._parts, self._sum_by_row(free), strict=True):
             np.multiply(sums, part, out=sums)
             np.subtract(error, sums, out=error)
         others = dict(zip(_LOST, free[1:], strict=True))
@@ -58,21 +62,21 @@ class ErrorDraws:
             others[name] = part * others["outside"] + size * signs[codes]
         return free[0], others
 
-    def _of_rows(self, parts: list[np.ndarray]) -> list[np.ndarray]:
-        """Return for each part's entries the sum over all entries of the same row."""
+    def _sum_by_row(self, parts: list[np.ndarray]) -> list[np.ndarray]:
+        """Sum errors by row, and return for each entry of each part the sum of its row."""
         sums = np.bincount(self._row, parts[0], len(parts[1])) + sum(parts[1:])
         return [sums[places] for places in self._places]
 
 
-def _split(factors: RowFactors, name: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return the share of the error of `outside` in the sky's or the ground's error, and the size of the rest."""
+def _split_error(factors: RowFactors, name: str) -> tuple[np.ndarray, np.ndarray]:
+    """Return the share of the error of `outside` in that of the sky or the ground, and the size of the rest."""
     (outside, whole), (value, variance) = factors.others["outside"], factors.others[name]
     part = np.minimum(quotients(value, outside), np.sqrt(quotients(variance, whole)))
     return part, np.sqrt(np.maximum(variance - np.square(part) * whole, 0.0))
 
 
-def _balanced(errors: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return (draws, draws) Hadamard signs, and the column that gives each error's signs.
+def _choose_signs(errors: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return a (draws, draws) Hadamard matrix of signs, and the column that gives each error's signs.
 
     Columns are random where there are more errors than columns.
     """

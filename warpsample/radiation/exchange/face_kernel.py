@@ -1,4 +1,4 @@
-"""Kernel that casts the rays of faces, from a tree opened above each face, and stores one code per ray."""
+"""Kernel that casts rays from faces, through a tree opened above each face, and stores one code per ray."""
 
 import warp as wp
 
@@ -33,8 +33,8 @@ _prepare = prepare_rays()
 
 
 @wp.func
-def _fill(f: Face, key: wp.vec4ui, step: wp.uint64, first: wp.int32, length: wp.int32, chunk: wp.uint64):
-    """Write starts and directions of consecutive rays of a replicate; two loops vectorise better than one."""
+def _fill_chunk(f: Face, key: wp.vec4ui, step: wp.uint64, first: wp.int32, length: wp.int32, chunk: wp.uint64):
+    """Write starts and directions of consecutive rays of a face to a chunk; two loops vectorise better than one."""
     frame = frame_about(f.n)
     k = wp.int32(0)
     while k < length:
@@ -47,16 +47,16 @@ def _fill(f: Face, key: wp.vec4ui, step: wp.uint64, first: wp.int32, length: wp.
 
 
 @wp.func
-def _code(rays: FaceRays, face: wp.int32, d: wp.vec3) -> wp.int32:
-    """Return the code of a ray that hits `face`, or nothing if `face` is negative; see `face_rays.SKY`."""
+def _encode_hit(rays: FaceRays, face: wp.int32, d: wp.vec3) -> wp.int32:
+    """Return the code that records the hit of a ray: on `face`, or on nothing if negative; see `face_rays.SKY`."""
     if face < 0:
         return wp.where(wp.dot(rays.up, d) < 0.0, GROUND, SKY)
     return wp.where(wp.dot(vec3_at(rays.normals, face), d) < 0.0, face, BACK - face)
 
 
 @wp.func
-def _middle_of(rays: FaceRays, f: Face, point: ShadingPoint) -> ShadingPoint:
-    """Return the centre of a face as the point around which the tree is opened.
+def _place_at_centre(rays: FaceRays, f: Face, point: ShadingPoint) -> ShadingPoint:
+    """Return the point at the centre of a face around which the search tree is opened for all the face's rays.
 
     All rays of a face start in one plane, so geometry below the centre's horizon is below the horizon of every start.
     """
@@ -71,20 +71,23 @@ def _middle_of(rays: FaceRays, f: Face, point: ShadingPoint) -> ShadingPoint:
 
 
 @once
-def _caster(glass: bool) -> wp.Function:
-    """Build the Warp function that casts a replicate's rays; `glass` is for meshes with transmitting faces."""
+def _build_caster(glass: bool) -> wp.Function:
+    """Build the Warp function that casts one replicate of a face's rays.
+
+    `glass` is for meshes with transmitting faces.
+    """
 
     @wp.func
     def cast(rays: FaceRays, tree: Accelerator, local: wp.int32, point: ShadingPoint, f: Face, place: wp.int64):
-        """Cast a replicate's rays in chunks, and write their codes from index `place` on."""
+        """Cast one replicate of a face's rays in chunks, and write the codes of the hits from index `place` on."""
         for first in range(0, rays.per_replicate, CHUNK):
             length = wp.min(CHUNK, rays.per_replicate - first)
-            _fill(f, point.key, rays.step, first, whole_vectors(length), point.chunk)
+            _fill_chunk(f, point.key, rays.step, first, whole_vectors(length), point.chunk)
             _prepare(tree, point, local, length)
             for k in range(length):
                 distance, face = _hit(tree, point, local, k)
                 at = place + wp.int64(first + k)
-                set_int(rays.codes, at, _code(rays, face, queries.direction_of(point.chunk, k)))
+                set_int(rays.codes, at, _encode_hit(rays, face, queries.direction_of(point.chunk, k)))
                 if wp.static(glass):
                     set_float(rays.weights, at, glass_transmittance_to(rays.glass, point, k, distance))
 
@@ -93,8 +96,8 @@ def _caster(glass: bool) -> wp.Function:
 
 @once
 def face_kernel(glass: bool = False) -> wp.Kernel:
-    """Build the kernel that casts the rays of one face per task; with `glass` it writes weights as well."""
-    cast_replicate = _caster(glass)
+    """Build the kernel that casts the rays of faces, one face per task; with `glass` it writes weights as well."""
+    cast_replicate = _build_caster(glass)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def cast(rays: FaceRays, accelerator: Accelerator, first_task: wp.int64):
@@ -102,7 +105,7 @@ def face_kernel(glass: bool = False) -> wp.Kernel:
         row = first_task + wp.int64(wp.tid())
         face = int_at(rays.rows, row)
         f = face_at(rays, face)
-        point = _middle_of(rays, f, point_in(memory.ptr, 0, CHUNK_FLOATS))
+        point = _place_at_centre(rays, f, point_in(memory.ptr, 0, CHUNK_FLOATS))
         tree, local, _opened = open_around(accelerator, point)
         for replicate in range(rays.replicates):
             part = row * wp.int64(rays.replicates) + wp.int64(replicate)

@@ -1,4 +1,4 @@
-"""Rays of faces: start and direction from one lattice in four dimensions, and the codes that are stored per ray."""
+"""Rays of faces: start and direction from one lattice in four dimensions, and the codes that record hits."""
 
 from fractions import Fraction
 
@@ -28,7 +28,7 @@ _ROUNDINGS = wp.constant(wp.float64(2.0**-22))
 
 @wp.struct
 class FaceRays:
-    """Scalars and addresses of the rays of some faces of a scene.
+    """Kernel argument that describes the rays of some faces of a scene: scalars, and addresses of arrays.
 
     rows: (B,) int32, the faces. codes: (B, replicates, per_replicate) int32, result of each ray, see SKY. vertices,
     triangles: (V, 3) float32 and (F, 3) int32 of the scene; normals: (F, 3) float32, unit. step: 2^64 / per_replicate, step
@@ -58,13 +58,13 @@ FaceRaysArgs = type(FaceRays().__ctype__())
 
 
 def step_of(per_replicate: int) -> int:
-    """Return 2^64 / per_replicate, rounded; 0 for a single ray."""
+    """Return the lattice step for `per_replicate` rays: 2^64 / per_replicate, rounded; 0 for a single ray."""
     return round(Fraction(1 << 64, per_replicate)) if per_replicate > 1 else 0
 
 
 @wp.struct
 class Face:
-    """A face for its rays: a corner a, two sides b and c from there, the normal n, and the distance of starts from the face.
+    """Face that casts rays: a corner a, two sides b and c from there, the normal n, and the distance of starts off the face.
 
     inner_a, inner_b, inner_c: least barycentric weights of the corners.
     """
@@ -81,7 +81,7 @@ class Face:
 
 @wp.func
 def face_at(rays: FaceRays, face: wp.int32) -> Face:
-    """Return a face, with the least corner weights that keep starts away from the face's sides.
+    """Return a face prepared for rays, with the corner weights that keep starts away from the face's sides.
 
     A start nearer to a side than four offsets and eight roundings could lie behind an adjacent face, and see out of a closed
     room, if the two faces meet at an angle of 14 degrees or more. Such starts are moved inwards. This changes factors by the
@@ -116,7 +116,7 @@ def _uniform(bits: wp.uint32) -> wp.float64:
 
 @wp.func
 def direction_of(frame: wp.mat33, key: wp.vec4ui, step: wp.uint64, i: wp.uint32) -> wp.vec3:
-    """Return the direction of a replicate's i-th ray."""
+    """Return the direction of the i-th ray of a face, cosine-weighted about the normal."""
     radius = weyl(i, step) + wp.uint32(step >> wp.uint64(33)) + key[0]
     turn = weyl(i, _STEP_TURN) + key[1]
     return to_world(frame, square_to_cosine_hemisphere(wp.vec2(uniform_from_bits(radius), uniform_from_bits(turn))))
@@ -124,7 +124,10 @@ def direction_of(frame: wp.mat33, key: wp.vec4ui, step: wp.uint64, i: wp.uint32)
 
 @wp.func
 def start_of(f: Face, key: wp.vec4ui, i: wp.uint32) -> wp.vec3:
-    """Return the start of a replicate's i-th ray: a uniform point of the face (Turk1990, method 2), offset from the face."""
+    """Return the start of the i-th ray of a face: a uniform point of the face, offset off the face.
+
+    The point follows Turk1990, method 2.
+    """
     root = wp.sqrt(_uniform(weyl(i, _STEP_A) + key[2]))
     split = _uniform(weyl(i, _STEP_B) + key[3])
     b = wp.max(root * (ONE - split) - f.inner_b, ZERO)
@@ -142,12 +145,12 @@ def start_of(f: Face, key: wp.vec4ui, i: wp.uint32) -> wp.vec3:
 
 @wp.func
 def lowest_start(f: Face) -> wp.float64:
-    """Return a lower bound of the starts' coordinate along the face's normal."""
+    """Return a lower bound of the coordinate along a face's normal of the starts of the face's rays."""
     along = in_double(f.n)
     return wp.dot(along, f.a) + wp.min(wp.min(wp.dot(along, f.b), wp.dot(along, f.c)), ZERO) + f.offset
 
 
 @wp.func
 def horizon_margin(rays: FaceRays, n: wp.vec3) -> wp.float32:
-    """Return the distance below a start from which geometry is certainly below the start's horizon."""
+    """Return a distance below a ray's start; geometry lower than that is certainly below the start's horizon."""
     return HORIZON_MARGIN * extent_along(rays.extent, n)

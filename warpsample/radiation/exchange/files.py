@@ -29,7 +29,7 @@ _OPTIONAL = ("sky", "sky_error", "ground", "ground_error"), ("absorbed", "absorb
 
 
 def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
-    """Return `path` if view factors can be written there; to be called before computing.
+    """Check that view factors can be written to `path`, before computing them; return the path.
 
     Raises:
         TypeError, ValueError: no path, a name of an unknown format, or a file that cannot be written.
@@ -39,7 +39,7 @@ def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
     path = Path(path)
     if path.suffix not in (".npz", ".vf") and not path.name.startswith(_SPARSE):
         raise ValueError(f"{argument}: got {str(path)!r}, want {WANTS}")
-    named, *unnamed = _files(path)
+    named, *unnamed = _list_files(path)
     for file in (named, *unnamed):
         check_output(file, argument, *inputs)
     for file in unnamed:
@@ -51,7 +51,7 @@ def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
 
 
 def save(factors: Factors, path: Path) -> None:
-    """Write the fields of view factors to a checked path; all files are complete or absent.
+    """Write view factors to a file whose path has been checked; all files are complete or absent.
 
     Raises:
         WriteError: a file cannot be written.
@@ -62,14 +62,14 @@ def save(factors: Factors, path: Path) -> None:
     elif path.suffix != ".npz":
         writers = (_write_sparse, _write_sky)
     with ExitStack() as files:
-        streams = [files.enter_context(complete_or_absent(file)) for file in _files(path)]
+        streams = [files.enter_context(complete_or_absent(file)) for file in _list_files(path)]
         for stream, write in zip(streams, writers, strict=True):
             write(factors, stream)
             stream.flush()  # so that both files are on the disk before either replaces an old one
 
 
 def load(path: Any, argument: str) -> dict[str, Any]:
-    """Read an .npz file written by `save`; return its fields by name.
+    """Read view factors from an .npz file written by `save`; return the fields by name.
 
     Raises:
         TypeError, OSError, ValueError: no such file.
@@ -77,7 +77,7 @@ def load(path: Any, argument: str) -> dict[str, Any]:
     file = check_file(path, argument, "an .npz file of view factors")
     with naming_file(argument, file, "view factors"):
         held = read_arrays(file)
-        _check_held(held)
+        _check_arrays(held)
         matrix, standard_error = matrices_of(held["data"], held["standard_error"], held["indices"], held["indptr"])
         matrix.check_format()
         if not matrix.has_canonical_format:
@@ -91,8 +91,8 @@ def load(path: Any, argument: str) -> dict[str, Any]:
         }
 
 
-def _check_held(held: dict[str, np.ndarray]) -> None:
-    """Check the arrays of an .npz file of view factors.
+def _check_arrays(held: dict[str, np.ndarray]) -> None:
+    """Check the arrays read from an .npz file of view factors; raise a ValueError for an inconsistent one.
 
     Raises:
         ValueError: an array is missing, or has another type, shape or range than `save` writes.
@@ -124,15 +124,15 @@ def _check_held(held: dict[str, np.ndarray]) -> None:
         raise ValueError("it is no square matrix")
 
 
-def _files(path: Path) -> tuple[Path, ...]:
-    """Return the files to write for a path; uDALES has a second file for the sky."""
+def _list_files(path: Path) -> tuple[Path, ...]:
+    """Return the files that view factors are written to for a path; uDALES has a second file for the sky."""
     if path.suffix in (".npz", ".vf"):
         return (path,)
     return path, path.with_name(_SKY + path.name.removeprefix(_SPARSE))
 
 
 def _write_npz(factors: Factors, stream: BinaryIO) -> None:
-    """Write all fields of view factors in NumPy's .npz format."""
+    """Write all fields of view factors to a stream in NumPy's .npz format."""
     matrix = factors["matrix"]
     arrays = {
         "format": np.array(b"csr"),
@@ -150,7 +150,10 @@ def _write_npz(factors: Factors, stream: BinaryIO) -> None:
 
 
 def _write_sparse(factors: Factors, stream: BinaryIO) -> None:
-    """Write lines "i j F", numbered from 1 and sorted; like uDALES, omit values that six decimals would print as 0."""
+    """Write view factors as lines "i j F", numbered from 1 and sorted.
+
+    Like uDALES, omit values that six decimals would print as 0.
+    """
     matrix = factors["matrix"]
     row = rows_of(matrix.indptr)
     for first in range(0, matrix.nnz, _LINES):
@@ -161,7 +164,7 @@ def _write_sparse(factors: Factors, stream: BinaryIO) -> None:
 
 
 def _write_sky(factors: Factors, stream: BinaryIO) -> None:
-    """Write uDALES' sky view factors; rays that hit no face and are not absorbed count as sky."""
+    """Write uDALES' sky view factors to a stream; rays that hit no face and are not absorbed count as sky."""
     absorbed = 0.0 if factors["absorbed"] is None else factors["absorbed"]
     rest = np.maximum(1.0 - factors["matrix"].sum(axis=1) - absorbed, 0.0)
     stream.write(b"# sky view factors\n")
@@ -169,16 +172,19 @@ def _write_sky(factors: Factors, stream: BinaryIO) -> None:
 
 
 def _write_view3d(factors: Factors, stream: BinaryIO) -> None:
-    """Write View3D's text: a header of 30 characters, the areas, a dense row per line, and emittances of 1."""
+    """Write view factors in View3D's text format.
+
+    It has a header of 30 characters, the areas, a dense row per line, and emittances of 1.
+    """
     size = factors["matrix"].shape[0]
     stream.write(f"{f'View3D 3.5 0 0 0 {size}':<30}\n".encode())
-    stream.write(_line(f"{area:.9g}" for area in factors["areas"].tolist()))
+    stream.write(_format_line(f"{area:.9g}" for area in factors["areas"].tolist()))
     for i in range(size):
         row = factors["matrix"][[i]].toarray()[0]
-        stream.write(_line(f"{share:.8f}" if share else "0" for share in row.tolist()))
-    stream.write(_line("1.000" for _ in range(size)))
+        stream.write(_format_line(f"{share:.8f}" if share else "0" for share in row.tolist()))
+    stream.write(_format_line("1.000" for _ in range(size)))
 
 
-def _line(words: Iterator[str]) -> bytes:
+def _format_line(words: Iterator[str]) -> bytes:
     """Return words joined by spaces, with a line feed, as bytes."""
     return (" ".join(words) + "\n").encode()

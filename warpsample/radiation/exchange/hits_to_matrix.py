@@ -1,4 +1,7 @@
-"""Counts of hits from codes of rays: codes are sorted row by row, and only columns with hits are stored."""
+"""Sparse matrix of hit counts from the codes of rays: codes are sorted row by row.
+
+Only columns with hits are stored.
+"""
 
 from dataclasses import dataclass
 
@@ -16,7 +19,7 @@ _BYTES, _HIT_BYTES = 40, 8  # per entry, and per replicate of an entry, while bl
 
 @dataclass(frozen=True, eq=False)
 class Counts:
-    """Numbers of rays of each row that hit each column, by replicate.
+    """Sparse matrix that counts the rays of each face that hit each surface, by replicate.
 
     Attributes:
         indptr: (rows + 1,) int64, as in a CSR matrix.
@@ -34,7 +37,7 @@ class Counts:
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """Counts of some rows of a matrix.
+    """Counts of hits for some rows of the matrix.
 
     Attributes:
         rows: (B,) numbers of the rows, ascending.
@@ -52,7 +55,7 @@ class Block:
 
 
 def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None, weights: np.ndarray | None = None) -> Block:
-    """Count the hits of the rays of some rows by column.
+    """Count the hits of the rays of some faces, by the surface that is hit.
 
     Args:
         rows: (B,) int32.
@@ -64,7 +67,7 @@ def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None, wei
         met = codes >= 0
         codes[met] = groups[codes[met]]
     np.maximum(codes, BACK, out=codes)
-    row, column, hits = _counted(codes, weights)
+    row, column, hits = _count_codes(codes, weights)
     special = np.zeros((len(rows), SPECIAL if weights is None else SPECIAL + 1, codes.shape[1]), hits.dtype)
     if weights is not None:
         special[:, SPECIAL] = (1.0 - weights.astype(np.float64)).sum(axis=2)
@@ -76,10 +79,10 @@ def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None, wei
 
 
 class Collector:
-    """Collector of blocks, which must arrive in the order of their rows, into the counts of all rows."""
+    """Collector of blocks of hit counts into one sparse matrix; blocks arrive in the order of their rows."""
 
     def __init__(self, rows: int, replicates: int, weighs: bool = False) -> None:
-        """Allocate the counts; `weighs` states whether rays have weights.
+        """Allocate the counts of hits; `weighs` states whether rays have weights.
 
         Raises:
             MemoryError: the rows need more memory than is free.
@@ -93,11 +96,11 @@ class Collector:
         self._bytes = _BYTES + _HIT_BYTES * replicates
 
     def all_open(self, rows: np.ndarray, per_replicate: int) -> None:
-        """Record that all rays of the rows hit nothing; the split into sky and ground is computed later."""
+        """Record that all rays of the given rows hit nothing; the split into sky and ground is computed later."""
         self._special[rows, 0] = per_replicate
 
     def take(self, block: Block) -> None:
-        """Add a block.
+        """Add a block of hit counts to the collected rows.
 
         Raises:
             MemoryError: the collected blocks need more memory than is free.
@@ -110,14 +113,14 @@ class Collector:
         check_memory(self._bytes * self._entries, f"{self._entries:,} view factors and more", wants)
 
     def counts(self) -> Counts:
-        """Return the counts of all rows, and release the blocks."""
+        """Return the hit counts of all collected rows, and release the blocks."""
         columns, hits = (np.concatenate(parts) for parts in zip(*self._blocks, strict=True))
         self._blocks.clear()
         return Counts(np.cumsum(self._sizes), columns, hits, self._special)
 
 
-def _counted(codes: np.ndarray, weights: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return (row, code, hits per replicate) of each code that occurs in a row of `codes`, sorted by row and code.
+def _count_codes(codes: np.ndarray, weights: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Count the rays with each code, row by row; return (row, code, hits per replicate), sorted by row and code.
 
     codes: (B, replicates, per_replicate). weights: the same shape; hits are then float64 sums of the weights.
     """

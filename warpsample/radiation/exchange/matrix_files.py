@@ -13,9 +13,9 @@ _WANTS = "a Radiance matrix with NROWS, NCOLS, NCOMP, FORMAT=float and an empty 
 
 
 def write_matrix(stream: BinaryIO, matrix: np.ndarray, factor: float = 1.0, ground: bool = True) -> None:
-    """Write factor * matrix (P, K), grey in three colours, in the format that `dctimestep` and `rmtxop` read.
+    """Write factor * matrix (P, K) in Radiance's matrix format, which `dctimestep` and `rmtxop` read.
 
-    With `ground`, a column of zeros for the ground is written first.
+    The numbers are grey, in three colours. With `ground`, a column of zeros for the ground is written first.
     """
     rows, columns = matrix.shape
     total = columns + ground

@@ -42,7 +42,7 @@ class NetRadiation(Summary):
     names: tuple[str, ...] | None = None
 
     def to_frame(self) -> Any:
-        """Return flux, power and leaving radiation as a table.
+        """Return the net radiation as a table with the columns flux, power and leaving radiation.
 
         Returns:
             a pandas.DataFrame with a row for each surface, or for each surface and time; without pandas a dictionary of
@@ -73,19 +73,19 @@ def net_radiation_of(
     areas: np.ndarray,
     names: tuple[str, ...] | None,
 ) -> NetRadiation:
-    """Compute the net radiation of all surfaces; see `ViewFactors.net_radiation`.
+    """Compute the net thermal radiation of all surfaces; see `ViewFactors.net_radiation`.
 
     matrix, open_share, areas, names: `matrix`, `outside`, `areas` and `names` of the view factors.
     """
     rows = len(areas)
-    kelvin = _checked(_in_rows(names, temperature, "temperature"), "temperature", 0.0, _HOTTEST)
-    share = _checked(_in_rows(names, emissivity, "emissivity"), "emissivity", np.finfo(np.float64).tiny, 1.0)
+    kelvin = _check_numbers(_expand_names(names, temperature, "temperature"), "temperature", 0.0, _HOTTEST)
+    share = _check_numbers(_expand_names(names, emissivity, "emissivity"), "emissivity", np.finfo(np.float64).tiny, 1.0)
     if outside is None and (open := float(open_share.max(initial=0.0))) > _LEAK:
         raise ValueError(
             f"outside: got None, but a surface has a view factor of {open:.2g} to the outside, want the temperature "
             "there in kelvin; 0.0 if nothing radiates from there"
         )
-    beyond = _checked(0.0 if outside is None else outside, "outside", 0.0, _HOTTEST)
+    beyond = _check_numbers(0.0 if outside is None else outside, "outside", 0.0, _HOTTEST)
     if kelvin.ndim > 2 or (kelvin.ndim and len(kelvin) != rows):
         raise ValueError(
             f"temperature: got shape {kelvin.shape}, want ({rows},) or ({rows}, k), a row for each of the matrix"
@@ -105,8 +105,8 @@ def net_radiation_of(
     return NetRadiation(*found, names)
 
 
-def _in_rows(names: tuple[str, ...] | None, value: Any, argument: str) -> Any:
-    """Return `value`; if it is a dictionary from names of surfaces, return an array with a row for each surface.
+def _expand_names(names: tuple[str, ...] | None, value: Any, argument: str) -> Any:
+    """Convert a dictionary from names of surfaces to an array with one row per surface; return other values unchanged.
 
     Raises:
         ValueError: surfaces have no names, or the dictionary's keys are not these names.
@@ -124,7 +124,7 @@ def _in_rows(names: tuple[str, ...] | None, value: Any, argument: str) -> Any:
 
 
 def _warn_of_celsius(kelvin: np.ndarray) -> None:
-    """Warn if all temperatures are in the usual range of degrees Celsius."""
+    """Warn if all temperatures, meant in kelvin, are in the usual range of degrees Celsius."""
     low, high = _CELSIUS
     if kelvin.size and low < kelvin.max() <= high:
         warnings.warn(
@@ -132,8 +132,8 @@ def _warn_of_celsius(kelvin: np.ndarray) -> None:
         )
 
 
-def _checked(value: Any, argument: str, low: float, high: float) -> np.ndarray:
-    """Return `value` as float64, after a check of its limits.
+def _check_numbers(value: Any, argument: str, low: float, high: float) -> np.ndarray:
+    """Return `value` as a float64 array after checking that its numbers are from `low` to `high`.
 
     Raises:
         TypeError, ValueError: not numbers, or numbers outside the limits.

@@ -1,4 +1,4 @@
-"""Faces with no geometry above their plane: their rays hit nothing, so none is cast."""
+"""Search for faces with no geometry above their plane, whose rays hit nothing and are not cast."""
 
 import warp as wp
 
@@ -14,7 +14,10 @@ _FLOATS = workspace_floats(0, 0)
 
 @once
 def open_kernel() -> wp.Kernel:
-    """Build the kernel that writes `opens` (B,) uint8, 1 for faces with nothing above their plane; one face per task."""
+    """Build the kernel that marks the faces with no geometry above their plane, one face per task.
+
+    It writes `opens` (B,) uint8, 1 for such faces.
+    """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def find_open(rays: FaceRays, tree: Accelerator, opens: wp.uint64, first_task: wp.int64):

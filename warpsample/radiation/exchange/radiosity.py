@@ -1,4 +1,4 @@
-"""Radiation that faces reflect repeatedly: the solution of J = E + rho F J."""
+"""Radiosity of faces that reflect repeatedly: the solution of J = E + rho F J."""
 
 import math
 from typing import TYPE_CHECKING, Any
@@ -20,12 +20,15 @@ _MOST_TIMES = 1e9  # largest radiosity relative to the emission, else hardly any
 
 
 def radiosity_of(matrix: "csr_array", emission: Any, reflectance: Any) -> np.ndarray:
-    """Return the solution of J = E + rho F J for the matrix F; see `ViewFactors.radiosity`."""
+    """Compute the radiosity of each surface: solve J = E + rho F J for the view factors F.
+
+    See `ViewFactors.radiosity`.
+    """
     rows = matrix.shape[0]
-    emitted = _finite(emission, "emission")
+    emitted = _check_finite(emission, "emission")
     if emitted.ndim not in (0, 1, 2) or (emitted.ndim and len(emitted) != rows):
         raise ValueError(f"emission: got shape {emitted.shape}, want ({rows},) or ({rows}, k), a row for each of the matrix")
-    reflected = _finite(reflectance, "reflectance")
+    reflected = _check_finite(reflectance, "reflectance")
     if reflected.ndim and reflected.shape != (rows,):
         raise ValueError(f"reflectance: got shape {reflected.shape}, want one number or ({rows},)")
     if reflected.size and not (reflected.min() >= 0.0 and reflected.max() <= 1.0):
@@ -42,7 +45,7 @@ def radiosity_of(matrix: "csr_array", emission: Any, reflectance: Any) -> np.nda
 
 
 def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """Return J = emitted + share F J, (N, k), by following each column's radiation from reflection to reflection.
+    """Solve J = emitted + share F J, (N, k), by adding reflection after reflection.
 
     Where that converges slowly, corrections come from solved equations.
 
@@ -64,22 +67,22 @@ def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.
             break
         if apart <= close or (0.5 * before < apart <= _ROUNDING and step > _STEPS):
             return scale * (leaving + lacking)
-        leaving, before = leaving + (lacking if step < _STEPS else _corrections(matrix, lacking, share)), apart
+        leaving, before = leaving + (lacking if step < _STEPS else _solve_corrections(matrix, lacking, share)), apart
     raise ValueError(
         f"reflectance: got up to {share.max():g}, with which {kept:.6g} of the radiation remains after each reflection, "
         "want less"
     )
 
 
-def _corrections(matrix: "csr_array", lacking: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """Return the (N, k) corrections of all columns, to a few digits, by GMRES."""
+def _solve_corrections(matrix: "csr_array", lacking: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """Solve for the (N, k) corrections that remain in the radiosity, to a few digits, by GMRES."""
     linear = imported("scipy.sparse.linalg")
     operator, gmres = linear.LinearOperator, linear.gmres
     equations = operator(matrix.shape, matvec=lambda leaving: leaving - share * (matrix @ leaving), dtype=np.float64)
     return np.stack([gmres(equations, column, restart=_PRODUCTS, maxiter=1, atol=0.0)[0] for column in lacking.T], axis=1)
 
 
-def _finite(value: Any, argument: str) -> np.ndarray:
+def _check_finite(value: Any, argument: str) -> np.ndarray:
     """Return `value` as a float64 array; raise a ValueError if a number is not finite."""
     array = as_real(value, argument).astype(np.float64)
     if not np.isfinite(array).all():

@@ -1,4 +1,4 @@
-"""Reciprocal view factors: both directions of each pair are pooled, then adjusted until all rows close."""
+"""Reciprocal view factors: both directions of each pair of surfaces are pooled, then adjusted until all rows close."""
 
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def reciprocal_factors(factors: RowFactors, surfaces: Surfaces) -> RowFactors:
-    """Return the factors, adjusted to be reciprocal and closed.
+    """Return view factors adjusted so that A_i F_ij = A_j F_ji and each row adds up to 1.
 
     Among all exchanges that close, the result is nearest to the counts, in the metric of counts of independent rays: each
     pair is adjusted in proportion to its uncertainty. In a flat room the few rays to the low walls determine the exchange of
@@ -39,10 +39,10 @@ def reciprocal_factors(factors: RowFactors, surfaces: Surfaces) -> RowFactors:
 
 
 class _Pooling:
-    """Pooled exchange A_i F_ij of each pair: mean of both directions, weighted by rays per area."""
+    """Mean of the exchange A_i F_ij in both directions of each pair of surfaces, weighted by rays per area."""
 
     def __init__(self, factors: RowFactors, areas: np.ndarray, densities: np.ndarray) -> None:
-        """Compute the indices of both directions of each entry among the pairs."""
+        """Find, for each view factor, the pair of surfaces that it belongs to."""
         size, row = len(areas), rows_of(factors.indptr)
         one, other = (a.astype(np.int64) * size + b for a, b in ((row, factors.indices), (factors.indices, row)))
         keys = np.concatenate([one, other])
@@ -56,7 +56,7 @@ class _Pooling:
         self._both = densities[self.rows] + densities[self.columns]
 
     def pooled(self, value: np.ndarray) -> np.ndarray:
-        """Return the (pairs,) pooled exchange for the (E,) values of factors, or for changes of these values."""
+        """Return the (pairs,) mean exchange from the (E,) view factors, or from changes of these."""
         hits = self._hits * value
         sums = np.zeros(len(self._both))
         sums[self._here] = hits
@@ -65,7 +65,7 @@ class _Pooling:
         return sums
 
     def pairs(self, value: np.ndarray) -> "csr_array":
-        """Return the pooled values as a sparse matrix of all surfaces."""
+        """Return the mean exchange of each pair as a sparse matrix between all surfaces."""
         size = len(self._indptr) - 1
         return imported("scipy.sparse").csr_array((self.pooled(value), self.columns, self._indptr), shape=(size, size))
 
@@ -73,7 +73,7 @@ class _Pooling:
 def _variances(
     factors: RowFactors, pooling: _Pooling, closure: Closure, areas: np.ndarray
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Return the variances of the closed factors and of the rows' losses, as mean squares over draws of the counts' errors.
+    """Return the variances of the adjusted view factors and of the rows' losses, from random draws of errors.
 
     Each draw is processed as the factors, to first order: pooled, then adjusted to close the rows again.
     """

@@ -1,4 +1,4 @@
-"""Result of `view_factors`: a sparse matrix between surfaces, shares that hit no front, and radiation computed from both."""
+"""Result of `view_factors`: a sparse matrix between surfaces, and the radiation computed from the matrix."""
 
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -138,7 +138,7 @@ class ViewFactors(Summary):
         return net_radiation_of(self.matrix, self.outside, temperature, emissivity, outside, **how)
 
     def to_frame(self) -> Any:
-        """Return the arrays with one number per surface as a table, without the matrix.
+        """Return the view factors' arrays with one number per surface as a table, without the matrix.
 
         Returns:
             a pandas.DataFrame with a row for each surface; without pandas a dictionary of arrays. Columns are the names if
@@ -179,7 +179,7 @@ class ViewFactors(Summary):
         save(vars(self), file)
 
     def row_sums(self) -> np.ndarray:
-        """Compute the sum of all shares of each surface: factors, outside, behind and absorbed.
+        """Compute the sum of all shares of each surface's radiation: factors, outside, behind and absorbed.
 
         Returns:
             the sums, (N,) float64: 1 if every ray is counted, 0 for surfaces without rays.
@@ -192,7 +192,7 @@ class ViewFactors(Summary):
         return self.matrix.sum(axis=1) + self.outside + self.behind + (0.0 if self.absorbed is None else self.absorbed)
 
     def _check_rows(self) -> None:
-        """Check that no row was left out by `active`; such rows must not count as black or as open to the sky.
+        """Raise a ValueError if `active` left out a surface, which must not count as black or open to the sky.
 
         Raises:
             ValueError: a surface with area has an empty row.

@@ -1,4 +1,4 @@
-"""View factors of rows and their variances from counts of rays, for faces and for groups of faces."""
+"""View factors and their variances from counts of rays, for faces and for groups of faces."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class RowFactors:
-    """View factors of rows in the layout of a CSR matrix, and the shares of rays that hit no front.
+    """View factors in the layout of a CSR matrix, and the shares of rays that hit no front of a face.
 
     Attributes:
         indptr: (N + 1,) int64, start of each row.
@@ -36,7 +36,7 @@ class RowFactors:
 
 
 def factors_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
-    """Return the view factors of each surface from the counts of all faces.
+    """Compute the view factors of each surface from the counts of hits of all faces.
 
     rays: number of rays per face. upward: (F,) float64, share of each face's hemisphere above the horizon; None to omit sky
     and ground.
@@ -44,7 +44,7 @@ def factors_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: S
     if surfaces.groups is not None:
         return _group_factors(counts, rays, upward, surfaces)
     others = {}
-    for name, hits, exact in _kinds(counts, rays, upward):
+    for name, hits, exact in _iterate_lost_rays(counts, rays, upward):
         value, variance = factors_and_variances(hits, rays)
         others[name] = (np.where(np.isnan(exact), value, exact), np.where(np.isnan(exact), variance, 0.0))
     return RowFactors(counts.indptr, counts.indices, *factors_and_variances(counts.hits, rays), others)
@@ -53,7 +53,10 @@ def factors_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: S
 def matrices_of(
     value: np.ndarray, error: np.ndarray, indices: np.ndarray, indptr: np.ndarray
 ) -> tuple["csr_array", "csr_array"]:
-    """Return two square CSR matrices with separate index arrays, so that changing one in place keeps the other."""
+    """Return view factors and their errors as two square CSR matrices with separate index arrays.
+
+    So changing one matrix in place keeps the other.
+    """
     csr_array = imported("scipy.sparse").csr_array
     kind, shape = np.int32 if len(indices) < 2**31 else np.int64, (len(indptr) - 1, len(indptr) - 1)
     pattern = indices.astype(kind, copy=False), indptr.astype(kind, copy=False)
@@ -62,23 +65,23 @@ def matrices_of(
 
 
 def _group_factors(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
-    """Return the view factors of groups: area means over the groups' faces, whose errors are independent."""
+    """Compute the view factors of groups: area means over the groups' faces, whose errors are independent."""
     groups, weights, size = surfaces.groups, surfaces.weights, len(surfaces.areas)
     face = np.repeat(np.arange(len(weights)), np.diff(counts.indptr))
     keys, entry = np.unique(groups[face].astype(np.int64) * size + counts.indices, return_inverse=True)
     _, single = factors_and_variances(counts.hits, rays)
-    value, variance = _folded(counts.hits / rays, single, weights[face], entry.ravel(), len(keys))
+    value, variance = _sum_by_group(counts.hits / rays, single, weights[face], entry.ravel(), len(keys))
     others = {}
-    for name, hits, exact in _kinds(counts, rays, upward):
+    for name, hits, exact in _iterate_lost_rays(counts, rays, upward):
         known, (_, single) = ~np.isnan(exact), factors_and_variances(hits, rays)
         parts = np.where(known[:, None], exact[:, None] / hits.shape[1], hits / rays)
-        others[name] = _folded(parts, np.where(known, 0.0, single), weights, groups, size)
+        others[name] = _sum_by_group(parts, np.where(known, 0.0, single), weights, groups, size)
     indptr = np.searchsorted(keys, np.arange(size + 1, dtype=np.int64) * size)
     return RowFactors(indptr, (keys % size).astype(np.int32), value, variance, others)
 
 
-def _kinds(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tuple[str, np.ndarray, np.ndarray]]:
-    """Iterate over (name, (F, replicates) hits, (F,) exact share or NaN) of rays that hit no front.
+def _iterate_lost_rays(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tuple[str, np.ndarray, np.ndarray]]:
+    """Iterate over the kinds of rays that hit no front: (name, (F, replicates) hits, (F,) exact share or NaN).
 
     Sky and ground have exact shares for faces all of whose rays hit nothing.
     """
@@ -94,10 +97,13 @@ def _kinds(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tup
         yield "ground", ground, np.where(open_, 1.0 - upward, np.nan)
 
 
-def _folded(
+def _sum_by_group(
     parts: np.ndarray, variance: np.ndarray, weights: np.ndarray, into: np.ndarray, size: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return weighted sums over the faces of each group: of factors per replicate, added up, and of variances (E,)."""
+    """Sum the view factors and variances of faces by group, with weights; return (factors, variances).
+
+    Factors are also summed over the replicates.
+    """
     # Sums are in the order of the faces: bits do not depend on blocks or threads.
     sums = np.stack([np.bincount(into, weights * part, size) for part in parts.T], axis=1)
     return sums.sum(axis=1), np.bincount(into, np.square(weights) * variance, size)

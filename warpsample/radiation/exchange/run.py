@@ -14,7 +14,9 @@ from warpsample.radiation.exchange.view_factors import view_factors
 
 
 def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dict[str, Any]) -> str:
-    """Compute view factors and write them to a file, complete or absent; return a sentence about the result.
+    """Compute view factors of a mesh file and write them to a file; return a sentence about the result.
+
+    The file is complete or absent.
 
     Args:
         mesh: Path of the mesh file.
@@ -26,13 +28,13 @@ def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dic
         TypeError, ValueError, OSError: an argument or a file cannot be used; nothing is written then.
     """
     check_factors_file(output, "--output", mesh, groups)
-    found = view_factors(load_mesh(mesh), groups=_groups(groups), progress=True, **options)
+    found = view_factors(load_mesh(mesh), groups=_read_groups(groups), progress=True, **options)
     found.save(output)
     return f"{output}: {summary(found)}"
 
 
-def _groups(path: Path | None) -> Any:
-    """Read the groups of faces from a file; return "part" for named parts, and None without groups."""
+def _read_groups(path: Path | None) -> Any:
+    """Read the group of each face from a file; return "part" for named parts, and None without groups."""
     if path is None or path == Path("part"):
         return path and path.name
     wants = "a text or .npy file with one whole number per face, or part"
@@ -44,7 +46,7 @@ def _groups(path: Path | None) -> Any:
 
 
 def summary(found: ViewFactors) -> str:
-    """Return a sentence with the number of factors and rays, and the errors of closure and reciprocity."""
+    """Return a sentence about view factors: numbers of factors and rays, errors of closure and reciprocity."""
     there = found.areas > 0.0
     closure = np.abs(found.row_sums() - 1.0)[there]
     exchange = found.matrix * found.areas[:, None]

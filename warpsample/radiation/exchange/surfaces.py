@@ -1,4 +1,4 @@
-"""Rows of the view factor matrix: single faces, or groups of faces."""
+"""Surfaces between which view factors are computed: single faces, or groups of faces."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ _BYTES = 200  # per row
 
 @dataclass(frozen=True, eq=False)
 class Surfaces:
-    """N surfaces: faces, or groups of F faces.
+    """N surfaces between which view factors are computed: F faces, or groups of them.
 
     Attributes:
         groups: (F,) int32, group of each face; None if each face is a surface.
@@ -32,20 +32,20 @@ class Surfaces:
     densities: np.ndarray
 
     def summed(self, values: np.ndarray) -> np.ndarray:
-        """Return the (N,) sums of (F,) integers over the faces of each surface."""
+        """Sum (F,) integers over the faces of each surface; return (N,)."""
         if self.groups is None:
             return values
         return np.bincount(self.groups, values, len(self.areas)).astype(values.dtype)
 
     def means(self, values: np.ndarray) -> np.ndarray:
-        """Return the (N,) float64 area means of (F,) numbers over the faces of each surface."""
+        """Average (F,) numbers by area over the faces of each surface; return (N,) float64."""
         if self.groups is None:
             return values.astype(np.float64)
         return np.bincount(self.groups, self.weights * values, len(self.areas))
 
 
 def surfaces_of(areas: np.ndarray, cast: np.ndarray, groups: np.ndarray | None) -> Surfaces:
-    """Build the surfaces from the areas of faces, (F,).
+    """Build the surfaces for view factors from the areas (F,) of faces.
 
     cast: (F,) bool, the faces with rays. groups: (F,) int32, group of each face, or None.
     """
@@ -73,7 +73,7 @@ def check_groups(groups: Any, mesh: Mesh) -> tuple[np.ndarray | None, tuple[str,
         return None, None
     faces = len(mesh.faces)
     if isinstance(groups, str):
-        return _parts(mesh, groups)
+        return _group_by_part(mesh, groups)
     wants = f"({faces},) whole numbers from 0 to {_LARGEST} or names, one for each face, or 'part'"
     if isinstance(groups, Sequence) and groups and all(isinstance(name, str) for name in groups):
         groups = np.array(groups)
@@ -92,8 +92,11 @@ def check_groups(groups: Any, mesh: Mesh) -> tuple[np.ndarray | None, tuple[str,
     return array.astype(np.int32), None
 
 
-def _parts(mesh: Mesh, groups: str) -> tuple[np.ndarray, tuple[str, ...]]:
-    """Return the (F,) int32 named part of each face and the names; faces without a part get a group named ""."""
+def _group_by_part(mesh: Mesh, groups: str) -> tuple[np.ndarray, tuple[str, ...]]:
+    """Return the named part of each face as its group, (F,) int32, and the names.
+
+    Faces without a part get a group named "".
+    """
     if groups != "part":
         raise ValueError(f"groups: got {told(groups)}, want 'part', or an array with a number or a name for each face")
     if mesh.part is None:

@@ -37,7 +37,7 @@ def view_factors(
     active: Any = None,
     **options: Unpack[CastKeywords],
 ) -> ViewFactors:
-    """Compute the share of the diffuse radiation of each face's front that first hits each other's front.
+    """Compute the share of the diffuse radiation of each face's front that first hits the front of each other face.
 
     A face's rays come from one lattice in four dimensions: 4,096 are as good as 10,000 to 15,000 independent ones. The bits
     of a row depend on (mesh, seed, first_face + face, count, replicates) alone; those of its errors on the replicates of
@@ -102,7 +102,7 @@ def view_factors(
         checked.skip,
         checked.workers,
     )
-    status = _status(mesh, checked.active)
+    status = _find_status(mesh, checked.active)
     is_good = has_status(status, PointStatus.OK)
     if active is not None and reciprocal:
         raise ValueError(
@@ -117,20 +117,20 @@ def view_factors(
     del counts  # twice as many bytes as the factors
     if reciprocal:
         factors = reciprocal_factors(factors, surfaces)
-    found = _result(factors, surfaces, status, cast, casting.rays)
+    found = _build_result(factors, surfaces, status, cast, casting.rays)
     return replace(found, reflectance=surfaces.means(mesh.reflectance) if mesh.reflects else None, names=names)
 
 
-def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
-    """Return the (F,) uint8 status of each face."""
+def _find_status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
+    """Return the status code of each face of a mesh, (F,) uint8."""
     status = np.where(mesh.face_areas > 0.0, int(PointStatus.OK), int(PointStatus.ZERO_NORMAL)).astype(np.uint8)
     if active is not None:
         status[active == 0] = int(PointStatus.INACTIVE)
     return status
 
 
-def _result(factors: RowFactors, surfaces: Surfaces, status: np.ndarray, cast: np.ndarray, rays: int) -> ViewFactors:
-    """Build the result from row factors; `cast` (F,) are the faces that cast `rays` rays each."""
+def _build_result(factors: RowFactors, surfaces: Surfaces, status: np.ndarray, cast: np.ndarray, rays: int) -> ViewFactors:
+    """Build the result of `view_factors` from row factors; `cast` (F,) are the faces that cast `rays` rays each."""
     open_faces = int(np.count_nonzero((status == 0) & ~cast))
     matrix, standard_error = matrices_of(factors.value, np.sqrt(factors.variance), factors.indices, factors.indptr)
     others = {}

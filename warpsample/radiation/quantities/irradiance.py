@@ -1,4 +1,4 @@
-"""Irradiance as a quantity of the command line."""
+"""Irradiance as a quantity of the command line and of stores."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""The sky matrix as a quantity of the command line."""
+"""The sky matrix as a quantity of the command line and of stores."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Rays over cosine lobes, and the share of each lobe that each patch fills, as rows of a sparse matrix."""
+"""Rays over cosine lobes, and the share of each lobe that each reflecting patch fills, as sparse matrices."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ _NOTHING, _DISTANT = -1, -2  # codes instead of a patch: no light, and light out
 
 @dataclass(frozen=True, eq=False)
 class Targets:
-    """Sources of light for rays: N patches, and the light outside the mesh.
+    """Sources of light that rays may reach: N reflecting patches, and the light outside the mesh.
 
     Attributes:
         patches: N patches of faces.
@@ -36,7 +36,7 @@ class Targets:
 
 @dataclass(frozen=True, eq=False)
 class Shares:
-    """Shares of cosine lobes, in rows of sparse matrices.
+    """Shares of the points' cosine lobes that each light source fills, in rows of sparse matrices.
 
     Attributes:
         patches: (P, N) shares of the lobes that patches fill; each ray has a separate entry.
@@ -49,7 +49,7 @@ class Shares:
 
 @dataclass(frozen=True, eq=False)
 class LobeRays:
-    """n rays from each of P points, distributed over the cosine lobes about their normals.
+    """n cosine-weighted rays from each of P points about their normals.
 
     Attributes:
         points: The P points.
@@ -61,11 +61,11 @@ class LobeRays:
 
     @property
     def way(self) -> np.ndarray:
-        """(P n, 3) directions, ray by ray."""
+        """Directions of all rays, (P n, 3), point by point."""
         return self.directions.reshape(-1, 3)
 
     def start(self, rays: np.ndarray) -> np.ndarray:
-        """Return the (K, 3) starts of the rays with the given indices."""
+        """Return the (K, 3) start positions of the rays with the given indices."""
         return self.points.position[rays // self.directions.shape[1]]
 
     def leaving(self, normals: np.ndarray) -> np.ndarray:
@@ -81,7 +81,7 @@ class LobeRays:
 
 @dataclass(frozen=True, eq=False)
 class RayHits:
-    """Hits of rays, ray by ray.
+    """What rays hit, ray by ray: patches, the light outside the mesh, or nothing.
 
     Attributes:
         ray: (M,) int64, index of the ray, ascending.
@@ -95,7 +95,10 @@ class RayHits:
 
 
 def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> Shares:
-    """Return the shares of the lobes, as means over each `together` consecutive points."""
+    """Trace cosine-weighted rays and return the share of them that reaches each light source.
+
+    Shares are means over each `together` consecutive points.
+    """
     mesh, csr_array = targets.patches.mesh, imported("scipy.sparse").csr_array
     reflects_and_transmits = mesh.transmits and bool((mesh.transmittance[targets.patches.face] > 0.0).any())
     hits = (_find_hits_along if reflects_and_transmits else _find_first_hits)(targets.patches, rays, workers)
@@ -118,7 +121,7 @@ def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | 
 
 
 def _find_first_hits(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
-    """Return the first opaque hit of each ray."""
+    """Trace rays and return the first opaque hit of each one."""
     hits = trace(patches.mesh, rays.points, rays.directions, workers=workers)
     face, distance = hits.face.ravel(), hits.distance.ravel()
     column = patches.find_hit(face, rays.way, distance, rays.start)
@@ -128,7 +131,10 @@ def _find_first_hits(patches: Patches, rays: LobeRays, workers: int | None) -> R
 
 
 def _find_hits_along(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
-    """Return all hits of each ray until no light is left; transmitting faces attenuate the light of faces behind them."""
+    """Trace rays and return all hits of each ray until no light is left.
+
+    Transmitting faces attenuate the light of faces behind them.
+    """
     hits = trace_all(patches.mesh, rays.points, rays.directions, workers=workers)
     number = np.diff(hits.first)
     ray = np.repeat(np.arange(len(number)), number)
@@ -156,7 +162,7 @@ def lobes_seen(
     together: int = 1,
     workers: int | None = None,
 ) -> Iterator[tuple[slice, Shares]]:
-    """Iterate over blocks (slice of points, shares of their lobes).
+    """Iterate over blocks of points: (slice of points, share of their cosine lobes that each light source fills).
 
     Each point has `count` rays; shares are means over each `together` consecutive points.
     """

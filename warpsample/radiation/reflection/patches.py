@@ -22,7 +22,7 @@ _USUALLY_MORE = 2**13  # patches beyond the number of sides of reflecting faces
 
 @dataclass(frozen=True, eq=False)
 class Patches:
-    """N patches: for each reflecting face, the patches of its front, then the patches of its back.
+    """N patches that reflect uniformly: for each reflecting face, those of its front, then those of its back.
 
     Attributes:
         mesh: Mesh of the faces.
@@ -40,18 +40,18 @@ class Patches:
     part: np.ndarray
 
     def __len__(self) -> int:
-        """Return the number of patches."""
+        """Return the number of reflecting patches."""
         return len(self.face)
 
     @property
     def reflectance(self) -> np.ndarray:
-        """(N,) float64 reflectance of each patch's face."""
+        """Reflectance of each patch's face, (N,) float64."""
         return self.mesh.reflectance[self.face].astype(np.float64)
 
     def find_hit(
         self, face: np.ndarray, directions: np.ndarray, distance: np.ndarray, start: Callable[[np.ndarray], np.ndarray]
     ) -> np.ndarray:
-        """Return the (M,) int32 number of the patch that each of M rays hits, or -1 for no reflecting face.
+        """Return the number of the patch that each of M rays hits, (M,) int32; -1 for no reflecting face.
 
         Args:
             face: (M,) face that each ray hits, -1 for none.
@@ -70,13 +70,16 @@ class Patches:
 
     @cached_property
     def _tables(self) -> tuple[np.ndarray, np.ndarray]:
-        """First patch of each face and patches per side, (F + 1,) int32 each; -1 and 0 for no patch, as in the last row."""
+        """Number of the first patch of each face and number of patches per side, (F + 1,) int32 each.
+
+        They are -1 and 0 for a face without patches, as in the last row.
+        """
         parts = np.append(np.square(self.cuts), 0)
         first = np.cumsum(2 * parts) - 2 * parts
         return np.where(parts > 0, first, -1).astype(np.int32), parts.astype(np.int32)
 
     def places(self, count: int, seed: int) -> SurfacePoints:
-        """Return `count` random positions on each patch, patch by patch, uniform by area.
+        """Sample `count` random positions on each patch, patch by patch, uniform by area.
 
         Normals are those of the patch's side.
         """
@@ -94,7 +97,7 @@ class Patches:
 
 
 def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
-    """Return the patches of a mesh, with edges not longer than `refine`; None if all faces are black.
+    """Divide the reflecting faces of a mesh into patches with edges not longer than `refine`; None if all are black.
 
     Raises:
         TypeError, ValueError: `refine` is not a positive length.
@@ -106,7 +109,7 @@ def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
     corners = mesh.vertices[mesh.faces]
     edges = np.max([lengths(corners[:, k] - corners[:, k - 1]) for k in range(3)], axis=0)
     edges = np.where((mesh.reflectance > 0.0) & (mesh.face_areas > 0.0), edges, 0.0)
-    cuts = _cuts(edges, _usual(edges) if longest is None else longest)
+    cuts = _count_cuts(edges, _choose_longest_edge(edges) if longest is None else longest)
     parts = np.square(cuts)
     total = 2 * int(parts.sum())
     check_memory(_BYTES * total, f"refine: {total:,} parts of faces that reflect", "pass a larger refine=")
@@ -116,26 +119,26 @@ def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
     return Patches(mesh, cuts, face, back, rank - back * parts[face])
 
 
-def _cuts(edges: np.ndarray, longest: float) -> np.ndarray:
-    """Return the (F,) int64 number of parts per edge for faces with the given longest edges; 0 for an edge of 0."""
+def _count_cuts(edges: np.ndarray, longest: float) -> np.ndarray:
+    """Return the number of parts per edge for faces with the given longest edges, (F,) int64; 0 for an edge of 0."""
     return np.where(edges > 0.0, np.clip(np.ceil(edges / longest), 1, _MOST_CUTS), 0).astype(np.int64)
 
 
-def _usual(edges: np.ndarray) -> float:
-    """Return the default longest edge, which makes about 8,192 patches more than sides.
+def _choose_longest_edge(edges: np.ndarray) -> float:
+    """Choose the longest edge of a patch so that cutting long faces adds about 8,192 patches to one per side.
 
     The faces with the longest edges are cut.
     """
     low, high = 0.0, float(edges.max(initial=1e-300))
     for _ in range(40):
         middle = 0.5 * (low + high)
-        more = 2 * (np.square(_cuts(edges, max(middle, 1e-300))) - (edges > 0.0)).sum()
+        more = 2 * (np.square(_count_cuts(edges, max(middle, 1e-300))) - (edges > 0.0)).sum()
         low, high = (low, middle) if more <= _USUALLY_MORE else (middle, high)
     return high
 
 
 def _part_at(mesh: Mesh, face: np.ndarray, places: np.ndarray, cuts: np.ndarray) -> np.ndarray:
-    """Return the (M,) int64 number of the part of a face that contains each position."""
+    """Return the number of the part of a divided face that contains each position, (M,) int64."""
     corner, first, second = (mesh.vertices[mesh.faces[face, k]] for k in range(3))
     across, away = mesh.cross_products[face], places - corner
     area = np.einsum("ij,ij->i", across, across)
@@ -148,7 +151,7 @@ def _part_at(mesh: Mesh, face: np.ndarray, places: np.ndarray, cuts: np.ndarray)
 
 
 def _corner_of(part: np.ndarray, cuts: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return (row, column, 1 if rotated by half a turn) of the parts with the given numbers."""
+    """Return the place of parts in a divided face: (row, column, 1 if the part is rotated by half a turn)."""
     row = (cuts - np.ceil(np.sqrt(np.square(cuts) - part))).astype(np.int64)
     rest = part - row * (2 * cuts - row)
     return row, rest // 2, rest % 2

@@ -1,4 +1,4 @@
-"""All orders of diffuse reflection between faces: radiosity of each patch, and reflected light at points.
+"""All orders of diffuse reflection between faces: radiosity of reflecting patches, and reflected light at points.
 
 The radiosity J of patches solves J = rho (E + F J) (Goral1984). The irradiance E and the view factors F come from rays of
 the patches, which hit distant light or other patches. A point's reflected irradiance is the mean of J over the patches that
@@ -44,7 +44,7 @@ _BYTES_OF_RAY = 40  # per ray of a patch
 
 @dataclass(frozen=True, eq=False)
 class Probes:
-    """Rays and positions that sample the distant light on N patches.
+    """Rays and sample positions on N reflecting patches, with which the distant light on the patches is computed.
 
     Attributes:
         at: P sample positions, P / N on each patch, patch by patch.
@@ -57,12 +57,12 @@ class Probes:
     options: RayOptions
 
     def means(self, values: np.ndarray, columns: int) -> np.ndarray:
-        """Return the (N, columns) float64 means over each patch's sample positions of (P, columns) numbers."""
+        """Average (P, columns) numbers over the sample positions of each patch; return (N, columns) float64."""
         return values.reshape(self.beyond.shape[0], -1, columns).mean(axis=1, dtype=np.float64)
 
 
 class DistantLight(Protocol):
-    """Distant light with T columns: colours, or hours.
+    """Interface of distant light with T columns, which are colours or hours.
 
     Attributes:
         size: Number of columns T.
@@ -71,15 +71,15 @@ class DistantLight(Protocol):
     size: int
 
     def targets(self, patches: Patches, workers: int) -> Targets:
-        """Return the targets for rays of the patches; `workers` is the number of threads."""
+        """Return the light sources for rays of the patches; `workers` is the number of threads."""
 
     def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
-        """Return the float64 irradiance of N patches by some columns of the light, one row per patch."""
+        """Return the float64 irradiance of N patches by some columns of the distant light, one row per patch."""
 
 
 @dataclass(frozen=True, eq=False)
 class Reflected:
-    """Reflected light at P points.
+    """Irradiance at P points by light that faces reflect.
 
     Attributes:
         value: (P, T) float64, irradiance.
@@ -94,7 +94,7 @@ class Reflected:
 
 @dataclass(frozen=True, eq=False)
 class Reflections:
-    """Light that patches reflect, from several independent runs.
+    """Radiosity of reflecting patches, from several independent runs.
 
     Attributes:
         patches: N patches.
@@ -105,13 +105,16 @@ class Reflections:
     leaving: tuple[np.ndarray, ...]
 
     def at(self, points: SurfacePoints, count: int, options: RayOptions) -> Reflected:
-        """Compute the reflected irradiance at points; `count` rays per point, rounded down to a multiple of the runs."""
+        """Compute the reflected irradiance at points.
+
+        Each point casts `count` rays, rounded down to a multiple of the runs.
+        """
         count = max(1, count // REPLICATES)
         shape = len(points), self.leaving[0].shape[1]
         mean, squares = np.zeros(shape), np.zeros(shape)
         drawn = {name: getattr(options, name) for name in ("first_point", "active", "workers")}
         for number, leaving in enumerate(self.leaving):
-            seed = _seed("lobes", number, options.seed)
+            seed = _derive_seed("lobes", number, options.seed)
             for rows, seen in lobes_seen(Targets(self.patches), points, count, seed=seed, **drawn):
                 apart = _merge_entries(seen.patches, shape[1]) @ leaving - mean[rows]
                 mean[rows] += apart / (number + 1)
@@ -121,7 +124,7 @@ class Reflections:
 
 
 def cached_reflections(mesh: Mesh, key: Hashable, find: Callable[[], Reflections]) -> Reflections:
-    """Return the reflections cached on a mesh if their key is `key`; else compute and cache them.
+    """Return the reflected light cached on a mesh if its key is `key`; else compute it by `find` and cache it.
 
     For calls over many parts of the points. Threads with the same mesh wait for the first computation.
     """
@@ -134,7 +137,7 @@ def cached_reflections(mesh: Mesh, key: Hashable, find: Callable[[], Reflections
 
 
 def reflections_of(patches: Patches, distant: DistantLight, count: int, options: RayOptions) -> Reflections:
-    """Compute the light that patches reflect; `count` is the number of rays per point of the call.
+    """Compute the light that patches reflect, in all orders; `count` is the number of rays per point of the call.
 
     Raises:
         ValueError: faces that reflect all light and lose none.
@@ -145,25 +148,28 @@ def reflections_of(patches: Patches, distant: DistantLight, count: int, options:
     check_memory(size, what, "pass a shorter period, a smaller count, or a larger refine=")
     runs = []
     for number in range(REPLICATES):
-        own = RayOptions.of(0, seed=_seed("reflections", number, options.seed), workers=options.workers)
+        own = RayOptions.of(0, seed=_derive_seed("reflections", number, options.seed), workers=options.workers)
         runs.append(_compute_radiosity(patches, distant, count, own))
     return Reflections(patches, tuple(runs))
 
 
-def _seed(purpose: str, number: int, seed: int) -> int:
-    """Return the seed of a purpose and a run."""
+def _derive_seed(purpose: str, number: int, seed: int) -> int:
+    """Return the random seed of one of several independent runs, for a purpose."""
     return seed_for(f"{purpose} {number}", seed)
 
 
 def _merge_entries(seen: "csr_array", columns: int) -> "csr_array":
-    """Sum the entries of the same patch in each row, if this saves time for the number of columns; return the matrix."""
+    """Sum entries of the same patch in each row of a sparse matrix, if this saves time; return the matrix.
+
+    It saves time if the light has many columns.
+    """
     if columns >= _MANY:
         seen.sum_duplicates()
     return seen
 
 
 def _compute_radiosity(patches: Patches, distant: DistantLight, count: int, options: RayOptions) -> np.ndarray:
-    """Compute the radiosity of each patch, (N, T) float32, in one run."""
+    """Compute the radiosity of each reflecting patch, (N, T) float32, in one run."""
     number = len(patches)
     if number == 0:
         return np.zeros((0, distant.size), np.float32)

@@ -1,4 +1,4 @@
-"""Product of the rows of a sky matrix and a sky, in float64.
+"""Product of a sky matrix and the radiances of its patches, in float64.
 
 The order of summation is fixed, so that a row's result does not depend on the other rows. A library's matrix product is as
 fast, but its last bits depend on the number of rows.
@@ -20,7 +20,7 @@ _SUMS = 2 * _ROWS * _COLUMNS
 
 @wp.struct
 class Fold:
-    """Scalars and addresses of the product's arrays.
+    """Kernel argument of the product of a sky matrix and weights of its patches: scalars and addresses.
 
     value, error: (rows, patches) float32. points: (rows,) int64, the result's row of each row. weights: (patches, columns)
     float64. sums, errors: (P, columns) float32.
@@ -43,7 +43,9 @@ FoldArgs = type(Fold().__ctype__())
 def fold_rows(
     value: np.ndarray, error: np.ndarray, points: np.ndarray, *, weights: np.ndarray, out: list[np.ndarray], workers: int
 ) -> None:
-    """Write the weighted sums of a matrix's rows and their standard errors; errors of patches are taken as independent.
+    """Compute weighted sums over the patches of sky matrix rows, and their standard errors, and write both to `out`.
+
+    Errors of patches are taken as independent.
 
     Args:
         value: (B, K) float32, rows of the matrix.
@@ -68,7 +70,7 @@ def fold_rows(
 
 @wp.func
 def _add(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint64):
-    """Add factor * weight to each sum."""
+    """Add factor * weight to each of a row of sums."""
     w = wp.array(ptr=weights, shape=(_COLUMNS,), dtype=wp.float64)
     total = wp.array(ptr=sums, shape=(_COLUMNS,), dtype=wp.float64)
     i = wp.int32(0)
@@ -79,7 +81,7 @@ def _add(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint
 
 @wp.func
 def _add_squares(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint64):
-    """Add (factor * weight)^2 to each sum."""
+    """Add (factor * weight)^2 to each of a row of sums."""
     w = wp.array(ptr=weights, shape=(_COLUMNS,), dtype=wp.float64)
     total = wp.array(ptr=sums, shape=(_COLUMNS,), dtype=wp.float64)
     i = wp.int32(0)
@@ -91,7 +93,7 @@ def _add_squares(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums:
 
 @once
 def _fold_kernel() -> wp.Kernel:
-    """Build the kernel that multiplies _ROWS rows per task."""
+    """Build the kernel that multiplies rows of a sky matrix by weights of the patches, _ROWS rows per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def fold_sky(fold: Fold, first_task: wp.int64):

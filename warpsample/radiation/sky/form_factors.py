@@ -1,4 +1,4 @@
-"""Form factors of sky patches in closed form, including patches that the point's horizon cuts.
+"""Form factors of sky patches in closed form, including patches that are partly below a point's horizon.
 
 In the patches' frame (east, north, up) a direction at altitude a and azimuth p has the cosine n_z sin a + h(p) cos a to a
 normal n, with h(p) = H cos(p - p_n). The integral over the altitude is n_z sin^2 a / 2 + h (a + sin a cos a) / 2. It is
@@ -54,7 +54,7 @@ class Patch:
 
 
 def table_of(patches: SkyPatches) -> np.ndarray:
-    """Return the (K, 20) float64 table of the fields of `Patch`, one row per sky patch."""
+    """Return the table of the edges and constants of all sky patches, (K, 20) float64, one row per `Patch`."""
     (low, high), (first, last) = np.radians(patches.altitudes).T, np.radians(patches.azimuths).T
     table = np.zeros((len(patches), _COLUMNS))
     table[:, 0:6] = np.stack([first, last, np.sin(first), np.cos(first), np.sin(last), np.cos(last)], axis=1)
@@ -74,13 +74,13 @@ def table_of(patches: SkyPatches) -> np.ndarray:
 
 @wp.func
 def patch_at(table: wp.uint64, k: wp.int32) -> Patch:
-    """Return the k-th patch of the table."""
+    """Return the k-th sky patch from the table at an address."""
     return wp.array(ptr=table, shape=(k + 1,), dtype=Patch)[k]
 
 
 @wp.func
 def _horizon_integral(x: wp.float64, nz: wp.float64, level: wp.float64) -> wp.float64:
-    """Return the antiderivative of the integral along the horizon at azimuth x, measured from the normal's.
+    """Return the antiderivative, at azimuth x from the normal's, of the form-factor integral along the horizon.
 
     Half of: h'(x) a(x), plus the angle by which the horizon turns about the normal.
     """
@@ -90,8 +90,8 @@ def _horizon_integral(x: wp.float64, nz: wp.float64, level: wp.float64) -> wp.fl
 
 
 @wp.func
-def _below_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
-    """Return the integral along the lower edge of a patch's visible part.
+def _integrate_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
+    """Return the form-factor integral along the lower edge of a sky patch's visible part.
 
     x, 0 to pi: upper limit, an azimuth measured from the normal's.
     """
@@ -106,15 +106,15 @@ def _below_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.floa
 
 
 @wp.func
-def _odd_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
-    """Extend `_below_edge` to x from -2 pi to 2 pi.
+def _extend_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
+    """Return the integral of `_integrate_edge` for azimuths x from -2 pi to 2 pi, by symmetry.
 
     The integrand is even about the normal's azimuth and about the opposite azimuth.
     """
     size = wp.abs(x)
-    total = _below_edge(wp.min(size, TWO * _PI - size), nz, level, w_low, w_high, patch)
+    total = _integrate_edge(wp.min(size, TWO * _PI - size), nz, level, w_low, w_high, patch)
     if size > _PI:
-        total = TWO * _below_edge(_PI, nz, level, w_low, w_high, patch) - total
+        total = TWO * _integrate_edge(_PI, nz, level, w_low, w_high, patch) - total
     return wp.where(x < ZERO, -total, total)
 
 
@@ -135,20 +135,20 @@ def azimuth_near(n: wp.vec3d, middle: wp.float64) -> wp.float64:
 
 
 @wp.func
-def _cut(n: wp.vec3d, level: wp.float64, patch: Patch) -> wp.float64:
-    """Return pi times the form factor of a patch that the horizon cuts, for n_z of at least 0."""
+def _compute_cut_factor(n: wp.vec3d, level: wp.float64, patch: Patch) -> wp.float64:
+    """Return pi times the form factor of a sky patch that the horizon cuts, for n_z of at least 0."""
     w_low = reaches(n[2] * patch.tan_low, level)
     w_high = reaches(n[2] * patch.tan_high, level)
     azimuth = azimuth_near(n, HALF * (patch.first + patch.last))
     upper = HALF * n[2] * patch.sin_high * patch.sin_high * (patch.last - patch.first)
     across = n[0] * (patch.cos_first - patch.cos_last) + n[1] * (patch.sin_last - patch.sin_first)
-    end = _odd_edge(patch.last - azimuth, n[2], level, w_low, w_high, patch)
-    return upper + across * patch.along_high - (end - _odd_edge(patch.first - azimuth, n[2], level, w_low, w_high, patch))
+    end = _extend_edge(patch.last - azimuth, n[2], level, w_low, w_high, patch)
+    return upper + across * patch.along_high - (end - _extend_edge(patch.first - azimuth, n[2], level, w_low, w_high, patch))
 
 
 @wp.func
 def highest(n: wp.vec3d, patch: Patch) -> wp.vec3d:
-    """Return the direction in a patch that is highest above the point's horizon."""
+    """Return the direction in a sky patch that is highest above the horizon of a point with normal n."""
     level = wp.sqrt(n[0] * n[0] + n[1] * n[1])
     azimuth = azimuth_near(n, HALF * (patch.first + patch.last))
     s = patch.sin_last
@@ -173,7 +173,10 @@ def highest(n: wp.vec3d, patch: Patch) -> wp.vec3d:
 
 @wp.func
 def open_form_factor(n: wp.vec3d, patch: Patch) -> wp.float64:
-    """Return the integral of max(0, n.w) / pi over a patch, for a unit normal n in the patches' frame."""
+    """Return the unobstructed form factor of a sky patch for a unit normal n in the patches' frame.
+
+    It is the integral of max(0, n.w) / pi over the patch.
+    """
     level = wp.sqrt(n[0] * n[0] + n[1] * n[1])
     at_first = n[0] * patch.sin_first + n[1] * patch.cos_first
     at_last = n[0] * patch.sin_last + n[1] * patch.cos_last
@@ -187,5 +190,5 @@ def open_form_factor(n: wp.vec3d, patch: Patch) -> wp.float64:
             share = whole
         elif wp.dot(n, highest(n, patch)) > _FAINT:
             # max(0, c) = c + max(0, -c)
-            share = _cut(n, level, patch) if n[2] >= ZERO else whole + _cut(-n, level, patch)
+            share = _compute_cut_factor(n, level, patch) if n[2] >= ZERO else whole + _compute_cut_factor(-n, level, patch)
     return wp.max(share, ZERO) * _INVERSE_PI

@@ -37,7 +37,7 @@ _BRIGHTEST = 1e37  # in a picture: pi times this number still fits into a float3
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Irradiance(Estimate):
-    """Irradiance at P points; an `Estimate` with the part that faces reflect.
+    """Irradiance at P points, with the part that faces reflect.
 
     Attributes:
         reflected: Part of `value` from faces, by all orders of reflection, in the same shape and unit; None if all
@@ -111,14 +111,14 @@ def irradiance(
             light = _RadianceLight(RaySum(integrand, unit=pi, result=Irradiance), integrand.channels)
             found = light.at(plan)
     else:
-        light = _picture_light(_picture(radiance), axis)
+        light = _picture_light(_read_picture(radiance), axis)
         found = light.at(plan)
-    return found if patches is None else _with_reflected(found, _reflected(patches, light, plan))
+    return found if patches is None else _add_reflected(found, _compute_reflected(patches, light, plan))
 
 
 @dataclass(frozen=True, eq=False)
 class _RadianceLight:
-    """Distant light whose radiance is a function of the direction.
+    """Distant light whose radiance is a function of the direction, such as a picture of the sky.
 
     Attributes:
         summed: sum over rays that gives the irradiance.
@@ -131,7 +131,7 @@ class _RadianceLight:
     known_by: str | None = None
 
     def at(self, plan: Plan) -> Irradiance:
-        """Compute the irradiance of a plan's points from this light, without reflections."""
+        """Compute the irradiance of a plan's points (those of a call) from this light, without reflections."""
         found = estimate(plan, self.summed)
         if self.size == self.summed.integrand.channels:
             return found
@@ -139,7 +139,10 @@ class _RadianceLight:
         return replace(found, **{name: getattr(found, name)[:, 0] for name in numbers})
 
     def targets(self, patches: Patches, workers: int) -> Targets:
-        """Return the targets of rays: the patches, and the light's radiance for rays that hit nothing, 0 if not finite."""
+        """Return the light sources for rays of patches: the patches, and this light where rays hit nothing.
+
+        A radiance that is not finite counts as 0.
+        """
         csr_array = imported("scipy.sparse").csr_array
 
         def beyond(directions: np.ndarray) -> "csr_array":
@@ -151,20 +154,20 @@ class _RadianceLight:
         return Targets(patches, beyond)
 
     def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
-        """Return the irradiance of patches by this light, from rays of the patches."""
+        """Return the irradiance of reflecting patches by this light, from the rays of the patches."""
         return pi * probes.beyond.toarray()[:, columns]
 
 
 def _picture_light(picture: np.ndarray, up: tuple[float, ...]) -> _RadianceLight:
-    """Return the distant light of a picture, (H, W) or (H, W, 3); `up` is the direction of row 0."""
+    """Build the distant light of a picture, (H, W) or (H, W, 3); `up` is the direction of row 0."""
     pixels = picture if picture.ndim == 3 else picture[..., None]
     pixels = np.ascontiguousarray(np.broadcast_to(pixels, (*picture.shape[:2], 3)))
     known_by = f"{sha256(pixels.tobytes()).hexdigest()} {pixels.shape} {up}"
     return _RadianceLight(RaySum(seen_in(pixels, up), unit=pi, result=Irradiance), picture[0, 0].size, known_by)
 
 
-def _reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> Reflected:
-    """Return the light that the points of a plan receive from patches.
+def _compute_reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> Reflected:
+    """Compute the light that the points of a call receive from reflecting patches.
 
     The radiosity of the patches is cached on the mesh.
     """
@@ -176,8 +179,8 @@ def _reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> Reflected
     return found.at(plan.at.points, plan.count, plan.options)
 
 
-def _with_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
-    """Return the sum of distant and reflected irradiance.
+def _add_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
+    """Add reflected light to the irradiance from distant light, and combine the errors.
 
     Its degrees of freedom are those of Welch and Satterthwaite.
     """
@@ -198,8 +201,8 @@ def _with_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
     return replace(found, rays=rays, **{name: array.astype(np.float32) for name, array in numbers.items()})
 
 
-def _picture(radiance: Any) -> np.ndarray:
-    """Return the picture of `radiance`, an array or a path, as (H, W) or (H, W, 3) float32.
+def _read_picture(radiance: Any) -> np.ndarray:
+    """Read the picture of `radiance`, an array or a path, as (H, W) or (H, W, 3) float32.
 
     Raises:
         TypeError, ValueError: another shape, or numbers outside 0 to 1e37.

@@ -1,4 +1,4 @@
-"""Kernel that computes a row of a sky matrix per task: patches are proven open or closed, or sampled with rays."""
+"""Kernel that computes rows of a sky matrix: patches are proven open or closed, or sampled with rays."""
 
 import warp as wp
 
@@ -26,22 +26,22 @@ _FLOATS = workspace_floats(WEIGHTS, packets=True)
 
 @wp.func
 def _in_frame(sky: SkyRows, n: wp.vec3) -> wp.vec3d:
-    """Return a normal in the patches' frame (east, north, up), as a float64 unit vector."""
+    """Return a normal in the frame of the sky (east, north, up), as a float64 unit vector."""
     frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
     v = in_double(n)
     return wp.normalize(wp.vec3d(wp.dot(frame[0], v), wp.dot(frame[1], v), wp.dot(frame[2], v)))
 
 
 @once
-def _looker_into_patches(glass: bool) -> wp.Function:
-    """Build the Warp function that classifies the patches of a point as open, closed or unknown."""
+def _build_patch_classifier(glass: bool) -> wp.Function:
+    """Build the Warp function that classifies the sky patches of a point as open, closed or unknown."""
     look = looker(glass)
 
     @wp.func
     def look_into(
         sky: SkyRows, tree: Accelerator, point: ShadingPoint, n: wp.vec3d, local: wp.int32, search: wp.bool, row: wp.int64
     ):
-        """Write each patch's form factor without occlusion to `value`, and its state to `error`.
+        """Write the form factor of each sky patch without occlusion to `value`, and its state to `error`.
 
         States are those of `shafts`, and 0 for a patch below the horizon.
         """
@@ -75,13 +75,13 @@ def _looker_into_patches(glass: bool) -> wp.Function:
 
 
 @once
-def _row_filler(glass: bool) -> wp.Function:
-    """Build the Warp function that computes one row of the sky matrix."""
-    look_into, sum_rays = _looker_into_patches(glass), patch_sum(glass)
+def _build_row_filler(glass: bool) -> wp.Function:
+    """Build the Warp function that computes one row of the sky matrix, for one point."""
+    look_into, sum_rays = _build_patch_classifier(glass), patch_sum(glass)
 
     @wp.func
     def fill_row(sky: SkyRows, tree: Accelerator, point: ShadingPoint, row: wp.int64):
-        """Write a point's row; return (rays cast, patches open, closed, below the horizon)."""
+        """Compute a point's row of the sky matrix; return (rays cast, patches open, closed, below the horizon)."""
         seen, local, opened = open_around(tree, point)
         n = _in_frame(sky, point.n)
         look_into(sky, seen, point, n, local, opened, row)
@@ -121,11 +121,11 @@ def _row_filler(glass: bool) -> wp.Function:
 
 @once
 def sky_kernel(glass: bool = False) -> wp.Kernel:
-    """Build the kernel that computes sky matrix rows, one point per task in the placement's order.
+    """Build the kernel that computes rows of a sky matrix, one point per task in the processing order.
 
     `glass` is for meshes with transmitting faces.
     """
-    fill_row = _row_filler(glass)
+    fill_row = _build_row_filler(glass)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def fill_rows(sky: SkyRows, tree: Accelerator, first_task: wp.int64):

@@ -25,7 +25,7 @@ _prepare, _blocked = prepare_rays(), rays_blocked()
 
 @wp.struct
 class SkyRows:
-    """Scalars and addresses of the rows of a sky matrix, one row per point.
+    """Kernel argument of the computation of a sky matrix, one row per point: scalars and addresses.
 
     placement: placement of the points. normals, active: (P, 3) float32, (P,) uint8 or 0. count: largest number of rays per
     point. patches: number of patches. table: see `form_factors.table_of`. shafts: shafts of the patches. frame: (3, 3)
@@ -64,7 +64,7 @@ SkyRowsArgs = type(SkyRows().__ctype__())
 def _write_directions(
     sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, per_replicate: wp.int32, at: wp.int32, length: wp.int32
 ):
-    """Write directions and weights of `length` rays of a patch, from the at-th ray on.
+    """Sample directions and weights of `length` rays of a sky patch, and write them from the at-th ray on.
 
     The second replicate's rays follow those of the first. The density is nearly proportional to the cosine: linear in the
     height along a column, with columns chosen by weight.
@@ -115,7 +115,7 @@ def _write_directions(
 
 @wp.func
 def _rays_with_weight(point: ShadingPoint, length: wp.int32) -> wp.uint64:
-    """Return the set of a chunk's rays with a weight above 0."""
+    """Return the bit set of a chunk's rays with a weight above 0."""
     rays = NO_RAYS
     for i in range(length):
         rays = rays | wp.where(float_at(point.own, i) > 0.0, ray_set(i), NO_RAYS)
@@ -123,8 +123,8 @@ def _rays_with_weight(point: ShadingPoint, length: wp.int32) -> wp.uint64:
 
 
 @wp.func
-def _to_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, n: wp.vec3d, patch: Patch):
-    """Prepare one ray towards the direction in a patch that is highest above the point's horizon."""
+def _aim_at_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, n: wp.vec3d, patch: Patch):
+    """Prepare one ray towards the direction in a sky patch that is highest above the point's horizon."""
     frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
     w = highest(n, patch)
     d = w[0] * frame[0] + w[1] * frame[1] + w[2] * frame[2]
@@ -135,7 +135,7 @@ def _to_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.
 
 @once
 def patch_sum(glass: bool) -> wp.Function:
-    """Build the Warp function that casts a patch's rays; `glass` is for meshes with transmitting faces."""
+    """Build the Warp function that casts the rays of a sky patch; `glass` is for meshes with transmitting faces."""
 
     @wp.func
     def sum_rays(
@@ -148,7 +148,7 @@ def patch_sum(glass: bool) -> wp.Function:
         patch: Patch,
         per_replicate: wp.int32,
     ):
-        """Return (visible share of the k-th patch, the share's standard error, rays cast), from two replicates of rays.
+        """Cast the rays of a sky patch in two replicates; return (visible share, its standard error, rays cast).
 
         The share is a quotient of weights: exactly 1 if no ray is blocked.
         """
@@ -181,7 +181,7 @@ def patch_sum(glass: bool) -> wp.Function:
         if all == ZERO:
             # All rays are almost parallel to the horizon: cast one ray where the patch is highest above the horizon.
             cast = 1
-            _to_highest(sky, tree, point, local, n, patch)
+            _aim_at_highest(sky, tree, point, local, n, patch)
             share = wp.where(_blocked(tree, point, local, ray_set(0), 1) != NO_RAYS, ZERO, ONE)
             if wp.static(glass) and share > ZERO:
                 share = wp.float64(glass_transmittance(sky.glass, point, 0))

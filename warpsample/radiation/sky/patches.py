@@ -25,7 +25,7 @@ _PARALLEL = 1e-9  # least sine of the angle between up and north
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SkyPatches(Summary):
-    """Patches of a sky, row by row from the horizon to the zenith, in each row clockwise as seen from above.
+    """Patches that divide the sky, row by row from the horizon to the zenith, in each row clockwise seen from above.
 
     Patch k is Radiance's sky patch k + 1, row k + 1 of its matrices. Radiance's row 0, the ground, is not included.
 
@@ -53,12 +53,12 @@ class SkyPatches(Summary):
     _counted: ClassVar[str] = "patches"
 
     def __len__(self) -> int:
-        """Return the number of patches."""
+        """Return the number of sky patches."""
         return len(self.solid_angles)
 
     @property
     def frame(self) -> np.ndarray:
-        """(3, 3) float64 array of the unit vectors towards east, north and up."""
+        """Unit vectors towards east, north and up, as a (3, 3) float64 array."""
         return np.array([np.cross(self.north, self.up), self.north, self.up])
 
 
@@ -95,7 +95,7 @@ def sky_patches(name: str = "tregenza", *, up: Any = (0.0, 0.0, 1.0), north: Any
 
 
 def patches_at(sky: SkyPatches, directions: np.ndarray) -> np.ndarray:
-    """Return the patch that contains each of (M, 3) unit directions, as (M,) int64; -1 below the horizon."""
+    """Return the number of the sky patch that contains each of (M, 3) unit directions, (M,) int64; -1 below the horizon."""
     east, north, up = sky.frame @ directions.T.astype(np.float64)
     number = np.bincount(sky.rows)
     first = np.cumsum(number) - number
@@ -107,9 +107,9 @@ def patches_at(sky: SkyPatches, directions: np.ndarray) -> np.ndarray:
 
 @lru_cache(maxsize=8)
 def _patches_of(name: str, multiple: int, up: bytes, north: bytes) -> SkyPatches:
-    """Return the patches for checked arguments; equal bits return the same cached object."""
+    """Build the sky patches for checked arguments; equal bits return the same cached object."""
     zenith, towards = np.frombuffer(up), np.frombuffer(north)
-    rows, low, high, first, last = _edges(multiple)
+    rows, low, high, first, last = _compute_edges(multiple)
     middle, across = np.radians(0.5 * (low + high)), np.radians(0.5 * (first + last))
     middle[-1] = 0.5 * np.pi
     local = np.stack([np.cos(middle) * np.sin(across), np.cos(middle) * np.cos(across), np.sin(middle)], axis=1)
@@ -121,8 +121,8 @@ def _patches_of(name: str, multiple: int, up: bytes, north: bytes) -> SkyPatches
     return SkyPatches(name, tuple(zenith.tolist()), tuple(towards.tolist()), *(read_only(array) for array in arrays))
 
 
-def _edges(multiple: int) -> tuple[np.ndarray, ...]:
-    """Return (row, lower and upper altitude, first and last azimuth) of each patch, in degrees."""
+def _compute_edges(multiple: int) -> tuple[np.ndarray, ...]:
+    """Return the edges of all sky patches in degrees: row, lower and upper altitude, first and last azimuth."""
     columns = np.array([*(np.repeat(_COLUMNS, multiple) * multiple), 1])
     step = 90.0 / (len(columns) - 0.5)
     rows = np.repeat(np.arange(len(columns)), columns)

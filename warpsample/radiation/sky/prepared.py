@@ -1,4 +1,4 @@
-"""Arrays of a sky that the kernel needs, cached for the last eight skies."""
+"""Arrays of sky patches that kernels need, cached for the last eight skies."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -12,7 +12,7 @@ from warpsample.radiation.sky.shafts import groups_of, shafts_of
 
 @dataclass(frozen=True, eq=False)
 class PreparedSky:
-    """Arrays of a sky with K patches in G groups.
+    """Arrays that describe a sky of K patches in G groups to a kernel.
 
     Attributes:
         table: (K, 20) float64, see `table_of`.
@@ -31,7 +31,7 @@ class PreparedSky:
 
 @lru_cache(maxsize=8)
 def prepare_sky(sky: SkyPatches) -> PreparedSky:
-    """Return the kernel's arrays of a sky.
+    """Return the arrays that describe a sky's patches to a kernel, from a cache where possible.
 
     The arrays are cached by the object `sky`; `sky_patches` returns the same object for equal arguments.
     """

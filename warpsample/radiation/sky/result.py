@@ -19,7 +19,7 @@ _FORMATS = (".npz", ".mtx")
 
 @dataclass(frozen=True)
 class SkySkipped:
-    """Counts of the work that a sky matrix skipped without changing the result.
+    """Numbers of points and patches for which a sky matrix cast no rays, without changing the result.
 
     Attributes:
         points: Number of points without a result: inactive, without a normal, or without a finite position.

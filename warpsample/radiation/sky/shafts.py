@@ -1,4 +1,4 @@
-"""Shafts around sky patches: pyramids from a point that may be proven empty, or filled by one triangle."""
+"""Shafts around sky patches: pyramids of directions from a point, proven empty or filled by one triangle."""
 
 import numpy as np
 import warp as wp
@@ -21,7 +21,7 @@ _SECTORS = {"tregenza": 6, "reinhart2": 12, "reinhart4": 12}
 
 
 def groups_of(patches: SkyPatches) -> np.ndarray:
-    """Return the (G + 1,) int32 index of the first patch of each group.
+    """Divide the sky patches into groups of neighbours; return the index of each group's first patch, (G + 1,) int32.
 
     A group is the patches of one row in one sector of azimuths, so that one shaft contains the group.
     """
@@ -31,10 +31,11 @@ def groups_of(patches: SkyPatches) -> np.ndarray:
 
 
 def shafts_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
-    """Return the (G, 3, 16) float32 shafts around groups of patches, in the layout of `shaft_vectors`.
+    """Return the shafts (pyramids of directions) around groups of sky patches, (G, 3, 16) float32.
 
-    `starts` is as `groups_of` returns. Two planes are at the azimuths, one goes through the upper corners, and one touches
-    the lower edge in its middle. The shaft of the cap, the last, is a square pyramid.
+    The layout is that of `shaft_vectors`. `starts` is as `groups_of` returns. Two planes are at the azimuths, one goes
+    through the upper corners, and one touches the lower edge in its middle. The shaft of the cap, the last, is a square
+    pyramid.
     """
     low, high = np.radians(patches.altitudes[starts[:-1]]).T
     first, last = np.radians(patches.azimuths[starts[:-1], 0]), np.radians(patches.azimuths[starts[1:] - 1, 1])
@@ -55,18 +56,21 @@ def shafts_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
 
 
 def _towards(azimuth: np.ndarray, along: np.ndarray, up: np.ndarray) -> np.ndarray:
-    """Return (K, 3) unit vectors with the given components along an azimuth and upwards."""
+    """Return unit vectors (K, 3) with the given components along an azimuth and upwards."""
     vectors = np.stack(np.broadcast_arrays(along * np.sin(azimuth), along * np.cos(azimuth), up), axis=1)
     return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
 
 
 @once
 def looker(glass: bool) -> wp.Function:
-    """Build the Warp function that classifies a shaft; `glass` is for meshes with transmitting faces."""
+    """Build the Warp function that classifies a shaft (pyramid of directions) as open, closed or unknown.
+
+    `glass` is for meshes with transmitting faces.
+    """
 
     @wp.func
     def look(tree: Accelerator, among: Glass, point: ShadingPoint, local: wp.int32, vectors: wp.uint64, filled: wp.uint64):
-        """Return (OPEN, CLOSED or UNKNOWN, leaf): the state of a shaft, and the leaf with the triangle that fills the shaft.
+        """Classify a shaft as OPEN, CLOSED or UNKNOWN; return the state, and the leaf with a triangle that fills the shaft.
 
         If no such leaf is found, the second value is `filled`: 0, or the address of a leaf that filled another shaft and is
         tested, too.

@@ -84,7 +84,10 @@ def sky_matrix(
 
 
 def sky_seen(plan: Plan, sky: SkyPatches, fold: np.ndarray | None) -> SkyMatrix:
-    """Compute the sky matrix at a plan's points, or its product with `fold`, (K,) or (K, T) finite numbers."""
+    """Compute the sky matrix at the points of a plan (a call's checked arguments), or its product with `fold`.
+
+    `fold` has (K,) or (K, T) finite numbers.
+    """
     columns = len(sky) if fold is None else prod(fold.shape[1:])
     check_memory(
         _BYTES_OF_NUMBER * len(plan.at) * columns,
@@ -113,23 +116,23 @@ def _check_fold(fold: Any, patches: int) -> np.ndarray:
 
 
 class _Rows:
-    """Points of a plan under a sky, and the arrays to which their rows are written."""
+    """Computation of the rows of a sky matrix: the points of a call, the sky, and counters per point."""
 
     def __init__(self, plan: Plan, sky: SkyPatches) -> None:
-        """Place the start of the points' rays, and allocate the arrays."""
+        """Compute the starts of the points' rays, and allocate the counters."""
         self.plan, self.sky, points = plan, sky, len(plan.at)
         self.tally = np.zeros((points, 4), np.int32)
         self.status = np.zeros(points, np.uint8)
         self.placement = plan.at.facing(plan.options) if points else None
 
     def whole(self) -> list[np.ndarray]:
-        """Compute the matrix and its standard errors, (P, K) each."""
+        """Compute the whole sky matrix and its standard errors, (P, K) each."""
         out = [np.zeros((len(self.status), len(self.sky)), np.float32) for _ in range(2)]
         self._run(*out, self._order(), False)
         return out
 
     def folded(self, fold: np.ndarray) -> list[np.ndarray]:
-        """Compute the matrix times `fold`, (K,) or (K, T), and the standard errors, one block of points at a time."""
+        """Compute the sky matrix times `fold`, (K,) or (K, T), and the standard errors, one block of points at a time."""
         weights = np.array(fold.reshape(len(fold), -1), np.float64, order="C")
         out = [np.zeros((len(self.status), weights.shape[1]), np.float32) for _ in range(2)]
         order = self._order()
@@ -146,7 +149,7 @@ class _Rows:
         return [array.reshape(len(array), *fold.shape[1:]) for array in out]
 
     def skipped(self) -> SkySkipped:
-        """Return counts of the work that was skipped."""
+        """Return the numbers of points and patches that cast no rays."""
         uncast = (self.tally[:, 0] == 0) & has_status(self.status, PointStatus.OK)
         _cast, open_, closed, below = self.tally.sum(axis=0, dtype=np.int64).tolist()
         return SkySkipped(
@@ -158,13 +161,16 @@ class _Rows:
         )
 
     def _order(self) -> np.ndarray | None:
-        """Return the order of processing, (P,) int64 numbers of points; None for the order of the rows."""
+        """Return the order in which to process the points, (P,) int64; None for the order of the rows."""
         if not len(self.status):
             return None
         return self.plan.at.order(self.placement, self.plan.count, self.plan.options.workers)
 
     def _run(self, value: np.ndarray, error: np.ndarray, order: np.ndarray | None, by_task: bool) -> None:
-        """Launch the kernel, which writes the rows of the points in `order`; with `by_task` the i-th point writes row i."""
+        """Launch the kernel that computes the sky matrix rows of the points in `order`.
+
+        With `by_task` the i-th point writes row i.
+        """
         plan, options, points = self.plan, self.plan.options, len(self.status) if order is None else len(order)
         if not points:
             return

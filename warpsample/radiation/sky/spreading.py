@@ -1,4 +1,4 @@
-"""Sampling of directions in a sky patch with a density nearly proportional to the cosine, above the horizon only.
+"""Sampling of directions in a sky patch, above the horizon only, nearly proportional to the cosine.
 
 A column is the part of the patch at one azimuth. A direction's drop is 1 - sin(altitude).
 """
@@ -21,8 +21,8 @@ _UPRIGHT = wp.constant(wp.float64(1e-12))
 
 
 @wp.func
-def _azimuths(n: wp.vec3d, patch: Patch):
-    """Return (first, width), as fractions of 2 pi, of the azimuths at which part of a patch is above the horizon.
+def _find_visible_azimuths(n: wp.vec3d, patch: Patch):
+    """Return the azimuths at which a sky patch is partly above the horizon: (first, width) as fractions of 2 pi.
 
     If these azimuths form two intervals, return the whole width of the patch.
     """
@@ -43,10 +43,11 @@ def _azimuths(n: wp.vec3d, patch: Patch):
 
 @wp.struct
 class Slope:
-    """Parameters for sampling a patch: the normal in the patches' frame, the edges, and the columns' weights.
+    """Parameters for sampling a sky patch: the normal in the sky's frame, the edges, and the weights of columns.
 
-    top, bottom: drops of the upper and lower edge; near the zenith a drop keeps digits that the height loses. first, width:
-    azimuths over 2 pi. start, end: square roots of the weights of the first and last column, relative to the greater.
+    A column is the part of the patch at one azimuth. top, bottom: drops of the upper and lower edge; near the zenith a drop
+    keeps digits that the height loses. first, width: azimuths over 2 pi. start, end: square roots of the weights of the
+    first and last column, relative to the greater.
     """
 
     nx: wp.float32
@@ -62,22 +63,22 @@ class Slope:
 
 @wp.func
 def azimuth_at(slope: Slope, share: wp.float32) -> wp.vec2:
-    """Return (cosine, sine) of the azimuth at a fraction of the patch's width."""
+    """Return (cosine, sine) of the azimuth at a fraction of a sky patch's width."""
     turn = slope.first + slope.width * share
     return sincos_turns(wp.where(turn < 1.0, turn, turn - 1.0))
 
 
 @wp.func
 def _cosine_at(level: wp.float32, nz: wp.float32, drop: wp.float32) -> wp.float32:
-    """Return the cosine to the normal at a drop; 0 below the horizon."""
+    """Return the cosine between the normal and a direction at a drop below the zenith; 0 below the horizon."""
     return greater(level * wp.sqrt(drop * (2.0 - drop)) + nz * (1.0 - drop), 0.0)
 
 
 @wp.func
 def column_at(slope: Slope, cs: wp.vec2) -> wp.vec4:
-    """Return the part of a column above the horizon.
+    """Return the part above the horizon of a sky patch's column, the directions at one azimuth.
 
-    As (upper drop, extent in drop, cosine at the upper end, cosine at the lower end).
+    It is (upper drop, extent in drop, cosine at the upper end, cosine at the lower end).
     """
     level = slope.nx * cs[1] + slope.ny * cs[0]
     # A column's visible part is above the horizon's height if the normal points up, else below that height.
@@ -90,20 +91,23 @@ def column_at(slope: Slope, cs: wp.vec2) -> wp.vec4:
 
 @wp.func
 def weight_of(column: wp.vec4) -> wp.float32:
-    """Return a column's weight, about twice the integral of the cosine over the column."""
+    """Return the sampling weight of a column of a sky patch, about twice the integral of the cosine over the column."""
     return column[1] * (column[2] + column[3])
 
 
 @wp.func
 def slope_of(n: wp.vec3d, patch: Patch) -> Slope:
-    """Return the sampling parameters of a patch; column weights are interpolated as the square of a linear function."""
+    """Compute the parameters for sampling a sky patch.
+
+    Column weights are interpolated as the square of a linear function.
+    """
     slope = Slope()
     slope.nx = wp.float32(n[0])
     slope.ny = wp.float32(n[1])
     slope.nz = wp.float32(n[2])
     slope.top = wp.float32(patch.top)
     slope.bottom = wp.float32(patch.bottom)
-    first, width = _azimuths(n, patch)
+    first, width = _find_visible_azimuths(n, patch)
     slope.first = first
     slope.width = width
     start = wp.sqrt(weight_of(column_at(slope, azimuth_at(slope, 0.0))))

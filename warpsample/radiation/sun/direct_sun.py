@@ -1,4 +1,4 @@
-"""The call `direct_sun`: the sun positions that each point sees, or a weighted sum over these positions."""
+"""The call `direct_sun`: which sun positions each point sees, or a weighted sum over these positions."""
 
 from dataclasses import dataclass
 from math import radians, sin
@@ -35,7 +35,7 @@ _BYTES_PER_POINT = 64  # besides the result
 
 @dataclass(frozen=True, eq=False)
 class SunCall:
-    """The checked arguments of `direct_sun`."""
+    """Checked arguments of the call `direct_sun`."""
 
     at: PlacedPoints
     directions: np.ndarray
@@ -45,7 +45,7 @@ class SunCall:
     cosine: bool = False
 
     def answer(self, tally: np.ndarray | None = None) -> np.ndarray:
-        """Return the array that `direct_sun` returns.
+        """Compute the array that `direct_sun` returns.
 
         If `tally` (P, 3) int32 is given, write for each point the number of suns proven lit, of rays blocked by a remembered
         triangle, and of rays cast.
@@ -70,13 +70,13 @@ class SunCall:
         return self.at.mesh.transmits
 
     def _run(self, answer: np.ndarray, tally: np.ndarray | None) -> None:
-        """Launch the kernel, which fills `answer` and `tally`."""
+        """Launch the kernel that tests all suns from all points and fills `answer` and `tally`."""
         at, workers, suns = self.at, self.options.workers, len(self.directions)
         placement = at.two_sided(self.options, MOST_DISTANCE)
         order = at.order(placement, suns, workers)
         placement.order = 0 if order is None else order.ctypes.data
         tree = SunTree.of(_unit(self.directions), self.disc)
-        args = self._args(tree, placement)
+        args = self._build_argument(tree, placement)
         args.vertices, args.faces = at.scene.vertices.ctypes.data, at.scene.faces.ctypes.data
         args.normals, args.answer = at.normal.ctypes.data, answer.ctypes.data
         args.tally = 0 if tally is None else tally.ctypes.data
@@ -86,8 +86,11 @@ class SunCall:
         work = RAY_WORK * len(answer) * suns // 4
         run(sun_kernel(self.disc > 0.0, self._transmits), len(answer), inputs, cpu(), workers=workers, work=work)
 
-    def _args(self, tree: SunTree, placement: PlacementArgs) -> SunsArgs:
-        """Return the kernel's arguments for these suns, without the addresses of the mesh and of the results."""
+    def _build_argument(self, tree: SunTree, placement: PlacementArgs) -> SunsArgs:
+        """Return the kernel argument that describes suns, points and weights.
+
+        The addresses of the mesh and of the results are not set yet.
+        """
         options, radius = self.options, radians(0.5 * self.disc)
         return SunsArgs(
             placement=placement,
@@ -198,7 +201,7 @@ def _check_weights(value: Any, suns: int) -> np.ndarray:
 
 
 def _unit(directions: np.ndarray) -> np.ndarray:
-    """Return the (T, 3) float32 unit vectors of directions, rounded exactly as `trace` rounds them."""
+    """Normalise directions to (T, 3) float32 unit vectors, rounded exactly as `trace` rounds them."""
     unit = np.empty(directions.shape, np.float32)
     inputs = [directions.ctypes.data, directions.dtype == np.float64, unit.ctypes.data]
     run(_unit_kernel(), len(unit), inputs, cpu(), workers=1, work=len(unit))

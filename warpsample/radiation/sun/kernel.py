@@ -1,4 +1,4 @@
-"""Kernel that finds the suns each point sees.
+"""Kernel that finds the suns (sun positions) that each point sees.
 
 Groups of suns are proven lit or dark, or rays are cast to their suns; no ray is stored.
 """
@@ -34,7 +34,7 @@ _WHOLE = wp.constant(wp.float64(2.0**-18))  # a disc this far above the horizon 
 
 @wp.func
 def _add_weights(suns: Suns, view: View, column: wp.int32, factor: wp.float64):
-    """Add the weights of one sun, times a factor, to the point's sums."""
+    """Add the weights of one sun, times a factor, to a point's sums."""
     row = wp.uint64(8 * suns.channels)
     total = wp.array(ptr=suns.answer + wp.uint64(view.point.index) * row, shape=(suns.channels,), dtype=wp.float64)
     weights = wp.array(ptr=suns.weights + wp.uint64(column) * row, shape=(suns.channels,), dtype=wp.float64)
@@ -45,8 +45,8 @@ def _add_weights(suns: Suns, view: View, column: wp.int32, factor: wp.float64):
 
 
 @once
-def _keeper(shares: bool) -> wp.Function:
-    """Build the Warp function that records a lit sun, or the lit share of a sun, in the result."""
+def _build_recorder(shares: bool) -> wp.Function:
+    """Build the Warp function that records in the result that a sun is lit, or its lit share."""
 
     @wp.func
     def keep(suns: Suns, view: View, column: wp.int32, share: wp.float32, cosine: wp.float64):
@@ -63,7 +63,7 @@ def _keeper(shares: bool) -> wp.Function:
 
 @once
 def _build_transmission(glass: bool) -> wp.Function:
-    """Build the Warp function that returns the transmitted share of an unblocked ray."""
+    """Build the Warp function that returns the share of light transmitted along an unblocked ray."""
 
     @wp.func
     def transmitted(suns: Suns, view: View, k: wp.int32) -> wp.float32:
@@ -77,9 +77,9 @@ def _build_transmission(glass: bool) -> wp.Function:
 
 
 @once
-def _points_looker(glass: bool) -> wp.Function:
-    """Build the Warp function that tests the suns of a group as points, without discs."""
-    keep, transmitted = _keeper(glass), _build_transmission(glass)
+def _build_points_test(glass: bool) -> wp.Function:
+    """Build the Warp function that tests a group of suns as points without discs."""
+    keep, transmitted = _build_recorder(glass), _build_transmission(glass)
 
     @wp.func
     def look_at_points(
@@ -110,15 +110,15 @@ def _points_looker(glass: bool) -> wp.Function:
 
 
 @once
-def _disc_share(glass: bool) -> wp.Function:
-    """Build the Warp function that casts rays to a sun's disc and returns the lit share."""
+def _build_disc_share(glass: bool) -> wp.Function:
+    """Build the Warp function that casts rays to a sun's disc and returns the lit share of the disc."""
     transmitted = _build_transmission(glass)
 
     @wp.func
     def share_of(
         suns: Suns, whole: Accelerator, seen: Accelerator, view: View, column: wp.int32, sun: wp.vec3, state: wp.int32
     ) -> wp.float32:
-        """Return the share of a disc that is above the horizon and not blocked.
+        """Return the share of a sun's disc that is above the horizon and not blocked.
 
         Rays well above the horizon are not cast if the disc is known to be LIT.
         """
@@ -142,15 +142,15 @@ def _disc_share(glass: bool) -> wp.Function:
 
 
 @once
-def _discs_looker(glass: bool) -> wp.Function:
-    """Build the Warp function that tests the suns of a group as discs."""
-    keep, proven, share_of = _keeper(True), prover(glass), _disc_share(glass)
+def _build_discs_test(glass: bool) -> wp.Function:
+    """Build the Warp function that tests a group of suns as discs."""
+    keep, proven, share_of = _build_recorder(True), prover(glass), _build_disc_share(glass)
 
     @wp.func
     def look_at_discs(
         suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
     ):
-        """Record the lit share of each disc of a group; cast rays to discs that no proof decides."""
+        """Record the lit share of each sun disc of a group; cast rays to discs that no proof decides."""
         k = wp.int32(0)
         while k < GROUP:
             sun = sun_of(suns, group, k)
@@ -171,13 +171,13 @@ def _discs_looker(glass: bool) -> wp.Function:
 
 
 @once
-def _looker(disc: bool, glass: bool) -> wp.Function:
+def _build_sun_test(disc: bool, glass: bool) -> wp.Function:
     """Build the Warp function that tests all suns from one point."""
-    look, proven = (_discs_looker if disc else _points_looker)(glass), prover(glass)
+    look, proven = (_build_discs_test if disc else _build_points_test)(glass), prover(glass)
 
     @wp.func
     def look_all(suns: Suns, accelerator: Accelerator, view: View):
-        """Traverse the tree of suns; skip the nodes below a node that is proven lit or dark."""
+        """Test all suns from one point; skip groups of suns that are proven lit or dark together."""
         view, seen = open_tree(suns, accelerator, view)
         node = wp.int32(0)
         while node < suns.nodes:
@@ -197,11 +197,11 @@ def _looker(disc: bool, glass: bool) -> wp.Function:
 
 @once
 def sun_kernel(disc: bool, glass: bool = False) -> wp.Kernel:
-    """Build the kernel that tests all suns, one point per task in the placement's order.
+    """Build the kernel that tests all suns from all points, one point per task in the processing order.
 
     `disc` selects discs instead of points. `glass` is for meshes with transmitting faces; the results are then shares.
     """
-    look_all = _looker(disc, glass)
+    look_all = _build_sun_test(disc, glass)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def each_point(suns: Suns, accelerator: Accelerator, first_task: wp.int64):

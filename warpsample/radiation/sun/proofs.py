@@ -1,4 +1,4 @@
-"""Proofs about a shaft of sun directions that need no ray: nothing blocks the shaft, or one triangle blocks all of it."""
+"""Proofs that a group of sun directions is lit or dark without rays: nothing blocks it, or one triangle blocks it."""
 
 import warp as wp
 
@@ -26,7 +26,7 @@ COVER_MARGIN: wp.float32 = wp.constant(wp.float32(2.0**-19))
 
 @wp.func
 def open_tree(suns: Suns, tree: Accelerator, view: View):
-    """Return the point and the tree as its rays see it.
+    """Open the search tree around a point once for all its rays; return (point, tree).
 
     If rays may be skipped, the tree is opened around the point.
     """
@@ -48,7 +48,7 @@ def highest(vectors: wp.uint64, n: wp.vec3) -> wp.float32:
 
 @wp.func
 def is_darkened(view: View, vectors: wp.uint64) -> wp.bool:
-    """Return whether one of the point's remembered triangles blocks all rays of a shaft."""
+    """Return whether a triangle that blocked an earlier ray of the point blocks all rays of a shaft."""
     known = known_triangles(view)
     if known == 0:
         return False
@@ -59,7 +59,7 @@ def is_darkened(view: View, vectors: wp.uint64) -> wp.bool:
 
 @wp.func
 def _may_be_hit(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
-    """Return whether a ray of a shaft may hit something."""
+    """Return whether a ray of a shaft (pyramid of directions) may hit something."""
     if seen.starts == 0 and view.local == 0:
         return False
     aim_at(vectors, view.point)
@@ -71,11 +71,14 @@ def _may_be_hit(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
 
 @once
 def prover(glass: bool) -> wp.Function:
-    """Build the Warp function that classifies a shaft as UNKNOWN, LIT or DARK; `glass` is for translucent faces."""
+    """Build the Warp function that classifies a shaft of sun directions as UNKNOWN, LIT or DARK.
+
+    `glass` is for meshes with translucent faces.
+    """
 
     @wp.func
     def classify_shaft(suns: Suns, seen: Accelerator, view: View, vectors: wp.uint64) -> wp.int32:
-        """Return the state of a shaft: UNKNOWN, LIT or DARK.
+        """Return the state of a shaft of sun directions: UNKNOWN, LIT or DARK.
 
         Rays of a LIT shaft with a cosine below `LEAST_COSINE` must be traced all the same.
         """

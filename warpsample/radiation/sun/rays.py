@@ -44,7 +44,7 @@ def sun_of(suns: Suns, group: wp.int32, k: wp.int32) -> wp.vec3:
 
 @wp.func
 def aim_at_group(suns: Suns, seen: Accelerator, view: View, group: wp.int32):
-    """Prepare rays towards the suns of a group."""
+    """Prepare rays from a point towards all suns of a group."""
     k = wp.int32(0)
     while k < GROUP:  # a range of 16 would be unrolled, and take seconds to compile
         set_direction(view.point.chunk, k, sun_of(suns, group, k))
@@ -57,7 +57,7 @@ def aim_at_group(suns: Suns, seen: Accelerator, view: View, group: wp.int32):
 
 @wp.func
 def aim_at_disc(suns: Suns, seen: Accelerator, view: View, column: wp.int32, sun: wp.vec3):
-    """Prepare rays towards positions on a sun's disc, uniform in solid angle."""
+    """Prepare rays from a point towards positions on a sun's disc, uniform in solid angle."""
     frame = frame_about(sun)
     key = stream_key(view.point.key, wp.uint32(column))
     chunk = view.point.chunk
@@ -74,7 +74,7 @@ def aim_at_disc(suns: Suns, seen: Accelerator, view: View, column: wp.int32, sun
 
 @wp.func
 def _remember(suns: Suns, view: View, face: wp.int32):
-    """Store a triangle that blocked a ray in the point's leaf; the oldest triangle is replaced."""
+    """Remember a triangle that blocked a ray, in the point's own leaf; the oldest triangle is replaced."""
     corners = vec3i_at(suns.faces, face)
     lane = word(view, NEXT)
     a = vec3_at(suns.vertices, corners[0])
@@ -86,7 +86,7 @@ def _remember(suns: Suns, view: View, face: wp.int32):
 
 @wp.func
 def is_blocked(suns: Suns, whole: Accelerator, seen: Accelerator, view: View, k: wp.int32, cosine: wp.float64) -> wp.bool:
-    """Return whether the k-th prepared ray hits anything; `cosine` is between the ray and the normal.
+    """Return whether the k-th prepared ray to a sun hits anything; `cosine` is between the ray and the normal.
 
     The point's remembered triangles are tested first.
     """

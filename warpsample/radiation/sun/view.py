@@ -1,4 +1,4 @@
-"""Arguments of the sun kernel, and the state of one point: remembered triangles, counters and working memory."""
+"""Argument of the sun kernel, and the state of one point: remembered triangles, counters and working memory."""
 
 import warp as wp
 
@@ -22,7 +22,7 @@ _WORDS_BYTES = wp.constant(wp.uint64(4 * OWN_LEAF_FLOATS))
 
 @wp.struct
 class Suns:
-    """Scalars and addresses of the points, of a `SunTree` and of the results.
+    """Kernel argument of the sun test: scalars, and addresses of the points, a `SunTree` and the results.
 
     placement: placement of the points, whose rays may start on either side of the face. normals, active: (P, 3) float32,
     (P,) uint8 or 0. count, nodes: numbers of suns and of nodes of the tree. directions: (count, 3), the caller's array.
@@ -64,7 +64,7 @@ SunsArgs = type(Suns().__ctype__())
 
 @wp.struct
 class View:
-    """Shading point with the state of the search for suns.
+    """Point from which the suns are tested, with its working memory and counters.
 
     local: mask of the triangles of the point's local leaf. skips: whether rays may be skipped. known: address of the leaf of
     triangles that blocked rays of the point. words: address of the point's counters.
@@ -79,7 +79,7 @@ class View:
 
 @wp.func
 def view_of(point: ShadingPoint) -> View:
-    """Return the initial state of a point, without remembered triangles."""
+    """Return the initial state of a point for the test of suns, without remembered triangles."""
     view = View()
     view.point = point
     view.known = point.own
@@ -89,7 +89,7 @@ def view_of(point: ShadingPoint) -> View:
 
 @wp.func
 def word(view: View, i: wp.int32) -> wp.int32:
-    """Return the i-th counter of a point."""
+    """Return the i-th counter of a point for the test of suns."""
     return int_at(view.words, i)
 
 
@@ -101,7 +101,7 @@ def add(view: View, i: wp.int32, more: wp.int32):
 
 @wp.func
 def known_triangles(view: View) -> wp.int32:
-    """Return the bit mask of the remembered triangles."""
+    """Return the bit mask of the triangles that a point remembers because they blocked a ray."""
     return (1 << word(view, KNOWN)) - 1
 
 

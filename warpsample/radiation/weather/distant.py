@@ -1,4 +1,4 @@
-"""Distant light of a period for reflections: irradiance of patches of faces from sun, sky and ground."""
+"""Sun, sky and ground of a period as distant light for reflections: irradiance of patches of faces."""
 
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -23,7 +23,9 @@ _SUNS = 512  # from twice this number on, the sample positions of a replicate te
 
 @dataclass(frozen=True, eq=False)
 class WeatherLight:
-    """Distant light of a period: one column with the sum in kWh/m², or a column in W/m² for each hour with light.
+    """Sun, sky and ground of a period as distant light: the sum in kWh/m², or a column in W/m² for each hour.
+
+    Only hours with light have a column.
 
     Attributes:
         light: Light of the period.
@@ -35,11 +37,11 @@ class WeatherLight:
 
     @property
     def size(self) -> int:
-        """Number of columns: hours with light, or 1."""
+        """Number of columns of the light: hours with light, or 1 for the sum."""
         return len(self.light.sky_rows) if self.series else 1
 
     def targets(self, patches: Patches, _workers: int) -> Targets:
-        """Return the targets of rays: the patches, and for rays that hit nothing the sky's patches and the ground."""
+        """Return the light sources for rays of patches: the patches, and sky and ground where rays hit nothing."""
         sky, csr_array = self.light.sky, imported("scipy.sparse").csr_array
 
         def beyond(directions: np.ndarray) -> "csr_array":
@@ -50,7 +52,7 @@ class WeatherLight:
         return Targets(patches, beyond)
 
     def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
-        """Return the irradiance of patches: sky and ground from the patches' rays, the sun at their sample positions."""
+        """Return the irradiance of reflecting patches: sky and ground from rays, the sun at sample positions."""
         light = self.light
         if not self.series:
             bright = sum_hours(np.concatenate([np.pi * light.radiance, light.ground[None]]))
@@ -64,7 +66,7 @@ class WeatherLight:
 
 
 def _fewer_suns(light: Light, seed: int) -> Light:
-    """Return the light with at most about 1,000 suns.
+    """Reduce the light of a period to at most about 1,000 sun positions.
 
     Of each run of neighbouring suns one is drawn at random, with the radiation of the run. Few suns are all kept.
     """
@@ -78,7 +80,7 @@ def _fewer_suns(light: Light, seed: int) -> Light:
 
 
 def sum_hours(hourly: np.ndarray) -> np.ndarray:
-    """Return the sum over hours, the last axis, of W/m² as kWh/m²."""
+    """Sum hourly irradiance in W/m² over the last axis, and return it in kWh/m²."""
     return hourly.sum(axis=-1) / 1000.0
 
 

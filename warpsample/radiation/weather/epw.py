@@ -1,4 +1,4 @@
-"""Checks of EPW files before pvlib reads them, because pvlib accepts nearly any file."""
+"""Checks of EPW weather files before pvlib reads them, because pvlib accepts nearly any file."""
 
 import re
 from pathlib import Path
@@ -22,10 +22,9 @@ YEAR = [(month, day, hour) for month in range(1, 13) for day in range(1, _DAYS[m
 
 
 def check_text(path: Path) -> str:
-    """Return the text of an EPW file with the fields that are read: place, dates, hours and radiation.
+    """Check an EPW weather file, and return its text with the fields that are read.
 
-    Rows have 35 fields; unused fields are empty, because pvlib fails on many contents. It shifts the columns of longer rows,
-    guesses wrong types, and takes a quotation mark as the start of a text of many lines.
+    These are place, dates, hours and radiation.
 
     Raises:
         ValueError: the lines are not those of 8,760 hours.
@@ -54,7 +53,7 @@ def check_text(path: Path) -> str:
 
 
 def _check_place(line: str) -> None:
-    """Check that the first line has the latitude, longitude, time zone and altitude of a place.
+    """Check that the first line of an EPW file has the latitude, longitude, time zone and altitude of a place.
 
     Raises:
         ValueError: fields are missing or out of range.
@@ -70,7 +69,7 @@ def _check_place(line: str) -> None:
 
 
 def radiation(table: Any, column: str, name: str) -> np.ndarray:
-    """Return the radiation of each hour from one column of a file, (8760,) W/m².
+    """Return the radiation of each hour from one column of an EPW file, (8760,) W/m².
 
     Raises:
         ValueError: values are missing or out of range.

@@ -1,4 +1,4 @@
-"""The call `irradiation`: radiation from sun, sky, ground and reflections at points of a mesh, with weather from a file."""
+"""The call `irradiation`: radiation from sun, sky, ground and reflections, with weather from a file."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -140,7 +140,7 @@ def irradiation(
 
 
 def received(plan: Plan, light: Light, series: bool, reflections: Reflections | None = None) -> Irradiation:
-    """Compute the radiation that a plan's points receive: sums over the period in kWh/m², or each hour in W/m²."""
+    """Compute the radiation that a plan's points (those of a call) receive, in kWh/m² or for each hour in W/m²."""
     hours = len(light.hours)
     if series:
         size = _BYTES * len(plan.at) * hours
@@ -158,7 +158,7 @@ def received(plan: Plan, light: Light, series: bool, reflections: Reflections | 
             light.sky_rows,
         ),
     }
-    arrays = {name: _each_hour(part, rows, hours) if series else np.float32(part) for name, (part, rows) in found.items()}
+    arrays = {name: _expand_hours(part, rows, hours) if series else np.float32(part) for name, (part, rows) in found.items()}
     received_from_afar = Irradiation(
         value=arrays["direct"] + arrays["diffuse"] + arrays["ground"],
         **arrays,
@@ -169,14 +169,14 @@ def received(plan: Plan, light: Light, series: bool, reflections: Reflections | 
     )
     if reflections is None:
         return received_from_afar
-    return _with_reflected(received_from_afar, reflections.at(plan.at.points, plan.count, plan.options), light)
+    return _add_reflected(received_from_afar, reflections.at(plan.at.points, plan.count, plan.options), light)
 
 
-def _with_reflected(found: Irradiation, reflected: Reflected, light: Light) -> Irradiation:
-    """Return the sum of distant and reflected light."""
+def _add_reflected(found: Irradiation, reflected: Reflected, light: Light) -> Irradiation:
+    """Add reflected light to the radiation from sun, sky and ground, and combine the errors."""
     value, error = reflected.value, reflected.error
     if found.value.ndim == 2:
-        value, error = (_each_hour(part, light.sky_rows, len(light.hours)) for part in (value, error))
+        value, error = (_expand_hours(part, light.sky_rows, len(light.hours)) for part in (value, error))
     value, error = (part.reshape(found.value.shape).astype(np.float32) for part in (value, error))
     return replace(
         found,
@@ -188,8 +188,8 @@ def _with_reflected(found: Irradiation, reflected: Reflected, light: Light) -> I
     )
 
 
-def _each_hour(part: np.ndarray, rows: np.ndarray, hours: int) -> np.ndarray:
-    """Return (P, hours) float32 with the columns of `part` at `rows`, and 0 in the other hours."""
+def _expand_hours(part: np.ndarray, rows: np.ndarray, hours: int) -> np.ndarray:
+    """Expand columns for some hours to all hours, (P, hours) float32, with 0 in the other hours."""
     made = np.zeros((len(part), hours), np.float32)
     made[:, rows] = part
     return made

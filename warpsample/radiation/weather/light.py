@@ -1,4 +1,4 @@
-"""Light of a period: directions and radiation of the sun, and radiances of sky and ground."""
+"""Light of a period from weather: directions and radiation of the sun, and radiances of sky and ground."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -14,7 +14,7 @@ from warpsample.radiation.weather.weather import Weather, read_weather
 
 @dataclass(frozen=True, eq=False)
 class Light:
-    """Sun, sky and ground in the T hours of a period.
+    """Radiation of sun, sky and ground in the T hours of a period.
 
     Attributes:
         sky: Patches of the sky.
@@ -39,7 +39,7 @@ class Light:
     ground: np.ndarray
 
     def only(self, columns: slice) -> "Light":
-        """Return the light of a slice of the L hours with light."""
+        """Return the radiation of sun, sky and ground for a slice of the L hours with light."""
         rows = self.sky_rows[columns]
         shining = np.isin(self.sun_rows, rows)
         return replace(
@@ -54,7 +54,7 @@ class Light:
 
 
 def light_of(weather: Any, *, period: Sequence[str] | None, ground_albedo: Any, patches: Any, up: Any, north: Any) -> Light:
-    """Return the light of a period from a weather file; arguments as for `irradiation`."""
+    """Compute the radiation of sun, sky and ground in a period from a weather file; arguments as for `irradiation`."""
     albedo, sky = check_number(ground_albedo, "ground_albedo", 0.0, 1.0), sky_patches(patches, up=up, north=north)
     found = read_weather(weather, period)
     shining = (found.direct_normal > 0.0) & (found.sun_altitude > 0.0)
@@ -75,7 +75,10 @@ def light_of(weather: Any, *, period: Sequence[str] | None, ground_albedo: Any, 
 
 
 def sun_directions(weather: Weather, axes: np.ndarray) -> np.ndarray:
-    """Return (T, 3) unit vectors towards the sun in mesh coordinates; `axes` (3, 3) are east, north and up."""
+    """Return unit vectors towards the sun in mesh coordinates, (T, 3).
+
+    `axes` (3, 3) are east, north and up.
+    """
     altitude, azimuth = weather.sun_altitude, weather.sun_azimuth
     level = np.cos(altitude)
     return np.stack([level * np.sin(azimuth), level * np.cos(azimuth), np.sin(altitude)], axis=1) @ axes

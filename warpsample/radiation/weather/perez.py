@@ -26,7 +26,7 @@ def perez_sky(weather: Weather, patches: str) -> np.ndarray:
     if len(weather.hours) == 0:
         return np.zeros((len(share), 0))
     shape = len(share), len(weather.hours)
-    radiance = _gendaymtx(_pyradiance(), _wea(weather), MULTIPLES[patches], shape).astype(np.float64)
+    radiance = _run_gendaymtx(_pyradiance(), _format_wea(weather), MULTIPLES[patches], shape).astype(np.float64)
     received = np.pi * (share @ radiance)
     dark = received == 0.0  # gendaymtx returns 0 below 1e-4 W/m²
     radiance *= np.where(dark, 0.0, weather.diffuse_horizontal) / np.where(dark, 1.0, received)
@@ -34,14 +34,14 @@ def perez_sky(weather: Weather, patches: str) -> np.ndarray:
 
 
 def _horizontal_shares(sky: SkyPatches) -> np.ndarray:
-    """Return the (K,) exact share of each patch in the cosine lobe of an open horizontal plane; their sum is 1."""
+    """Return the share of an open horizontal plane's cosine lobe that each sky patch fills, (K,); the sum is 1."""
     low, high = np.square(np.sin(np.radians(sky.altitudes.T)))
     return np.radians(np.diff(sky.azimuths, axis=1)[:, 0]) * (high - low) / (2.0 * np.pi)
 
 
 @lru_cache(maxsize=1)
-def _gendaymtx(pyradiance: Any, hours: bytes, split: int, shape: tuple[int, int]) -> np.ndarray:
-    """Return the (K, T) float32 radiances that gendaymtx computes for hours in Radiance's format.
+def _run_gendaymtx(pyradiance: Any, hours: bytes, split: int, shape: tuple[int, int]) -> np.ndarray:
+    """Run Radiance's gendaymtx on hours of weather, and return the sky radiances (K, T) float32.
 
     The last result is cached: for a year and the default patches 10 MB, and half a second.
     """
@@ -62,8 +62,8 @@ def _pyradiance() -> Any:
         raise missing("the Perez sky needs pyradiance", "pyradiance") from None
 
 
-def _wea(weather: Weather) -> bytes:
-    """Return the hours in Radiance's WEA format, as bytes.
+def _format_wea(weather: Weather) -> bytes:
+    """Return hours of weather in Radiance's WEA format, as bytes.
 
     WEA counts degrees to the west, and the time is the middle of the hour. Time zones beyond 12 hours are invalid: hours of
     Samoa or Kiribati, with zones 13 and 14, are written as the same hours of the day before.

@@ -1,4 +1,4 @@
-"""Weather of a year from an EPW file: hourly radiation, and positions of the sun."""
+"""Weather of a year from an EPW file: hourly radiation and positions of the sun."""
 
 import re
 from collections.abc import Sequence
@@ -25,7 +25,7 @@ _PERIOD = re.compile(r"(\d\d)-(\d\d)(?:T(\d\d))?")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Weather(Summary):
-    """Hourly radiation at a place.
+    """Hourly radiation at a place, with the positions of the sun.
 
     Attributes:
         latitude: Degrees north.
@@ -62,9 +62,10 @@ class Weather(Summary):
 
 
 def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
-    """Return the weather of a year or a period; `weather` is a path or "athens", as for `irradiation`, or a Weather.
+    """Read the weather of a year or a period from an EPW file.
 
-    Any encoding of Latin letters is accepted. Fields after the diffuse radiation are ignored.
+    `weather` is a path or "athens", as for `irradiation`, or a Weather. Any encoding of Latin letters is accepted. Fields
+    after the diffuse radiation are ignored.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: no such file, not the hourly weather of a year, or an invalid period.
@@ -74,52 +75,52 @@ def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
     if isinstance(weather, Weather):
         return weather.chosen(chosen)
     if isinstance(weather, str | PathLike) and fspath(weather) == "athens" and not Path(weather).exists():
-        return _athens(_pvlib()).chosen(chosen)
+        return _build_athens(_import_pvlib()).chosen(chosen)
     path = check_file(weather, "weather", "an EPW weather file")
-    pvlib = _pvlib()
+    pvlib = _import_pvlib()
     with naming_file("weather", path, "an EPW weather file"):
-        return _year(pvlib, check_text(path)).chosen(chosen)
+        return _build_year(pvlib, check_text(path)).chosen(chosen)
 
 
 @lru_cache(maxsize=2)
-def _year(pvlib: Any, text: str) -> Weather:
-    """Return the weather of a year from the text of an EPW file, cached by text.
+def _build_year(pvlib: Any, text: str) -> Weather:
+    """Build the weather of a year from the text of an EPW file, cached by text.
 
     Reading the text and computing the sun takes a fifth of a second.
     """
     table, place = pvlib.iotools.read_epw(StringIO(text))
     where = tuple(place[name] for name in ("latitude", "longitude", "TZ", "altitude"))
-    sun = _sun(pvlib, table.index, where)
+    sun = _compute_sun(pvlib, table.index, where)
     direct, diffuse = radiation(table, "dni", "direct normal"), radiation(table, "dhi", "diffuse horizontal")
     _check_nights(direct, sun["elevation"].to_numpy())
-    return _weather(where, sun, direct, diffuse)
+    return _build_weather(where, sun, direct, diffuse)
 
 
 @lru_cache(maxsize=1)
-def _athens(pvlib: Any) -> Weather:
-    """Return a cloudless year in Athens, with the clear sky of Ineichen2008."""
+def _build_athens(pvlib: Any) -> Weather:
+    """Build the weather of a cloudless year in Athens, with the clear sky of Ineichen2008."""
     where = (37.98, 23.73, 2.0, 107.0)
     hours = imported("pandas").date_range("2021-01-01", periods=len(YEAR), freq="h", tz=timezone(timedelta(hours=where[2])))
-    sun = _sun(pvlib, hours, where)
+    sun = _compute_sun(pvlib, hours, where)
     sky = pvlib.clearsky.simplified_solis(sun["apparent_elevation"])
-    return _weather(where, sun, sky["dni"].to_numpy(np.float64), sky["dhi"].to_numpy(np.float64))
+    return _build_weather(where, sun, sky["dni"].to_numpy(np.float64), sky["dhi"].to_numpy(np.float64))
 
 
-def _sun(pvlib: Any, hours: Any, where: tuple[float, ...]) -> Any:
-    """Return pvlib's table of the sun's position at the middle of each hour."""
+def _compute_sun(pvlib: Any, hours: Any, where: tuple[float, ...]) -> Any:
+    """Compute pvlib's table of the sun's position at the middle of each hour."""
     latitude, longitude, _, altitude = where
     return pvlib.solarposition.get_solarposition(hours + np.timedelta64(30, "m"), latitude, longitude, altitude)
 
 
-def _weather(where: tuple[float, ...], sun: Any, direct: np.ndarray, diffuse: np.ndarray) -> Weather:
-    """Build the Weather of a place from pvlib's table of the sun and the radiation."""
+def _build_weather(where: tuple[float, ...], sun: Any, direct: np.ndarray, diffuse: np.ndarray) -> Weather:
+    """Build the `Weather` of a place from pvlib's table of the sun and the hourly radiation."""
     hours = (sun.index.tz_localize(None) - np.timedelta64(30, "m")).to_numpy().astype("datetime64[m]")
     angles = (np.radians(sun[name].to_numpy(np.float64)) for name in ("apparent_elevation", "azimuth"))
     return Weather(*where, hours, direct, diffuse, *angles)
 
 
 def hours_of(period: Any) -> np.ndarray:
-    """Return the (8760,) bool mask of the hours in a period, which is given as for `irradiation`.
+    """Return the (8760,) bool mask of the hours of a year in a period, which is given as for `irradiation`.
 
     Raises:
         TypeError, ValueError: not a period.
@@ -131,7 +132,7 @@ def hours_of(period: Any) -> np.ndarray:
         raise TypeError(f"period: got {told(period)}, want {wants}")
     found = [_PERIOD.fullmatch(text) for text in period]
     try:
-        (first, last) = (_hour(match, default) for match, default in zip(found, (0, 24), strict=True))  # type: ignore[arg-type]
+        (first, last) = (_parse_hour(match, default) for match, default in zip(found, (0, 24), strict=True))  # type: ignore[arg-type]
     except (ValueError, TypeError, IndexError):
         raise ValueError(f"period: got {told(period)}, want {wants}") from None
     if first == last:
@@ -140,8 +141,8 @@ def hours_of(period: Any) -> np.ndarray:
     return (first <= hour) & (hour < last) if first < last else (first <= hour) | (hour < last)
 
 
-def _hour(match: re.Match[str], default: int) -> int:
-    """Return the number of hours of the year before a matched time; raise a ValueError for an invalid day or hour."""
+def _parse_hour(match: re.Match[str], default: int) -> int:
+    """Return the number of hours from the start of the year to a matched date; raise a ValueError for an invalid one."""
     month, day = int(match[1]), int(match[2])
     hour = default if match[3] is None else int(match[3])
     if hour > 24:
@@ -149,7 +150,7 @@ def _hour(match: re.Match[str], default: int) -> int:
     return YEAR.index((month, day, 1)) + hour
 
 
-def _pvlib() -> Any:
+def _import_pvlib() -> Any:
     """Import pvlib; raise a ModuleNotFoundError that states how to install it."""
     try:
         imported("pvlib.iotools")
@@ -159,7 +160,7 @@ def _pvlib() -> Any:
 
 
 def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:
-    """Check that direct radiation falls in daytime hours.
+    """Check that direct radiation falls in hours with the sun above the horizon.
 
     Raises:
         ValueError: over 1 % falls at night, as with a longitude counted towards the west.

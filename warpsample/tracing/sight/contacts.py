@@ -1,4 +1,4 @@
-"""Contact of a point with the faces that touch it, and the resulting starts of the point's rays (see `starts`)."""
+"""Faces that touch a surface point, and the starts of the point's rays that follow from them (see `starts`)."""
 
 import warp as wp
 
@@ -18,7 +18,7 @@ _THIN = wp.constant(wp.int32(-2))  # face number of a point that lies only on fa
 
 @wp.struct
 class FaceContact:
-    """A point, its face, and the state of the search for the start of its rays.
+    """State of the search for the start of a surface point's rays: the point, its face, and the start so far.
 
     The last five fields are the state of the search for the point's own face, by the cosine of each touching face's normal
     to the point's direction of view.
@@ -58,7 +58,7 @@ class FaceContact:
 
 @wp.func
 def _move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
-    """Return the contact with the start point moved off another facet that touches the point, if needed.
+    """Move the start of a point's rays off another facet that touches the point, if needed; return the new state.
 
     The start point ends on the same side of that facet as the centre of the point's own face.
     """
@@ -83,7 +83,7 @@ def _move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
 
 @wp.func
 def _is_better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int32) -> wp.bool:
-    """Return whether a face is a better candidate than the best so far: greater cosine, or equal cosine and lower number.
+    """Return whether a face is the better candidate: greater cosine, or equal cosine and lower face number.
 
     The cosine must be at least 0. The result does not depend on the order in which faces are visited.
     """
@@ -94,7 +94,7 @@ def _is_better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.i
 def _look_at_other(
     contacts: Contacts, contact: FaceContact, face: wp.int32, look: wp.vec3d, searching: wp.bool
 ) -> FaceContact:
-    """Return the contact updated by a face other than the point's own face, if that face touches the point."""
+    """Update a point's contact state by a face other than the point's own, if that face touches the point."""
     facet = facet_of(contacts, face)
     if wp.dot(facet.n, facet.n) == ZERO:
         if contact.own == -1:
@@ -116,7 +116,7 @@ def _look_at_other(
 
 @wp.struct
 class Around:
-    """Query for the faces around a point.
+    """Arguments of the search for the faces around a point.
 
     Attributes:
         contacts: points and faces of the scene.
@@ -135,7 +135,7 @@ class Around:
 
 @wp.func
 def _look_at(face: wp.int32, around: Around, contact: FaceContact) -> FaceContact:
-    """Return the contact updated by one face that may touch the point; the point's own face is skipped."""
+    """Update a point's contact state by one face that may touch the point; the point's own face is skipped."""
     if face != contact.own:
         contact.alone = wp.bool(False)
         contact = _look_at_other(around.contacts, contact, face, around.look, around.searching)
@@ -149,7 +149,7 @@ _look_around = faces_touching(_look_at, Around, FaceContact)
 def look_around(
     contacts: Contacts, tree: Accelerator, contact: FaceContact, look: wp.vec3d, searching: wp.bool, scratch: wp.uint64
 ) -> FaceContact:
-    """Return the contact (search state of a point) updated by all faces that touch the point.
+    """Update a point's contact state (the search for the start of its rays) by all faces that touch the point.
 
     `searching` is True to search for the point's own face, False to move the start off neighbouring faces.
     """
@@ -181,7 +181,10 @@ def find_own_face(contact: FaceContact) -> wp.int32:
 
 @wp.func
 def raise_start(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known: wp.bool) -> FaceContact:
-    """Return the contact with the start point of the rays one offset above the point's own face, on the side of `look`."""
+    """Move the start of a point's rays one offset above the point's own face, on the side of `look`.
+
+    Return the new contact state.
+    """
     own = contact.facet
     contact.side = wp.copysign(ONE, wp.dot(own.n, look))
     contact.inwards = ZERO
@@ -200,7 +203,7 @@ def raise_start(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known:
 
 @wp.func
 def start_above(contacts: Contacts, p: wp.vec3d, look: wp.vec3d) -> wp.vec3:
-    """Return the start straight above a vertex p of a height field, or straight below if `look` points down.
+    """Return the start of rays straight above a vertex p of a height field, or below if `look` points down.
 
     The start keeps x and y, which are rounded like those of the vertex in the mesh. Its height above the vertex exceeds the
     rounding of z. So it is above all faces of the vertex, even those as steep as a wall: `plane_distance` decides in
@@ -213,7 +216,7 @@ def start_above(contacts: Contacts, p: wp.vec3d, look: wp.vec3d) -> wp.vec3:
 
 @wp.func
 def start_of(contacts: Contacts, contact: FaceContact, look: wp.vec3d) -> wp.vec3:
-    """Return the start point of the rays of a contact; for a point on no face, the point itself."""
+    """Return the start of a point's rays from its final contact state; for a point on no face, the point itself."""
     if contact.own == _THIN:
         towards = wp.vec3(look)
         return wp.vec3(contact.p) + origin_offset(contacts.placement, towards) * towards

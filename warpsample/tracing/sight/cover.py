@@ -1,4 +1,4 @@
-"""Test whether one triangle covers a shaft: then all rays of the shaft hit something, and none needs to be cast."""
+"""Test whether one triangle blocks a whole pyramid of directions (shaft), so that no ray in it needs to be cast."""
 
 import warp as wp
 
@@ -10,8 +10,8 @@ _FLAT = wp.constant(wp.float32(2.0**-40))  # relative to the cubed distance; flo
 
 
 @wp.func
-def _least(e: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, s: wp.vec3, sign: wp.float32) -> wp.float32:
-    """Return the smallest dot product of the shaft's four corners p, q, r, s with sign * e.
+def _compute_least_dot(e: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, s: wp.vec3, sign: wp.float32) -> wp.float32:
+    """Return the smallest dot product of a shaft's four corner directions p, q, r, s with sign * e.
 
     The vector e is normal to a plane through the point and an edge of the triangle.
     """
@@ -23,12 +23,13 @@ def _least(e: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, s: wp.vec3, sign: wp.
 
 @wp.func
 def covering_triangles(leaf: wp.uint64, vectors: wp.uint64, o: wp.vec3, margin: wp.float32) -> wp.int32:
-    """Return a mask of a leaf's triangles that all rays of a shaft (pyramid of directions) from o hit, despite rounding.
+    """Return a mask of a leaf's triangles that block a whole shaft (pyramid of directions) from o.
 
-    The directions of the corners, and so all directions between them, are sums of the directions of the triangle's corners
-    with positive weights. `margin` is the angle in radians by which the shaft must be inside the triangle. It must be at
-    least 2^-20 plus the rounding error of the rays' directions. The 2^-20 cover the rounding of a corner by 2^-24 of its
-    distance, and of products and sums by 16 times 2^-24.
+    All rays of the shaft hit each of these triangles, despite rounding. The directions of the corners, and so all directions
+    between them, are sums of the directions of the triangle's corners with positive weights. `margin` is the angle in
+    radians by which the shaft must be inside the triangle. It must be at least 2^-20 plus the rounding error of the rays'
+    directions. The 2^-20 cover the rounding of a corner by 2^-24 of its distance, and of products and sums by 16 times
+    2^-24.
     """
     p = corner_of(vectors, 0)
     q = corner_of(vectors, 1)
@@ -49,9 +50,9 @@ def covering_triangles(leaf: wp.uint64, vectors: wp.uint64, o: wp.vec3, margin: 
         to_b = size_of(b)
         to_c = size_of(c)
         far = to_a + to_b + to_c
-        inside = wp.where(_least(e, p, q, r, s, sign) > margin * to_a * to_b, 1, 0)
-        inside = inside & wp.where(_least(f, p, q, r, s, sign) > margin * to_b * to_c, 1, 0)
-        inside = inside & wp.where(_least(g, p, q, r, s, sign) > margin * to_c * to_a, 1, 0)
+        inside = wp.where(_compute_least_dot(e, p, q, r, s, sign) > margin * to_a * to_b, 1, 0)
+        inside = inside & wp.where(_compute_least_dot(f, p, q, r, s, sign) > margin * to_b * to_c, 1, 0)
+        inside = inside & wp.where(_compute_least_dot(g, p, q, r, s, sign) > margin * to_c * to_a, 1, 0)
         flat = margin * to_a * to_b * to_c + _FLAT * far * far * far
         mask = mask | ((inside & wp.where(sign * volume > flat, 1, 0)) << k)
         k += 1

@@ -1,4 +1,4 @@
-"""Faces in float64 for the computation of start points: corners, normal, and a test whether a point touches the face."""
+"""Faces of a scene in float64: corners, normal, and a test whether a point touches the face."""
 
 import warp as wp
 
@@ -14,7 +14,7 @@ NOWHERE: wp.vec3d = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 @wp.struct
 class Contacts:
-    """Scalars and addresses of points on the faces of a scene, for the computation of ray starts.
+    """Kernel argument to compute ray starts: scalars, and addresses of points and of the scene's faces.
 
     Attributes:
         placement: placement of the points. Its `normals` are those of the points' faces, or the points' own without a face.
@@ -44,7 +44,7 @@ ContactsArgs = type(Contacts().__ctype__())
 
 @wp.struct
 class Facet:
-    """One face of the scene.
+    """Face of a scene in float64: corners, normal, and tolerances.
 
     Attributes:
         a, b, c: corners.
@@ -65,7 +65,7 @@ class Facet:
 
 @wp.func
 def with_normal(contacts: Contacts, facet: Facet, n: wp.vec3d) -> Facet:
-    """Return a facet with the unit normal n, and with its offset and slack computed from n.
+    """Return a facet with the unit normal n, and with the offset and tolerance that follow from n.
 
     The offset and the slack are 32 roundings of the corners plus the coarseness of stored positions.
     """
@@ -106,21 +106,21 @@ def facet_of(contacts: Contacts, face: wp.int32) -> Facet:
 
 
 @wp.func
-def _inwards(facet: Facet, start: wp.vec3d, end: wp.vec3d, p: wp.vec3d) -> wp.float64:
-    """Return the signed distance of a point in a facet's plane from an edge, positive on the inner side."""
+def _compute_edge_distance(facet: Facet, start: wp.vec3d, end: wp.vec3d, p: wp.vec3d) -> wp.float64:
+    """Return the signed distance of a point in a facet's plane from one edge, positive on the inner side."""
     edge = end - start
     return wp.dot(wp.cross(edge, p - start), facet.n) / wp.length(edge)
 
 
 @wp.func
 def inward_distance(facet: Facet, p: wp.vec3d) -> wp.float64:
-    """Return the smallest signed distance of a point in a facet's plane from the facet's edges; positive inside."""
-    first = wp.min(_inwards(facet, facet.a, facet.b, p), _inwards(facet, facet.b, facet.c, p))
-    return wp.min(first, _inwards(facet, facet.c, facet.a, p))
+    """Return the signed distance of a point in a facet's plane from the nearest edge, positive inside."""
+    first = wp.min(_compute_edge_distance(facet, facet.a, facet.b, p), _compute_edge_distance(facet, facet.b, facet.c, p))
+    return wp.min(first, _compute_edge_distance(facet, facet.c, facet.a, p))
 
 
 @wp.func
 def is_touching(facet: Facet, p: wp.vec3d, moved: wp.float64) -> wp.bool:
-    """Return whether a point is within two offsets of a facet, or may come that close by a move of length `moved`."""
+    """Return whether a point is within two offsets of a facet, or may get there by a move of length `moved`."""
     near = wp.abs(wp.dot(facet.n, p - facet.a)) <= TWO * facet.offset + moved
     return near and inward_distance(facet, p) >= -facet.slack - moved

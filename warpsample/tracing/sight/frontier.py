@@ -1,9 +1,9 @@
-"""Start nodes for the rays of one point: the tree without the part around the point and the part below the point's horizon.
+"""Start nodes of one point's rays (frontier): the tree is opened around the point once for all its rays.
 
-All rays from a point on a surface would open the same nodes and leaves around the point. So these are opened once for all
-rays. The other children of the opened nodes become start nodes of the point's rays, the *frontier*. The few triangles around
-the point that reach above its horizon become its *local leaf*. Parts below the horizon or out of reach are left out. No ray
-gets a different answer.
+All rays from a point on a surface would open the same nodes and
+leaves around the point. So these are opened once for all rays. The other children of the opened nodes become start nodes of
+the point's rays, the *frontier*. The few triangles around the point that reach above its horizon become its *local leaf*.
+Parts below the horizon or out of reach are left out. No ray gets a different answer.
 """
 
 import warp as wp
@@ -44,13 +44,13 @@ def _distance_to_interval(low: wp.float32, high: wp.float32, x: wp.float32) -> w
 
 @wp.func
 def limit_of_boxes(limit: wp.float32, n: wp.vec3) -> wp.float32:
-    """Return the limit along a normal for padded boxes that is equivalent to a limit for the triangles inside."""
+    """Return the limit along a normal for padded boxes, from the limit for the triangles in the boxes."""
     return limit + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
 
 
 @wp.func
 def visible_children(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
-    """Return (mask of the children above the horizon and within reach, mask of the children whose boxes contain the origin).
+    """Return masks of a node's children: above the horizon and within reach, and around the origin.
 
     A child is above the horizon if its box has a point x with x n of at least `limit`.
     """
@@ -76,7 +76,10 @@ def visible_children(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32,
 
 @wp.func
 def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
-    """Return a mask of a leaf's triangles with a corner above the horizon: its dot product with n is at least `limit`."""
+    """Return a mask of a leaf's triangles with a corner above the horizon.
+
+    Such a corner has a dot product with n of at least `limit`.
+    """
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
@@ -122,11 +125,11 @@ def _copy_to_local_leaf(
 
 @wp.func
 def _frontier(tree: Accelerator, point: ShadingPoint):
-    """Return (number of start nodes, number of triangles in the local leaf) for the rays of a point.
+    """Collect the start nodes of a point's rays (frontier); return the numbers of start nodes and of local triangles.
 
-    Rays above the point's horizon hit nothing else; their cosines to the normal must be at least 2^-12, as in the cosine
-    lobe. If both numbers are 0, nothing is above the horizon. The first is -1 if there was no room, so that rays start at
-    the root.
+    Local triangles are copies of the triangles around the point. Rays above the point's horizon hit nothing else; their
+    cosines to the normal must be at least 2^-12, as in the cosine lobe. If both numbers are 0, nothing is above the horizon.
+    The first is -1 if there was no room, so that rays start at the root.
     """
     local = point.opened + LOCAL_LEAF
     clear_leaf(local)
@@ -169,9 +172,10 @@ def _frontier(tree: Accelerator, point: ShadingPoint):
 
 @wp.func
 def open_around(tree: Accelerator, point: ShadingPoint):
-    """Return (tree for the rays of a point, mask of the triangles in its local leaf, whether the tree was opened).
+    """Open the tree around a point, once for all its rays; return (tree, mask of local triangles, whether opened).
 
-    The whole tree is returned unopened for a distant point, and where there is no room for all parts around the point.
+    Local triangles are copies of the triangles around the point. The whole tree is returned unopened for a distant point,
+    and where there is no room for all parts around the point.
     """
     local = wp.int32(0)
     opened = wp.bool(False)
@@ -194,25 +198,25 @@ class HalfSpace:
 
 
 @wp.func
-def _enter(node: wp.uint64, plane: HalfSpace):
-    """Return a mask of the children whose boxes reach into the half-space."""
+def _find_children_in(node: wp.uint64, plane: HalfSpace):
+    """Return a mask of a node's children whose boxes reach into a half-space."""
     mask, _around = visible_children(node, wp.vec3(0.0), plane.n, limit_of_boxes(plane.limit, plane.n), _ANYWHERE)
     return mask
 
 
 @wp.func
-def _look(leaf: wp.uint64, plane: HalfSpace, found: wp.bool):
-    """Return whether a triangle of a leaf reaches into the half-space, twice: as the answer, and to end the search."""
+def _find_triangle_in(leaf: wp.uint64, plane: HalfSpace, found: wp.bool):
+    """Return whether a triangle of a leaf reaches into a half-space, twice: as the answer, and to end the search."""
     found = triangles_above(leaf, plane.n, plane.limit) != 0
     return found, found
 
 
-_walk = tree_walk(_enter, _look, HalfSpace, wp.bool)
+_walk = tree_walk(_find_children_in, _find_triangle_in, HalfSpace, wp.bool)
 
 
 @wp.func
 def has_triangle_above(tree: Accelerator, n: wp.vec3, limit: wp.float32, scratch: wp.uint64) -> wp.bool:
-    """Return whether a triangle of the tree has a corner x whose dot product with n is at least `limit`.
+    """Return whether a triangle has a corner in a half-space: a dot product with n of at least `limit`.
 
     The result is True, too, if the limit on visits ends the search early.
     """

@@ -1,4 +1,4 @@
-"""Any-hit queries for all rays of one point together: which of the rays hit anything.
+"""Test for all rays of one point together (a packet): which of the rays hit anything.
 
 All rays of a packet leave from one origin. So the planes through the origin and the sides of a triangle are the same for
 all rays, and each leaf is opened once for all rays that hit its box. Where float32 does not decide, the test of single rays
@@ -31,31 +31,31 @@ _ONE = wp.constant(wp.uint64(1))
 
 @wp.func
 def first_rays(length: wp.int32) -> wp.uint64:
-    """Return the set of the first `length` rays of a chunk."""
+    """Return the bit set of the first `length` rays of a chunk."""
     return wp.where(length > 0, (~NO_RAYS) >> wp.uint64((CHUNK - length) % CHUNK), NO_RAYS)
 
 
 @wp.func
 def set_size(rays: wp.uint64) -> wp.int32:
-    """Return the number of rays in a set."""
+    """Return the number of rays in a bit set of rays."""
     return wp.int32(wp.bit_count(rays))
 
 
 @wp.func
 def ray_set(k: wp.int32) -> wp.uint64:
-    """Return the set that holds only the k-th ray."""
+    """Return the bit set that holds only the k-th ray."""
     return _ONE << wp.uint64(k)
 
 
 @wp.func
 def lowest_ray(rays: wp.uint64) -> wp.int32:
-    """Return the index of the first ray in a non-empty set."""
+    """Return the index of the first ray in a non-empty bit set of rays."""
     return wp.int32(wp.bit_count((rays & (~rays + _ONE)) - _ONE))
 
 
 @wp.func
 def _is_hit(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.float32) -> wp.bool:
-    """Return whether a ray hits one of a leaf's triangles in a mask, by the test of single rays."""
+    """Return whether a single ray hits one of a leaf's masked triangles."""
     met = wp.bool(False)
     ray = ray_in(column)
     while triangles != 0 and not met:
@@ -70,7 +70,7 @@ def _is_hit(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.f
 def _unblocked_by_triangles(
     leaf: wp.uint64, triangles: wp.int32, point: ShadingPoint, alive: wp.uint64, blocks: wp.int32
 ) -> wp.uint64:
-    """Return the rays of `alive` that miss the triangles of a mask; vector lanes hold rays."""
+    """Return the set of rays in `alive` that miss a leaf's masked triangles; vector lanes hold rays."""
     open_leaf(leaf, point.o, point.reach, point.sides)
     while triangles != 0:
         t = lowest_bit(triangles)
@@ -93,7 +93,7 @@ def _unblocked_by_triangles(
 def _unblocked_by_leaf(
     leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.uint64, alive: wp.uint64
 ) -> wp.uint64:
-    """Return `alive` without the rays of `rays` that hit a triangle of a leaf; vector lanes hold triangles.
+    """Return the set `alive` without the rays that hit a triangle of a leaf; vector lanes hold triangles.
 
     A single ray is tested without opening the leaf, which would not pay.
     """
@@ -114,7 +114,7 @@ def _unblocked_by_leaf(
 
 @wp.func
 def _children_hit(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.int32:
-    """Return a mask of a node's children whose boxes some rays of a set hit.
+    """Return a mask of a tree node's children whose boxes some rays of a set hit.
 
     Two words per child in `scratch` receive the set of rays that hit the child's box.
     """
@@ -146,14 +146,14 @@ def _children_hit(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.i
 
 @wp.func
 def _rays_at_child(point: ShadingPoint, child: wp.int32) -> wp.uint64:
-    """Return the set of rays that hit a child's box, as `_children_hit` stored it."""
+    """Return the set of rays that hit the box of a node's child, as `_children_hit` stored it."""
     words = wp.array(ptr=point.scratch, shape=(2 * WIDTH,), dtype=wp.uint32)
     return (wp.uint64(words[WIDTH + child]) << wp.uint64(32)) | wp.uint64(words[child])
 
 
 @wp.func
 def _push(top: wp.uint64, node: wp.uint64, rays: wp.uint64) -> wp.uint64:
-    """Push a node and the set of rays that hit its box onto the stack; return the new top."""
+    """Push a tree node and the set of rays that hit its box onto the stack; return the new top."""
     set_address(top, 0, node)
     set_address(top, 1, rays)
     return top + _ENTRY
@@ -161,7 +161,7 @@ def _push(top: wp.uint64, node: wp.uint64, rays: wp.uint64) -> wp.uint64:
 
 @wp.func
 def _unblocked_by_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64) -> wp.uint64:
-    """Return the rays of `alive` that hit nothing in the tree."""
+    """Return the set of rays in `alive` that hit nothing in the tree."""
     top = point.waiting
     for start in range(tree.starts):
         top = _push(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), alive)
@@ -184,9 +184,10 @@ def _unblocked_by_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64)
 
 @wp.func
 def blocked_rays(tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32) -> wp.uint64:
-    """Return the rays of a set that hit anything; the set holds some of the first `length` rays of a prepared chunk.
+    """Return the bit set of rays that hit anything, among a set of rays of a prepared chunk.
 
-    `local` is that of `first_hit`. The rays of a distant point have separate origins and reaches, and are traced one by one.
+    The set holds some of the first `length` rays of the chunk. `local` is that of `first_hit`. The rays of a distant point
+    have separate origins and reaches, and are traced one by one.
     """
     alive = rays
     if local != 0:

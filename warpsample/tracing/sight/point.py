@@ -1,4 +1,4 @@
-"""Shading point: position, start of its rays, and the workspace of the kernel that traces them."""
+"""Point from which a kernel traces rays: position, start of the rays, and working memory."""
 
 import warp as wp
 
@@ -47,7 +47,7 @@ _SCRATCH_FLOATS = -(-SCRATCH // _ROW) * _ROW
 
 @wp.struct
 class ShadingPoint:
-    """Point with the state of its rays, and addresses of the kernel's workspace.
+    """Point from which a kernel traces rays, with addresses of the kernel's working memory.
 
     Attributes:
         index: row of the point in the arrays of the call.
@@ -85,7 +85,7 @@ class ShadingPoint:
 
 
 def workspace_floats(own: int, chunk: int = CHUNK_FLOATS, searches: bool = True, packets: bool = False) -> int:
-    """Return the number of float32 in the workspace of a kernel.
+    """Return the number of float32 in the working memory of a kernel that traces rays from points.
 
     Args:
         own: number of float32 for the kernel's own use, a multiple of 16.
@@ -99,9 +99,9 @@ def workspace_floats(own: int, chunk: int = CHUNK_FLOATS, searches: bool = True,
 
 @wp.func
 def point_in(workspace: wp.uint64, own: wp.int32, chunk: wp.int32) -> ShadingPoint:
-    """Return a point with the addresses of the parts of a workspace; index, normal and position are not set yet.
+    """Return a point without position whose working memory starts at the given address.
 
-    The workspace has the size that `workspace_floats` returns.
+    The index, the normal and the position are not set yet. The workspace has the size that `workspace_floats` returns.
     """
     point = ShadingPoint()
     point.chunk = workspace
@@ -118,7 +118,7 @@ def point_in(workspace: wp.uint64, own: wp.int32, chunk: wp.int32) -> ShadingPoi
 def orient_point(
     point: ShadingPoint, placement: Placement, normals: wp.uint64, active: wp.uint64, visit: wp.int64
 ) -> ShadingPoint:
-    """Return the point that is visited as number `visit`, with its index, unit normal and status, but no position.
+    """Return the point that is processed as number `visit`, with index, unit normal and status, but no position.
 
     normals: address of (P, 3) float32, of any length. active: address of (P,) uint8, or 0 if all points are active.
     """
@@ -135,7 +135,7 @@ def orient_point(
 
 @wp.func
 def _origin(placement: Placement, point: ShadingPoint, sides: wp.int32) -> wp.vec3:
-    """Return the start point of the rays of a point, on the side of its face to which the normal points."""
+    """Return the start of a point's rays, on the side of its face to which the normal points."""
     if placement.starts != wp.uint64(0) and sides == 1:
         return vec3_at(placement.starts, point.index)
     side = vec3_at(placement.normals, point.index)
@@ -147,7 +147,7 @@ def _origin(placement: Placement, point: ShadingPoint, sides: wp.int32) -> wp.ve
 
 @wp.func
 def place_point(point: ShadingPoint, placement: Placement, sides: wp.int32) -> ShadingPoint:
-    """Return a point of `orient_point` with position, ray origin and status, and fill its chunk with the origin.
+    """Set the position, ray start and status of a point of `orient_point`, and fill its chunk of rays with the start.
 
     `sides`, 1 or 2, is the number of starts per point in the placement.
     """
@@ -163,7 +163,7 @@ def place_point(point: ShadingPoint, placement: Placement, sides: wp.int32) -> S
 
 @wp.func
 def move_ray_near(point: ShadingPoint, k: wp.int32, d: wp.vec3d):
-    """Move the origin of the k-th ray of a distant point near the mesh, along the unit vector d.
+    """Move the origin of the k-th ray of a distant point close to the mesh, along the unit vector d.
 
     The reach becomes negative if the ray misses the mesh.
     """

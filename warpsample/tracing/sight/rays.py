@@ -1,4 +1,4 @@
-"""Rays of a point, one chunk at a time: prepared together, then traced one by one or, by `rays_blocked`, as a packet."""
+"""Rays of one point: a chunk is prepared together, then traced ray by ray or as a packet."""
 
 import warp as wp
 
@@ -18,13 +18,13 @@ from warpsample.tracing.wide.through import next_crossing, path_transmittance
 
 @wp.func
 def whole_vectors(length: wp.int32) -> wp.int32:
-    """Round a number of rays up to whole vectors: loops over a chunk need all directions of their last vector."""
+    """Round a number of rays up to whole SIMD vectors, since loops need all directions of their last vector."""
     return (length + LANES - 1) / LANES * LANES
 
 
 @wp.func
 def move_rays_near(point: ShadingPoint, length: wp.int32):
-    """Move the origins of the first rays of a chunk near the mesh, if the point is far from the mesh."""
+    """Move the origins of the first rays of a chunk close to the mesh, if their point is distant."""
     if is_far_off(point.position):
         for k in range(length):
             move_ray_near(point, k, in_double(direction_of(point.chunk, k)))
@@ -32,7 +32,10 @@ def move_rays_near(point: ShadingPoint, length: wp.int32):
 
 @once
 def prepare_rays(prepare: wp.Function = prepare_wide) -> wp.Function:
-    """Build a function (tree, point, local, rays) that prepares the first rays of a chunk with directions for a tracer."""
+    """Build a Warp function that prepares the first rays of a chunk for a tracer, from their directions.
+
+    Its arguments are (tree, point, local, rays).
+    """
 
     @wp.func
     def prepare_chunk(tree: Accelerator, point: ShadingPoint, local: wp.int32, length: wp.int32):
@@ -43,9 +46,10 @@ def prepare_rays(prepare: wp.Function = prepare_wide) -> wp.Function:
 
 @once
 def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True) -> wp.Function:
-    """Build a function (tree, point, local, k) -> (distance, face) of the nearest hit of the k-th ray of a prepared chunk.
+    """Build a Warp function that returns (distance, face) of the nearest hit of the k-th prepared ray.
 
-    Without a hit or without reach the result is (inf, -1); with any_hit a hit gives (0, some face).
+    Its arguments are (tree, point, local, k). Without a hit or without reach the result is (inf, -1); with any_hit a hit
+    gives (0, some face).
 
     Args:
         any_hit: whether any hit is enough.
@@ -88,7 +92,7 @@ def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True
 
 @wp.func
 def glass_transmittance_to(glass: Glass, point: ShadingPoint, k: wp.int32, distance: wp.float32) -> wp.float32:
-    """Return the transmittance of the translucent faces along the k-th prepared ray, up to a distance."""
+    """Return the transmittance of the translucent faces along a prepared ray, up to a distance."""
     column = column_of(point.chunk, k)
     reach = wp.min(float_at(column, REACH), distance)
     share = wp.float32(1.0)
@@ -101,7 +105,7 @@ def glass_transmittance_to(glass: Glass, point: ShadingPoint, k: wp.int32, dista
 def next_glass_crossing(
     glass: Glass, point: ShadingPoint, k: wp.int32, before: wp.float32, after: wp.float32, after_face: wp.int32
 ):
-    """Return (distance, face) of the k-th ray's first crossing of a translucent face behind a given crossing.
+    """Return (distance, face) of a prepared ray's next crossing of a translucent face, behind a given crossing.
 
     The result is (inf, -1) without a crossing before the distance `before`. The given crossing is that of `after_face` at
     distance `after`.
@@ -117,15 +121,16 @@ def next_glass_crossing(
 
 @wp.func
 def glass_transmittance(glass: Glass, point: ShadingPoint, k: wp.int32) -> wp.float32:
-    """Return the transmittance of the translucent faces along the k-th prepared ray."""
+    """Return the transmittance of the translucent faces along a whole prepared ray."""
     return glass_transmittance_to(glass, point, k, wp.float32(wp.INF))
 
 
 @once
 def rays_blocked(query: wp.Function | None = None, wide: bool = True) -> wp.Function:
-    """Build a function (tree, point, local, rays, length) -> set of the prepared rays in `rays` that hit anything.
+    """Build a Warp function that returns the set of prepared rays that hit anything.
 
-    The set holds some of the first `length` rays of a chunk. With the wide tree they are traced together.
+    Its arguments are (tree, point, local, rays, length); the set `rays` holds the rays to test. The set holds some of the
+    first `length` rays of a chunk. With the wide tree they are traced together.
 
     Args:
         query: any-hit query of another tracer, which traces the rays one by one.

@@ -1,4 +1,4 @@
-"""Search for triangles in the shaft of a point: the result is none, some, or undecided after a limited number of visits."""
+"""Search for triangles in a shaft (pyramid of directions): none, some, or undecided after a limited number of visits."""
 
 import warp as wp
 
@@ -17,7 +17,7 @@ _VISITS = wp.constant(wp.int32(32))  # limit on nodes and leaves to look into: t
 
 @wp.struct
 class InShaft:
-    """Result of a search in a shaft.
+    """Result of a search for triangles in a shaft (pyramid of directions).
 
     Attributes:
         state: EMPTY, OCCUPIED or UNDECIDED.
@@ -31,19 +31,19 @@ class InShaft:
 
 
 @wp.func
-def _look(leaf: wp.uint64, shaft: wp.uint64, found: InShaft):
-    """Return (search result of a leaf, whether the leaf has triangles in the shaft)."""
+def _find_triangles_in(leaf: wp.uint64, shaft: wp.uint64, found: InShaft):
+    """Add the triangles of a tree leaf in a shaft to the search result; return (result, whether there are any)."""
     found.leaf = leaf
     found.triangles = triangles_in(leaf, shaft)
     return found, found.triangles != 0
 
 
-_walk = tree_walk(boxes_in, _look, wp.uint64, InShaft)
+_walk = tree_walk(boxes_in, _find_triangles_in, wp.uint64, InShaft)
 
 
 @wp.func
 def search_shaft(tree: Accelerator, point: ShadingPoint, local: wp.int32) -> InShaft:
-    """Search the tree for triangles in the shaft (pyramid of directions) of a point.
+    """Search the tree for triangles in a shaft, a pyramid of directions from a point.
 
     The triangles `local` of the point's local leaf are tested first.
     """
@@ -60,5 +60,5 @@ def search_shaft(tree: Accelerator, point: ShadingPoint, local: wp.int32) -> InS
 
 @wp.func
 def in_local_leaf(found: InShaft, point: ShadingPoint) -> wp.int32:
-    """Return a mask of the triangles of the point's local leaf that a search found in the shaft."""
+    """Return a mask of the triangles in a point's local leaf that a search found in the shaft."""
     return wp.where(found.leaf == point.opened + LOCAL_LEAF, found.triangles, 0)

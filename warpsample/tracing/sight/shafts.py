@@ -1,8 +1,8 @@
-"""Shafts: pyramids of directions from one point, tested against the tree. A shaft that contains nothing needs no ray.
+"""Shafts: pyramids of directions from one point, tested against the tree.
 
-A box or a triangle is outside a shaft if all its corners are outside one of the shaft's planes. A triangle is also outside
-if all directions of the shaft move away from its plane. The tests are conservative: rays may still miss a box or a triangle
-that is not found to be outside, but never hit one that is.
+A shaft without triangles needs no ray. A box or a triangle is outside a shaft if all its corners are outside one of the
+shaft's planes. A triangle is also outside if all directions of the shaft move away from its plane. The tests are
+conservative: rays may still miss a box or a triangle that is not found to be outside, but never hit one that is.
 
 A shaft is five rows of sixteen float32. The first three hold x, y, z of the inward normals of its planes, then of the unit
 directions of its corners. The fourth holds the planes' limits for boxes. The fifth holds the origin, and the tolerance below
@@ -39,7 +39,9 @@ test of a ray by 2^-22.
 
 
 def shaft_vectors(normals: np.ndarray, corners: np.ndarray) -> np.ndarray:
-    """Return the vectors of shafts, (..., 3, 16) float32 rows for `aim_about` or `aim_at`.
+    """Return the vectors that describe shafts (pyramids of directions), (..., 3, 16) float32.
+
+    The rows are those for `aim_about` or `aim_at`.
 
     Args:
         normals: (..., 4, 3), inward unit normals of the four sides. The fifth plane is the point's horizon.
@@ -60,7 +62,7 @@ def corner_of(vectors: wp.uint64, i: wp.int32) -> wp.vec3:
 
 @wp.func
 def _complete_shaft(point: ShadingPoint):
-    """Set the planes' limits of a point's shaft, and the point's horizon as the first plane."""
+    """Set the limits of a shaft's planes, and the point's horizon as the first plane."""
     rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     o = point.o
     n = point.n
@@ -107,7 +109,7 @@ def aim_at(vectors: wp.uint64, point: ShadingPoint):
 
 @wp.struct
 class Plane:
-    """Side of a shaft.
+    """Side plane of a shaft (pyramid of directions).
 
     Attributes:
         nx, ny, nz: inward normal; a point (x, y, z) is inside if x nx + y ny + z nz is at least `limit`.
@@ -126,7 +128,7 @@ class Plane:
 
 @wp.func
 def _plane(shaft: wp.uint64, i: wp.int32) -> Plane:
-    """Return the i-th plane of a shaft."""
+    """Return the i-th side plane of a shaft."""
     rows = wp.array(ptr=shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     plane = Plane()
     plane.nx = rows[i]
@@ -141,7 +143,7 @@ def _plane(shaft: wp.uint64, i: wp.int32) -> Plane:
 
 @wp.func
 def _is_box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
-    """Return 1 where some corner of the box of a node's k-th child is inside the plane, else 0."""
+    """Return 1 where some corner of a child's box is inside a shaft's side plane, else 0."""
     x = wp.array(ptr=node + plane.x_row, shape=(WIDTH,), dtype=wp.float32)
     y = wp.array(ptr=node + plane.y_row, shape=(WIDTH,), dtype=wp.float32)
     z = wp.array(ptr=node + plane.z_row, shape=(WIDTH,), dtype=wp.float32)
@@ -150,14 +152,17 @@ def _is_box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
 
 @wp.func
 def _is_triangle_inside(a: wp.vec3, b: wp.vec3, c: wp.vec3, plane: Plane, margin: wp.float32) -> wp.int32:
-    """Return 1 where some corner of a triangle is inside the plane, else 0; corners are relative to the origin."""
+    """Return 1 where some corner of a triangle is inside a shaft's side plane, else 0.
+
+    Corners are relative to the shaft's origin.
+    """
     n = wp.vec3(plane.nx, plane.ny, plane.nz)
     return wp.where(greater(greater(wp.dot(a, n), wp.dot(b, n)), wp.dot(c, n)) >= -margin, 1, 0)
 
 
 @wp.func
 def _is_facing(a: wp.vec3, b: wp.vec3, c: wp.vec3, shaft: wp.uint64) -> wp.int32:
-    """Return 0 where all directions of the shaft move away from the plane of a triangle, else 1.
+    """Return 0 where all directions of a shaft move away from the plane of a triangle, else 1.
 
     The corners a, b and c are relative to the origin.
     """
@@ -180,7 +185,7 @@ def _is_facing(a: wp.vec3, b: wp.vec3, c: wp.vec3, shaft: wp.uint64) -> wp.int32
 
 @wp.func
 def boxes_in(node: wp.uint64, shaft: wp.uint64) -> wp.int32:
-    """Return a mask of a node's children whose boxes rays of a shaft (pyramid of directions) may hit."""
+    """Return a mask of a node's children whose boxes the rays of a shaft (pyramid of directions) may hit."""
     p = _plane(shaft, 0)
     q = _plane(shaft, 1)
     r = _plane(shaft, 2)
@@ -199,7 +204,7 @@ def boxes_in(node: wp.uint64, shaft: wp.uint64) -> wp.int32:
 
 @wp.func
 def triangles_in(leaf: wp.uint64, shaft: wp.uint64) -> wp.int32:
-    """Return a mask of a leaf's triangles that rays of a shaft (pyramid of directions) may hit."""
+    """Return a mask of a leaf's triangles that the rays of a shaft (pyramid of directions) may hit."""
     o = vec3_at(shaft + wp.uint64(4 * _ORIGIN), 0)
     low = float_at(shaft, _LOW)
     p = _plane(shaft, 0)

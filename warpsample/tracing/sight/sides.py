@@ -1,4 +1,4 @@
-"""Leaf opened for the rays from one origin: the planes through the origin and the triangles' sides, and tests of rays.
+"""Tests of rays from one origin against a leaf's triangles, by planes through the origin and the triangle sides.
 
 Let corners a and b be relative to the origin. A ray with direction d passes inside the side from a to b where
 d . (a x (b - a)) > 0, if the triangle is oriented so that the origin is behind it. Then the ray also goes towards the
@@ -29,7 +29,7 @@ _SURELY = wp.constant(wp.int32(2**30))
 
 @wp.func
 def _cross(a: wp.vec3, b: wp.vec3) -> wp.vec3:
-    """Return a x b, with one product and one fma per component."""
+    """Return the cross product a x b, with one product and one fma per component."""
     return wp.vec3(
         fma(a[1], b[2], negative(a[2] * b[1])),
         fma(a[2], b[0], negative(a[0] * b[2])),
@@ -39,7 +39,10 @@ def _cross(a: wp.vec3, b: wp.vec3) -> wp.vec3:
 
 @wp.func
 def open_leaf(leaf: wp.uint64, o: wp.vec3, reach: wp.float32, sides: wp.uint64):
-    """Open a leaf for the rays from o with a given reach: compute the rows of inward normals and limits."""
+    """Compute the planes through the origin o and the sides of a leaf's triangles, for rays of a given reach.
+
+    The rows hold inward normals and limits.
+    """
     # Let u = 2^-24, and A and E the greatest sums of absolute components of corners and of sides. A component of a normal is
     # rounded by 4 u of its two products, and a product with d by 3 u more: 7 u A E in all. The difference b - a, instead of
     # b, makes the error relative to the side. The margin is 16 u A E; `is_between_edges` in float64 rounds by 2 u A 2^-22 at
@@ -96,7 +99,10 @@ def open_leaf(leaf: wp.uint64, o: wp.vec3, reach: wp.float32, sides: wp.uint64):
 def _classify_ray(
     d: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, sure: wp.float32, outside: wp.float32, behind: wp.float32
 ) -> wp.int32:
-    """Return bit 31 if a ray may pass between the three sides of a triangle, and bit 30 if it certainly does."""
+    """Return flags of a ray and a triangle: bit 31 for a possible hit, bit 30 for a certain hit.
+
+    A ray hits the triangle if it passes between the three sides.
+    """
     u = fma(p[0], d[0], fma(p[1], d[1], p[2] * d[2]))
     v = fma(q[0], d[0], fma(q[1], d[1], q[2] * d[2]))
     w = fma(r[0], d[0], fma(r[1], d[1], r[2] * d[2]))

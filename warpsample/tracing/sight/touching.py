@@ -1,4 +1,4 @@
-"""Search for the faces that touch a point or are close to it; it may find a few more faces, but misses none."""
+"""Search for the faces that touch a point; it may find a few more faces, but misses none."""
 
 from typing import Any
 
@@ -17,7 +17,7 @@ _NODE_FLOATS = NODE_BYTES // 4
 
 @wp.func
 def _children_around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
-    """Return a mask of the children whose boxes are within r of a point along each axis."""
+    """Return a mask of a node's children whose boxes are within r of a point along each axis."""
     rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
     links = wp.array(ptr=node + wp.uint64(4 * LINKS), shape=(WIDTH,), dtype=wp.int32)
     near = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
@@ -33,7 +33,7 @@ def _children_around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
 
 @wp.func
 def _is_near_zero(a: wp.float32, b: wp.float32, c: wp.float32, r: wp.float32) -> wp.int32:
-    """Return 1 where the interval spanned by three coordinates is within r of 0, else 0."""
+    """Return 1 where the interval spanned by three numbers is within r of 0, else 0."""
     return wp.where(lesser(lesser(a, b), c) <= r, 1, 0) & wp.where(greater(greater(a, b), c) >= -r, 1, 0)
 
 
@@ -63,9 +63,9 @@ def _triangles_near_point(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int3
 
 @once
 def faces_touching(look: wp.Function, query_type: Any, answer_type: Any) -> wp.Function:
-    """Build a function (tree, query, answer, scratch) -> answer that calls `look` for each face that touches a point.
+    """Build a Warp function that calls `look` for each face that touches a point and returns the answer.
 
-    It also calls `look` for a few faces close to the point.
+    Its arguments are (tree, query, answer, scratch). It also calls `look` for a few faces close to the point.
 
     Args:
         look: function (face, query, answer) -> answer.

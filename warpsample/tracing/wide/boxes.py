@@ -1,4 +1,4 @@
-"""Contents of a tree's nodes and leaves, computed from vertices after building and again when the vertices have moved."""
+"""Contents of the nodes and leaves of the 16-wide tree, computed from vertices and updated when the vertices move."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -32,7 +32,7 @@ _LINE = 64
 
 @dataclass(frozen=True, eq=False)
 class WideTree:
-    """The 16-wide tree: a topology with the contents of its nodes and leaves.
+    """Search tree with 16 children per node: a topology, and the contents of nodes and leaves.
 
     Attributes:
         topology: links to the nodes' children, and the leaves' faces.
@@ -45,14 +45,14 @@ class WideTree:
     leaves: np.ndarray
 
     def accelerator(self) -> Any:
-        """Return the addresses of nodes and leaves, valid while this object lives."""
+        """Return the kernel argument with the addresses of the tree's nodes and leaves; valid while the tree lives."""
         return AcceleratorArgs(
             nodes=self.nodes.ctypes.data, leaves=self.leaves.ctypes.data, start=self.nodes.ctypes.data, starts=1
         )
 
 
 def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: int) -> WideTree:
-    """Fill a tree with boxes and triangles.
+    """Fill the nodes of a 16-wide tree with boxes, and the leaves with triangles.
 
     Args:
         topology: tree of the faces.
@@ -82,7 +82,7 @@ def _empty_aligned(shape: tuple[int, ...]) -> np.ndarray:
 
 @once
 def _fill_leaves() -> wp.Kernel:
-    """Build a kernel with one task per leaf that writes the leaf's rows, its box, and its longest extent along an axis."""
+    """Build a kernel that writes each leaf's triangles, box, and longest extent along an axis, one leaf per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def fill_leaves(
@@ -131,7 +131,7 @@ def _fill_leaves() -> wp.Kernel:
 
 @once
 def _fill_nodes() -> wp.Kernel:
-    """Build a kernel with one task per node of a level that writes the node's rows and box from the children's boxes."""
+    """Build a kernel that writes each node's boxes, from those of its children, one node of a level per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def fill_nodes(

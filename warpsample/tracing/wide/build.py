@@ -1,4 +1,4 @@
-"""Construction of the tree: assigns triangles to leaves and leaves to nodes by the surface-area heuristic.
+"""Construction of the 16-wide tree: assigns triangles to leaves, and leaves to nodes, by the surface-area heuristic.
 
 The tree is built level by level, with one task for each node. A node starts as one range of triangles. The child with the
 largest box is split in two until there are sixteen children.
@@ -28,7 +28,7 @@ _BLOCK = 1 << 14  # leaves per block in `_leaf_faces`
 
 @dataclass(frozen=True, eq=False)
 class Topology:
-    """Tree without boxes.
+    """Structure of the 16-wide tree, without the boxes and triangles: links of nodes and faces of leaves.
 
     Attributes:
         links: (nodes, 16) int32, links to children: a node number, ~number of a leaf, or 0 for no child.
@@ -42,7 +42,7 @@ class Topology:
 
 
 def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
-    """Build the topology of a tree over all triangles, from vertices (V, 3) float32 and faces (F, 3) int32."""
+    """Build the structure of the 16-wide tree over all triangles, from vertices (V, 3) float32 and faces (F, 3) int32."""
     count = len(faces)
     lower, upper = np.empty((count, 4), np.float32), np.empty((count, 4), np.float32)
     inputs = [a.ctypes.data for a in (vertices, faces, lower, upper)]
@@ -72,9 +72,10 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
 
 
 def build_some(vertices: np.ndarray, faces: np.ndarray, chosen: np.ndarray, workers: int) -> Topology:
-    """Build the topology of a tree over chosen faces; arguments as for `build`, and the numbers of the chosen faces.
+    """Build the structure of the 16-wide tree over chosen faces.
 
-    Without any face the tree has one empty leaf, which no ray hits.
+    The arguments are those of `build` and the numbers of the chosen faces. Without any face the tree has one empty leaf,
+    which no ray hits.
     """
     if len(chosen) == 0:
         return Topology(np.array([[~0, *[0] * (WIDTH - 1)]], np.int32), [0, 1], np.full((1, WIDTH), -1, np.int32))
@@ -83,7 +84,7 @@ def build_some(vertices: np.ndarray, faces: np.ndarray, chosen: np.ndarray, work
 
 
 def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Return the (leaves, 16) int32 faces of leaves, from ranges of the sorted faces; -1 in empty lanes."""
+    """Return the faces of each leaf, (leaves, 16) int32, from ranges of the sorted faces; -1 in empty lanes."""
     faces = np.empty((len(begin), WIDTH), np.int32)
     for start in range(0, len(faces), _BLOCK):
         rows = slice(start, start + _BLOCK)
@@ -94,7 +95,7 @@ def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.nda
 
 @once
 def _triangle_boxes() -> wp.Kernel:
-    """Build a kernel with one task per triangle that writes the lower and upper corner of the triangle's box.
+    """Build a kernel that writes the lower and upper corner of each triangle's box, one triangle per task.
 
     The fourth component of the lower corner holds the bits of the face number.
     """
@@ -117,14 +118,14 @@ def _triangle_boxes() -> wp.Kernel:
 
 
 @wp.func
-def _largest(
+def _choose_child_to_split(
     by_area: wp.int32,
     children: wp.int32,
     begins: wp.array[wp.int32],
     ends: wp.array[wp.int32],
     areas: wp.array[wp.float32],
 ) -> wp.int32:
-    """Return the child to split next: the largest one with more triangles than a leaf holds, or -1 if there is none."""
+    """Return the index of the child to split next: the largest with more triangles than a leaf holds, or -1."""
     largest = wp.int32(-1)
     most = wp.float32(-1.0)
     for k in range(children):
@@ -138,7 +139,10 @@ def _largest(
 
 @once
 def _split_nodes() -> wp.Kernel:
-    """Build a kernel with one task per node of a level that writes the triangle ranges of children and marks used ones."""
+    """Build a kernel that splits each node of a level into up to 16 children, one node per task.
+
+    It writes the children's ranges of triangles and marks the used children.
+    """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def split_nodes(
@@ -171,7 +175,7 @@ def _split_nodes() -> wp.Kernel:
         children = wp.int32(1)
         largest = wp.int32(0)
         while children < WIDTH and largest >= 0:
-            largest = _largest(by_area, children, begin_of, end_of, area_of)
+            largest = _choose_child_to_split(by_area, children, begin_of, end_of, area_of)
             if largest >= 0:
                 b = begin_of[largest]
                 e = end_of[largest]

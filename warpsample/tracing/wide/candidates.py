@@ -51,7 +51,7 @@ def exit_distance(node: wp.uint64, ray: Ray, reach: wp.float32, k: wp.int32) -> 
 
 @wp.func
 def boxes_hit(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
-    """Return (mask of the children whose boxes the ray hits within `reach`, number of the nearest child in the mask).
+    """Return a mask of a node's children whose boxes a ray hits within `reach`, and the nearest of these children.
 
     With flip = -1 the number is that of the farthest child. The boxes are padded by more than all rounding errors here
     (`boxes.PADDING`).
@@ -72,7 +72,7 @@ def boxes_hit(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
 
 @wp.func
 def _flip_sign(x: wp.float32, sign: wp.int32) -> wp.float32:
-    """Return x, with its sign flipped where the sign bit of `sign` is set."""
+    """Return x with its sign flipped where the sign bit of `sign` is set."""
     return wp.cast(wp.cast(x, wp.int32) ^ sign, wp.float32)
 
 

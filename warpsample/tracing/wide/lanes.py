@@ -1,4 +1,4 @@
-"""Conversion of a row of sixteen numbers, filled by one vectorised loop, to a mask of sixteen bits."""
+"""Conversion of sixteen numbers, filled by one vectorised loop, to a mask of sixteen bits."""
 
 import warp as wp
 

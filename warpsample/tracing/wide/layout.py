@@ -1,4 +1,4 @@
-"""Memory layout of the tree's nodes and leaves, and of the scratch space of a query.
+"""Memory layout of the tree's nodes and leaves, and of the working memory of a query.
 
 Each row holds sixteen float32, which fill one AVX-512 register or two AVX2 registers.
 
@@ -37,13 +37,13 @@ MOST_STARTS = 4
 
 @wp.func
 def node_at(accelerator: Accelerator, i: wp.int32) -> wp.uint64:
-    """Return the address of the i-th node."""
+    """Return the memory address of the tree's i-th node."""
     return accelerator.nodes + wp.uint64(i) * wp.uint64(NODE_BYTES)
 
 
 @wp.func
 def leaf_at(accelerator: Accelerator, i: wp.int32) -> wp.uint64:
-    """Return the address of the i-th leaf."""
+    """Return the memory address of the tree's i-th leaf."""
     return accelerator.leaves + wp.uint64(i) * wp.uint64(LEAF_BYTES)
 
 
@@ -55,19 +55,19 @@ def link_in(node: wp.uint64, k: wp.int32) -> wp.int32:
 
 @wp.func
 def edge_in(node: wp.uint64, k: wp.int32) -> wp.float32:
-    """Return the longest extent along an axis of the triangles in a node's k-th child, which must be a leaf."""
+    """Return the longest extent along an axis of the triangles in a leaf, stored in the node above as the k-th child."""
     return float_at(node, EDGES + k)
 
 
 @wp.func
 def face_in(leaf: wp.uint64, k: wp.int32) -> wp.int32:
-    """Return the face number of a leaf's k-th triangle."""
+    """Return the face number of the k-th triangle of a leaf."""
     return int_at(leaf, FACES + k)
 
 
 @wp.func
 def highest_corner(leaf: wp.uint64, k: wp.int32, nx: wp.float32, ny: wp.float32, nz: wp.float32) -> wp.float32:
-    """Return the largest dot product of a triangle's three corners with the vector (nx, ny, nz)."""
+    """Return the largest dot product of the vector (nx, ny, nz) with the corners of a triangle."""
     rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     a = fma(rows[k], nx, fma(rows[WIDTH + k], ny, rows[2 * WIDTH + k] * nz))
     b = fma(rows[3 * WIDTH + k], nx, fma(rows[4 * WIDTH + k], ny, rows[5 * WIDTH + k] * nz))
@@ -83,7 +83,7 @@ def size_of(v: wp.vec3) -> wp.float32:
 
 @wp.func
 def corner(leaf: wp.uint64, first_row: wp.int32, k: wp.int32, o: wp.vec3) -> wp.vec3:
-    """Return a corner of a leaf's k-th triangle relative to the point o.
+    """Return a corner of the k-th triangle of a leaf, relative to the point o.
 
     The rounding error is relative to the distance between the two.
     """

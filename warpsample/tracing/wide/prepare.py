@@ -1,4 +1,4 @@
-"""Preparation of rays for the loops over nodes and leaves: derived rows of a chunk, computed in one loop over its rays."""
+"""Preparation of rays for the loops over boxes and triangles: derived values of a chunk, computed in one loop."""
 
 import warp as wp
 
@@ -20,7 +20,7 @@ _SLOWEST = wp.constant(wp.float32(2.0**-60))
 
 @wp.struct
 class Ray:
-    """One ray as the loops over boxes and triangles read it: a column of the rows that `prepare_wide` fills.
+    """Prepared ray as the loops over boxes and triangles read it: an address in a chunk of rays.
 
     See `prepare_ray` for the values. direction: address of the unit direction's x. rows_of_leaf: distance in memory from x
     to y, and from y to z, in rows of a leaf.
@@ -50,7 +50,7 @@ class Ray:
 
 @wp.struct
 class PreparedRay:
-    """Values of a `Ray` as vectors: the result of `prepare_ray`."""
+    """Derived values of a ray, such as inverse direction, that `prepare_ray` computes."""
 
     inverse: wp.vec3
     shift: wp.vec3
@@ -62,13 +62,13 @@ class PreparedRay:
 
 @wp.func
 def _nonzero(d: wp.float32) -> wp.float32:
-    """Return a direction's component d, or 2^-60 with the sign of d where d is smaller, so that its inverse is finite."""
+    """Return a direction's component d with an absolute value of at least 2^-60, so that its inverse is finite."""
     return wp.where(wp.abs(d) > _SLOWEST, d, wp.copysign(_SLOWEST, d))
 
 
 @wp.func
 def prepare_ray(o: wp.vec3, d: wp.vec3) -> PreparedRay:
-    """Compute the values of a ray from the origin o along the unit vector d that box and triangle tests need.
+    """Compute the derived values of a ray from o along the unit vector d that box and triangle tests need.
 
     - inverse, shift: the ray hits the plane at x at distance x * inverse + shift.
     - near: byte offset, for each axis, from the row of lower planes to the row of the planes that the ray hits first.
@@ -110,7 +110,7 @@ def prepare_ray(o: wp.vec3, d: wp.vec3) -> PreparedRay:
 
 @wp.func
 def prepare_wide(chunk: wp.uint64, length: wp.int32):
-    """Compute the derived rows of the first rays of a chunk, in one vectorised loop."""
+    """Compute the derived values of the first rays of a chunk, in one vectorised loop."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     offsets = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.int32)
     k = wp.int32(0)
@@ -141,7 +141,7 @@ def prepare_wide(chunk: wp.uint64, length: wp.int32):
 
 @wp.func
 def _ray(p: PreparedRay, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
-    """Return a `Ray` from its prepared values; `direction` and `rows_of_leaf` as in `Ray`."""
+    """Return a `Ray` from its derived values; `direction` and `rows_of_leaf` are fields of `Ray`."""
     ray = Ray()
     ray.inverse_x = p.inverse[0]
     ray.inverse_y = p.inverse[1]
@@ -168,7 +168,7 @@ def _ray(p: PreparedRay, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
 
 @wp.func
 def ray_in(column: wp.uint64) -> Ray:
-    """Return the ray whose column begins at an address."""
+    """Return the ray that is stored at an address in a prepared chunk."""
     p = PreparedRay()
     p.inverse = vector_in(column, _INVERSE)
     p.shift = vector_in(column, _SHIFT)
@@ -181,7 +181,7 @@ def ray_in(column: wp.uint64) -> Ray:
 
 @wp.func
 def ray_of(o: wp.vec3, d: wp.vec3, workspace: wp.array[wp.float32]) -> Ray:
-    """Prepare one ray for tracing, with the same values as in a chunk.
+    """Prepare one ray for tracing, with the same values as in a chunk of rays.
 
     The direction is stored in `workspace`, of RAY_WORKSPACE float32.
     """

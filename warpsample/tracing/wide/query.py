@@ -1,4 +1,4 @@
-"""Tree traversal by one ray: it visits the children whose boxes the ray hits, and stores the remaining ones on a stack."""
+"""Traversal of the 16-wide tree by one ray, which visits children whose boxes the ray hits; a stack holds the rest."""
 
 import warp as wp
 
@@ -17,7 +17,7 @@ _ALL = wp.constant(wp.int32(2**WIDTH - 1))
 
 @wp.func
 def nearest_triangle(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: wp.float32):
-    """Return (distance, lane) of the nearest triangle of a leaf that the ray hits, among the lanes in a mask.
+    """Return (distance, lane) of the nearest triangle that a ray hits, among the masked triangles of a leaf.
 
     Without a hit the result is (reach, -1).
     """
@@ -40,7 +40,7 @@ def nearest_triangle(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float
 
 @wp.func
 def any_triangle(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: wp.float32):
-    """Return (reach, lane) of some triangle of a leaf that the ray hits, among the lanes in a mask; (reach, -1) if none."""
+    """Return (reach, lane) of some triangle that a ray hits, among the masked triangles of a leaf; else (reach, -1)."""
     found = triangles_near(leaf, ray, reach, edge) & (lanes | (lanes << WIDTH))
     triangle = wp.int32(-1)
     if found != 0:
@@ -60,7 +60,7 @@ def any_triangle(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, 
 
 @wp.func
 def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32):  # noqa: ARG001  (signature shared)
-    """Return (distance, face) of a triangle at distance `reach`; (inf, -1) if `triangle` is below 0."""
+    """Return (distance, face) of the nearest hit at distance `reach`; (inf, -1) if `triangle` is below 0."""
     if triangle < 0:
         return wp.float32(wp.INF), wp.int32(-1)
     return reach, face_in(leaf, triangle)
@@ -68,7 +68,7 @@ def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.flo
 
 @wp.func
 def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32):  # noqa: ARG001  (signature shared)
-    """Return (distance, face) of a triangle that the ray hits; (inf, -1) if `triangle` is below 0."""
+    """Return (distance, face) of any hit; (inf, -1) if `triangle` is below 0."""
     if triangle < 0:
         return wp.float32(wp.INF), wp.int32(-1)
     face = face_in(leaf, triangle)
@@ -77,7 +77,7 @@ def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32
 
 @wp.func
 def _pop_node(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
-    """Return (node, mask, top): the waiting node on top of the stack and its children within the present reach.
+    """Pop a waiting tree node from the stack; return (node, mask of its children within the present reach, top).
 
     Nodes without such children are skipped; the mask is 0 if no node is left.
     """
@@ -95,14 +95,17 @@ def _pop_node(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
 
 @wp.func
 def _start_at_one(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
-    """Return (node, mask of its children that the ray hits, child to visit first, top of the empty stack)."""
+    """Start a tree traversal at one node; return (node, mask of children hit, child to visit first, stack top)."""
     mask, child = boxes_hit(accelerator.start, ray, reach, flip)
     return accelerator.start, mask, child, scratch
 
 
 @wp.func
 def _start_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
-    """Return the values of `_start_at_one` for the first start node, with the other start nodes on the stack."""
+    """Start a tree traversal at the first of several nodes; the others wait on the stack.
+
+    Return the values of `_start_at_one`.
+    """
     top = scratch
     node = accelerator.start
     mask, child = boxes_hit(node, ray, reach, flip)
@@ -116,10 +119,11 @@ def _start_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, fli
 
 @once
 def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
-    """Build a query (Accelerator, Ray, reach, scratch) -> (distance or inf, face or -1, nodes visited, leaves visited).
+    """Build a query, a Warp function that traces one ray through the 16-wide tree.
 
-    Distances are in the tree's coordinates. Origins must be within 6 of 0 on each axis, and reaches above 0. `scratch` is
-    the address of SCRATCH words.
+    It maps (Accelerator, Ray, reach, scratch) to (distance or inf, face or -1, nodes visited, leaves visited). Distances are
+    in the tree's coordinates. Origins must be within 6 of 0 on each axis, and reaches above 0. `scratch` is the address of
+    SCRATCH words.
 
     Args:
         any_hit: whether the query stops at the first triangle found instead of the nearest. It then visits the farthest
@@ -176,7 +180,10 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
 
 @once
 def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
-    """Build a query (Accelerator, column, reach, scratch) for a ray in a column of a prepared chunk; see `wide_walk`."""
+    """Build a query, a Warp function that traces one ray of a prepared chunk through the 16-wide tree.
+
+    It takes (Accelerator, column, reach, scratch), where `column` is the address of the ray; see `wide_walk`.
+    """
     walk = wide_walk(any_hit, several)
 
     @wp.func

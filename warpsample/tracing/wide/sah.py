@@ -1,4 +1,4 @@
-"""One split of a range of triangles by the binned surface-area heuristic (Wald2007).
+"""Split of a range of triangles in two by the binned surface-area heuristic (Wald2007).
 
 The heuristic counts leaves instead of triangles, since testing sixteen triangles takes as long as testing one.
 """
@@ -23,20 +23,20 @@ def _xyz(v: wp.vec4) -> wp.vec3:
 
 @wp.func
 def _half_area(low: wp.vec3, high: wp.vec3) -> wp.float32:
-    """Return half the surface area of a box."""
+    """Return half the surface area of a box with the given corners."""
     d = high - low
     return d[0] * d[1] + d[1] * d[2] + d[2] * d[0]
 
 
 @wp.func
 def _leaf_count(triangles: wp.int32) -> wp.float32:
-    """Return the number of leaves needed for a number of triangles, as float32."""
+    """Return the number of tree leaves needed for a number of triangles, as float32."""
     return wp.float32((triangles + WIDTH - 1) / WIDTH)
 
 
 @wp.func
 def centres(lower: wp.array[wp.vec4], upper: wp.array[wp.vec4], begin: wp.int32, end: wp.int32):
-    """Return (lower, upper) corner of the bounding box of the triangles' box centres, multiplied by two."""
+    """Return the lower and upper corner of the bounding box of the triangles' box centres, multiplied by two."""
     low = wp.vec3(LARGE)
     high = wp.vec3(-LARGE)
     for i in range(begin, end):
@@ -68,9 +68,10 @@ def fill_bins(
     highs: wp.array[wp.vec3],
     counts: wp.array[wp.int32],
 ):
-    """Compute the box and the triangle count of each bin, from the triangles whose box centres are in the bin.
+    """Compute the box and the triangle count of each bin of the surface-area heuristic.
 
-    There are sixteen bins per axis: BINS times the axis plus the bin along the axis.
+    A bin has the triangles whose box centres are inside. There are sixteen bins per axis: BINS times the axis plus the bin
+    along the axis.
     """
     for k in range(ALL_BINS):
         lows[k] = wp.vec3(LARGE)
@@ -93,7 +94,7 @@ def best_split(
     counts: wp.array[wp.int32],
     right: wp.array[wp.float32],
 ):
-    """Return (last bin of the left part, half area of the left part, half area of the right part) of the cheapest split.
+    """Return the cheapest split of binned triangles: (last bin on the left, half areas of the left and right part).
 
     The bin is numbered among the bins of all axes; it is -1 if no split separates the triangles.
     """
@@ -141,7 +142,7 @@ def partition(
     scale: wp.float32,
     last_bin: wp.int32,
 ) -> wp.int32:
-    """Move the triangles of bins up to `last_bin` to the front of a range, and return the start of the other triangles."""
+    """Move the triangles of bins up to `last_bin` to the front of a range; return the start of the others."""
     low = begin
     high = end - 1
     while low <= high:

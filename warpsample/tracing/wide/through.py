@@ -1,4 +1,4 @@
-"""Tree traversal by rays that no hit stops: the walk searches every leaf on the way and finds every triangle crossed."""
+"""Traversal of the 16-wide tree by a ray that no hit stops: it finds every triangle that the ray crosses."""
 
 from typing import Any
 
@@ -19,7 +19,10 @@ _UNTESTED = wp.constant(wp.int32(-1))
 
 @wp.func
 def crossed_triangles(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> wp.int32:
-    """Return a mask of a leaf's triangles that a ray crosses within `reach`; `edge` is that of `triangles_near`."""
+    """Return a mask of a leaf's triangles that a ray crosses within `reach`.
+
+    `edge` is that of `triangles_near`.
+    """
     near = triangles_near(leaf, ray, reach, edge)
     maybe = near & ((1 << WIDTH) - 1)
     mask = wp.int32(0)
@@ -34,9 +37,10 @@ def crossed_triangles(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.flo
 
 @once
 def through_walk(look: wp.Function, answer_type: Any) -> wp.Function:
-    """Build a function (Accelerator, ray, reach, answer, scratch) -> answer that collects all triangles a ray crosses.
+    """Build a Warp function that traverses the tree along a ray and collects all triangles that the ray crosses.
 
-    Rays are in the tree's coordinates. `answer` is the answer so far. `scratch` is the address of SCRATCH words.
+    It maps (Accelerator, ray, reach, answer, scratch) to the answer. Rays are in the tree's coordinates. `answer` is the
+    answer so far. `scratch` is the address of SCRATCH words.
 
     Args:
         look: function (leaf, ray, reach, edge, answer) -> answer, called for each leaf whose box the ray hits. `edge` is the
@@ -76,15 +80,15 @@ def through_walk(look: wp.Function, answer_type: Any) -> wp.Function:
 
 @wp.struct
 class Transmission:
-    """Transmittance of the faces crossed so far (0 to 1), and the address of all faces' transmittances, (F,) float32."""
+    """Light transmitted along a ray so far (0 to 1), and the address of all faces' transmittances, (F,) float32."""
 
     share: wp.float64
     transmittance: wp.uint64
 
 
 @wp.func
-def _multiply(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Transmission):
-    """Multiply the transmittance of a path by the transmittances of a leaf's triangles that the ray crosses."""
+def _multiply_transmittance(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Transmission):
+    """Multiply the light transmitted along a ray by the transmittances of a leaf's triangles that the ray crosses."""
     mask = crossed_triangles(leaf, ray, reach, edge)
     while mask != 0:
         k = lowest_bit(mask)
@@ -93,7 +97,7 @@ def _multiply(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, fo
     return found
 
 
-_walk_through_glass = through_walk(_multiply, Transmission)
+_walk_through_glass = through_walk(_multiply_transmittance, Transmission)
 
 
 @wp.func
@@ -111,7 +115,9 @@ def path_transmittance(glass: Glass, ray: Ray, reach: wp.float32, scratch: wp.ui
 
 @wp.struct
 class Crossing:
-    """First crossing of a ray behind a given crossing; crossings are ordered by distance, then by face number.
+    """Search state for the next crossing of a ray with a face, behind a given crossing.
+
+    Crossings are ordered by distance, then by face number.
 
     Attributes:
         distance: distance of the first crossing found so far, inf before one is found.
@@ -127,8 +133,8 @@ class Crossing:
 
 
 @wp.func
-def _first_of(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Crossing):
-    """Update the first crossing behind the given one with the triangles of a leaf."""
+def _update_crossing(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Crossing):
+    """Update the next crossing of a ray by the triangles of a leaf."""
     mask = crossed_triangles(leaf, ray, reach, edge)
     while mask != 0:
         k = lowest_bit(mask)
@@ -142,16 +148,16 @@ def _first_of(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, fo
     return found
 
 
-_walk_to_next = through_walk(_first_of, Crossing)
+_walk_to_next = through_walk(_update_crossing, Crossing)
 
 
 @wp.func
 def next_crossing(
     tree: Accelerator, ray: Ray, reach: wp.float32, after: wp.float32, after_face: wp.int32, scratch: wp.uint64
 ):
-    """Return (distance, face) of the first crossing within `reach` behind the crossing of `after_face` at distance `after`.
+    """Return (distance, face) of a ray's next crossing within `reach`, behind a given crossing.
 
-    Without one the result is (inf, -1).
+    The given crossing is with `after_face` at distance `after`. Without one the result is (inf, -1).
     """
     found = Crossing()
     found.distance = wp.float32(wp.INF)

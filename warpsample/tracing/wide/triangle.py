@@ -1,4 +1,4 @@
-"""Intersection of a ray with one triangle in float64; the result depends on the ray and the triangle alone."""
+"""Intersection of a ray with a triangle in float64; the result depends on the ray and the triangle alone."""
 
 import warp as wp
 
@@ -14,7 +14,7 @@ _THIRD = wp.constant(wp.int32(6 * WIDTH))
 
 @wp.func
 def _is_inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64) -> wp.bool:
-    """Return whether the point (0, 0) is inside a triangle of the plane or on its edge."""
+    """Return whether the origin (0, 0) is inside a triangle of the plane or on its edge."""
     u = cx * by - cy * bx
     v = ax * cy - ay * cx
     w = bx * ay - by * ax
@@ -22,8 +22,8 @@ def _is_inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, c
 
 
 @wp.func
-def _side(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64) -> wp.int32:
-    """Return 1 or -1 for the side of the line from a to b on which the point (0, 0) lies: the exact sign of a x b.
+def _find_side_of_line(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64) -> wp.int32:
+    """Return 1 or -1 for the side of the line from a to b on which the origin lies: the exact sign of a x b.
 
     Where a x b is 0, the point counts as moved by an infinitesimal step along the first axis and an infinitely smaller one
     along the second. The line from b to a gives the opposite sign. The result is 0 only if a equals b.
@@ -46,24 +46,30 @@ def _side(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64) -> wp.
 def _is_inside_once(
     ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64
 ) -> wp.bool:
-    """Return whether the point (0, 0) is inside a triangle of the plane, with shared edges and corners counted once.
+    """Return whether the origin (0, 0) is inside a plane triangle, with shared edges and corners counted once.
 
-    On an edge or a corner the point counts as moved by the step of `_side`. So exactly one of the triangles around it
-    contains it.
+    On an edge or a corner the point counts as moved by the step of `_find_side_of_line`. So exactly one of the triangles
+    around the point contains it.
     """
-    side = _side(ax, ay, bx, by)
-    return side != 0 and side == _side(bx, by, cx, cy) and side == _side(cx, cy, ax, ay)
+    side = _find_side_of_line(ax, ay, bx, by)
+    return side != 0 and side == _find_side_of_line(bx, by, cx, cy) and side == _find_side_of_line(cx, cy, ax, ay)
 
 
 @wp.func
 def _direction(ray: Ray, row: wp.uint64) -> wp.float64:
-    """Return the component of a ray's direction along an axis; `row` is the byte offset of the axis' row in a leaf."""
+    """Return the component of a ray's direction along an axis.
+
+    `row` is the byte offset of the axis' row in a leaf.
+    """
     return wp.float64(float_at(ray.direction + row * ray.rows_of_leaf, 0))
 
 
 @wp.func
 def plane_distance(leaf: wp.uint64, k: wp.int32, ray: Ray) -> wp.float32:
-    """Return the distance along a ray to the plane of a leaf's k-th triangle; inf or NaN where the ray is parallel."""
+    """Return the distance along a ray to the plane of the k-th triangle of a leaf.
+
+    It is inf or NaN where the ray is parallel to the plane.
+    """
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
@@ -87,7 +93,7 @@ def plane_distance(leaf: wp.uint64, k: wp.int32, ray: Ray) -> wp.float32:
 
 
 def _build_edge_test(inside: wp.Function) -> wp.Function:
-    """Build a function (leaf, k, ray) -> bool: whether the ray's line passes between the edges of a triangle.
+    """Build a Warp function (leaf, k, ray) -> bool: whether a ray's line passes inside the edges of a triangle.
 
     The result depends on the float32 ray and triangle alone, whichever leaf holds the triangle. As in `triangles_near`, the
     triangle is sheared onto the ray, but in float64, where differences of coordinates are exact. So the ray and an edge

@@ -1,4 +1,4 @@
-"""Tree traversal for searches that are not rays, and the stack of waiting nodes that rays use, too."""
+"""Traversal of the 16-wide tree for searches other than rays, and the stack of waiting nodes that rays use, too."""
 
 from typing import Any
 
@@ -18,7 +18,7 @@ _UNTESTED = wp.constant(wp.int32(-1))
 
 @wp.func
 def push_node(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
-    """Push a node onto the stack, with the children to visit and the reach of their box test; return the new top."""
+    """Push a tree node onto the stack, with the children to visit and the reach of their box test; return the new top."""
     set_address(top, 0, node)
     set_int(top, 2, mask)
     set_float(top, 3, reach)
@@ -27,10 +27,11 @@ def push_node(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32
 
 @once
 def tree_walk(enter: wp.Function, look: wp.Function, query_type: Any, answer_type: Any) -> wp.Function:
-    """Build a function (Accelerator, query, answer, visits, scratch) -> (answer, exhausted) that searches the tree.
+    """Build a Warp function that searches the 16-wide tree with user-supplied tests of nodes and leaves.
 
-    `answer` is the answer so far. `visits` is the largest number of nodes and leaves to look into, 0 for no limit.
-    `exhausted` is True where that limit ended the search. `scratch` is the address of SCRATCH words.
+    It maps (Accelerator, query, answer, visits, scratch) to (answer, exhausted). `answer` is the answer so far. `visits` is
+    the largest number of nodes and leaves to look into, 0 for no limit. `exhausted` is True where that limit ended the
+    search. `scratch` is the address of SCRATCH words.
 
     Args:
         enter: function (node, query) -> mask of the children to visit.
