@@ -11,7 +11,7 @@ import warpsample as ws
 from warpsample.distributions.own import user_distributions
 from warpsample.proof import run
 from warpsample.proof.advice import advise
-from warpsample.proof.defects import Wrong
+from warpsample.proof.defects import WrongSampler
 from warpsample.proof.evidence import Subject
 from warpsample.proof.verify import Verdict, cases
 
@@ -169,5 +169,5 @@ def test_what_is_imprecise_is_told_apart_from_what_is_wrong():
 def test_the_condition_outside_of_the_support_is_that_of_the_lobe(monkeypatch, lobe, changed, advice):
     """Of a sphere, too: w[2] > 0 would cut off its lower half."""
     monkeypatch.setattr("warpsample.proof.advice.find_conflicts", lambda _: [])
-    said = advise([Verdict.from_error("outside", "Mine()", 0.1)], [Subject("Mine()", Wrong(lobe, **changed), lobe)])
+    said = advise([Verdict.from_error("outside", "Mine()", 0.1)], [Subject("Mine()", WrongSampler(lobe, **changed), lobe)])
     assert said[0].startswith(f"Mine has a density {advice}"), said
