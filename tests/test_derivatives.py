@@ -26,7 +26,7 @@ def _twins_of_any_parameter(monkeypatch):
     """Replace the twins' rounding of parameters to float32, because difference quotients need exact parameters."""
     for module in (shapes, microfacets):
         monkeypatch.setattr(module, "parameter", lambda d, name: float(getattr(d, name)))
-    monkeypatch.setattr(microfacets, "_view", lambda d: d.view)
+    monkeypatch.setattr(microfacets, "_view_of", lambda d: d.view)
     monkeypatch.setattr(shapes, "_matrix", lambda d: d.matrix)
 
 

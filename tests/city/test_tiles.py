@@ -146,7 +146,7 @@ def _height_of(mesh, reader, top):
     return np.where(np.isinf(hits.distance), np.nan, top - hits.distance).reshape(rows, columns)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_mountains_beyond_the_raster_are_seen():
     """A crest of 100 m all around, 1 km away, of a coarse raster that is turned: the whole by a closed form, cos² h."""
     flat = np.zeros((21, 21))

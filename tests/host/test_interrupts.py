@@ -297,7 +297,7 @@ def test_two_thousand_interrupts_of_all_kinds_of_calls(child_environment):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.thorough)])
 def test_random_interrupts_leave_no_thread_and_no_half_file(seed, child_environment):
     """Directions, occlusion, view factors, a file and a store, by 75 interrupts; see the script."""
     script = Path(__file__).parents[1] / "support" / "random_interrupts.py"

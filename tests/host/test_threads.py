@@ -25,7 +25,9 @@ def alone(child_environment):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("task", ["first_use", "faces_changed", "new_meshes", "refits", "debugged"])
+@pytest.mark.parametrize(
+    "task", ["first_use", "faces_changed", "new_meshes", "refits", pytest.param("debugged", marks=pytest.mark.thorough)]
+)
 def test_threads_answer_as_one(alone, task):
     alone(task)
 

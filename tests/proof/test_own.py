@@ -34,7 +34,7 @@ def squashed(text):
     return " ".join(NUMBER.sub("#", text).split()), [float(found) for found in NUMBER.findall(text)]
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_the_walk_of_the_readme_is_what_happens(repository, tmp_path, child_environment):
     text = (repository / "warpsample/distributions/README.md").read_text()
     text = text[text.index("## From outside") :]
