@@ -91,7 +91,7 @@ def classes() -> dict[str, type[Distribution]]:
 
     Example:
         >>> print(ws.distributions.classes()["GGX"].density)
-        α²cosθ/(π(sin²θ+α²cos²θ)²)
+        cosθ/(πα_xα_y(x²/α_x²+y²/α_y²+cos²θ)²)
     """
     return {kind.__name__: kind for kind in _find_distributions().values()}
 

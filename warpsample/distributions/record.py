@@ -107,7 +107,7 @@ class Distribution(Parameterised):
 
         Example:
             >>> print(len(ws.GGX.cases()), ws.PowerCosine.cases()[0])
-            4 PowerCosine(exponent=0.0)
+            7 PowerCosine(exponent=0.0)
         """
         return tuple(cls(*values) for values in cls.case_values)
 

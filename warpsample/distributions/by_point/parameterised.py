@@ -1,7 +1,6 @@
 """Parameters of a distribution: constants, or arrays with one row for each point."""
 
 from dataclasses import fields
-from numbers import Real
 from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
@@ -43,7 +42,7 @@ class Parameterised:
                 object.__setattr__(self, name, self._copy_rows(name, rows))
             elif isinstance(value, np.ndarray) and value.ndim:  # a constant vector: arrays in fields are by point
                 object.__setattr__(self, name, tuple(value.tolist()))
-            elif self.bounds is not None and (i == 0 or isinstance(value, Real)):
+            elif self.bounds is not None and (i == 0 or self._dimensions(i) == 0):
                 object.__setattr__(self, name, check_number(value, name, *self.bounds))
         self._check_lengths()
 
