@@ -45,7 +45,8 @@ class DirectionPlan:
         tangents = _copy_rows(normals, self.tangents, wp.vec4)
         on_host, points = isinstance(normals.owner, np.ndarray), normals.count
         status = np.zeros(points, np.uint8) if on_host else wp.zeros(points, wp.uint8, memory.device)
-        for rows in memory.parts(points, 16 * self.count + 30 + 4 * len(self.distribution.layout)):
+        row = 16 * self.count + 14 + (0 if tangents is None else 16) + 4 * len(self.distribution.layout)  # bytes
+        for rows in memory.parts(points, row):
             with memory.loan() as loan:
                 args = SamplesArgs(
                     count=self.count,

@@ -17,6 +17,7 @@ _LEFT = 0.06  # of the panel
 _BUTTON = 0.65  # of a row
 _TEXT = 0.02  # of the window's height
 _ASPECT = 16.0 / 9.0
+_LETTERS = 22  # of the longest text of the panel in the usual size; longer ones are smaller
 
 
 def fit_texts(plotter: "pyvista.Plotter") -> None:
@@ -27,7 +28,8 @@ def fit_texts(plotter: "pyvista.Plotter") -> None:
     for renderer in plotter.renderers:
         for actor in renderer.actors.values():
             if isinstance(actor, pv.Text):
-                actor.prop.font_size = int(_TEXT * min(height, width / _ASPECT))
+                share = min(1.0, _LETTERS / max(len(actor.input), 1)) if renderer is plotter.renderers[0] else 1.0
+                actor.prop.font_size = int(share * _TEXT * min(height, width / _ASPECT))
 
 
 class Menu:
