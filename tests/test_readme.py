@@ -106,7 +106,7 @@ def test_python_blocks_run_and_print_what_they_say(index, expected, repository, 
 def test_shell_blocks_are_the_commands_that_are_tested(repository):
     commands = [line for block in blocks(repository, "sh") for line in block.splitlines()]
     assert commands == [
-        "pip install '.[viz]'",  # .ci/run, with the tests' extra
+        "pip install '.[viz]'  # in a clone of this repository",  # .ci/run, with the tests' extra
         "warpsample view",  # .ci/run, by its script and with --screenshot
         "warpsample bake courtyard -o sky.ply --quantity sky --samples 256",  # below
         "warpsample bake dsm.tif -o svf.tif --quantity sky",  # tests/cluster/test_raster_store.py
