@@ -35,7 +35,7 @@ _TOTAL = 1 << 22  # directions of a timed run
 
 @dataclass(frozen=True)
 class WayCost(Timed):
-    """Row of `bench kernels`: cost of one method to compute a result, such as a user-defined kernel, on one thread."""
+    """Row of `bench kernels`: cost of one method to compute a result, for example a user-defined kernel, on one thread."""
 
     way: str = column("way")
     scene: str = column("mesh")

@@ -101,7 +101,7 @@ class Benchmark:
         return [*shown, " ".join([*tables.describe_tools(result.rows.values()), f"({self.provenance(result)})"])]
 
     def figures(self, result: Result, names: Sequence[str] | None = None) -> dict[str, "Figure"]:
-        """Return the benchmark's pictures as figures by name: all of them, or those in `names`."""
+        """Return the benchmark's pictures as figures by name: all figures, or only `names`."""
         chosen = [picture for picture in self.pictures if names is None or picture.name in names]
         return {each.name: pictures.draw_figure(each, result.rows[each.part], str(result.machine)) for each in chosen}
 

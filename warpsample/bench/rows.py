@@ -29,7 +29,7 @@ class Spread:
 
     @classmethod
     def of_ratios(cls, numerators: Sequence[float], denominators: Sequence[float]) -> "Spread":
-        """Compute the median and quartiles of the ratios of paired numbers, such as the times of each round."""
+        """Compute the median and quartiles of the ratios of paired numbers, for example the times of each round."""
         return cls.of([a / b for a, b in zip(numerators, denominators, strict=True)])
 
 

@@ -135,7 +135,7 @@ def _duplicated(points: int, count: int, seed: int) -> np.ndarray:
 
 
 def _one_stream_for_all_seeds(points: int, count: int, seed: int) -> np.ndarray:
-    """Return variates with a planted defect: they are the same for all seeds."""
+    """Return variates with a planted defect: the same variates for all seeds."""
     return independent(points, count, 0)
 
 
@@ -146,7 +146,7 @@ def _second_is_the_next_first(points: int, count: int, seed: int) -> np.ndarray:
 
 
 def _raw_words_as_key(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
-    """Return variates with a planted defect: PCG4D hashes seed, id, stream and sample without mixing these words first.
+    """Return variates with a planted defect: PCG4D hashes seed, id, stream and sample without mixing the four words first.
 
     A single step of pcg4d then carries each bit only to higher bits.
     """

@@ -135,7 +135,7 @@ def point_pairs(cells: Cells) -> Iterator[Pair]:
 
 
 def stream_pairs(cells: Cells) -> Iterator[Pair]:
-    """Yield the variates of pairs of runs that must be independent although they share a seed.
+    """Yield the variates of pairs of runs that must be independent despite a common seed.
 
     The runs are two streams of a point, a stream and its point, or the seeds of two internal purposes.
     """

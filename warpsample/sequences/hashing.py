@@ -32,7 +32,7 @@ ONE_WORD: wp.uint32 = wp.constant(wp.uint32(1))
 
 
 def seed_for(purpose: str, seed: int) -> int:
-    """Derive a 64-bit seed for additional random numbers of a call, such as the rays of a trial run.
+    """Derive a 64-bit seed for additional random numbers of a call, for example the rays of a trial run.
 
     The derived seed is a cryptographic hash of the purpose and the call's seed. No seed that a user is likely to choose
     gives the same numbers.
@@ -128,7 +128,7 @@ def swap_halves(word: wp.uint32) -> wp.uint32:
 
 @wp.func
 def premixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
-    """Return a partly mixed key of a surface point: four words for sequences that hash them again at each sample.
+    """Return a partly mixed key of a surface point: four words, to be hashed again at each sample.
 
     Word 0 differs between any two ids with the same upper half.
     """

@@ -54,7 +54,7 @@ class GivenRays:
         return prod(self.directions.shape)
 
     def place(self, options: RayOptions, reach: float, hits: Any = None) -> RaysArgs:
-        """Return the kernel argument with these rays in the coordinates of the mesh's scene.
+        """Return the rays, in the coordinates of the mesh's scene, as a kernel argument.
 
         There must be at least one ray. `hits` is that of `rays_of`. `reach` is the largest distance of a hit, in the user's
         units.

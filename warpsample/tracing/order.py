@@ -22,7 +22,7 @@ _HALF_CELLS = wp.constant(wp.float32(_CELLS / 2))
 
 
 def visiting_order(scene: Scene, placement: PlacementArgs, count: int, workers: int) -> np.ndarray | None:
-    """Return the order in which to process points, sorted by space, as indices (P,) int64.
+    """Sort points by the cell of space that they lie in, and return their indices, (P,) int64.
 
     Return None where sorting does not pay, or where the caller's order is coherent already. `count` is the number of rays
     per point.

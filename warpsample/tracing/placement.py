@@ -166,7 +166,7 @@ def offset_within(extent: wp.vec3, coarseness: wp.float32, n: wp.vec3) -> wp.flo
 
 @wp.func
 def origin_offset(placement: Placement, n: wp.vec3) -> wp.float32:
-    """Return the distance by which ray origins on a face with normal n are moved off the face."""
+    """Return the distance between a face with normal n and the origins of rays that start on it."""
     return offset_within(placement.extent, placement.coarseness, n)
 
 

@@ -26,7 +26,7 @@ At = Literal["vertices", "faces"]
 
 @pv.register_dataset_accessor("warpsample", pv.PolyData)
 class WarpsampleAccessor:
-    """Accessor of a pyvista.PolyData that samples directions and computes quantities such as ambient occlusion.
+    """Accessor of a pyvista.PolyData that samples directions and computes ambient occlusion and other quantities.
 
     The dataset itself does not change. Polygons are split into triangles.
 

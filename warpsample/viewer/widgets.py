@@ -33,7 +33,7 @@ def fit_texts(plotter: "pyvista.Plotter") -> None:
 
 
 class Menu:
-    """Menu of a window: a title and radio buttons, exactly one of which is on."""
+    """Menu of a window: a title and radio buttons, with exactly one button on."""
 
     def __init__(
         self, plotter: "pyvista.Plotter", title: str, entries: list[str], *, top: float, choose: Callable[[str], None]
@@ -165,5 +165,5 @@ def _set_visible(widget: Any, visible: bool) -> None:
 
 
 def _parse_colour(colour: str) -> tuple[float, ...]:
-    """Convert a colour such as "#2f6690" to red, green and blue from 0 to 1."""
+    """Convert a colour, for example "#2f6690", to red, green and blue from 0 to 1."""
     return tuple(int(colour[i : i + 2], 16) / 255.0 for i in (1, 3, 5))

@@ -51,7 +51,7 @@ class Child:
         return self
 
     def __exit__(self, error: type[BaseException] | None, *rest: object) -> None:
-        """End the child process: close its input and wait, or kill it after an error such as an interrupt."""
+        """End the child process: close its input and wait, or kill it after an error or an interrupt."""
         if error:
             self.process.kill()
         with suppress(OSError):

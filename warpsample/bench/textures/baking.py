@@ -131,7 +131,7 @@ def compute_known(scene: Textured, size: int, rays: int = _RAYS, most: int = _MO
 
 
 def build_texture(tool: str, scene: Textured, known: Known, *, size: int, workers: int) -> ChildJob:
-    """Build the job that bakes one image with a tool and a number of rays, such as "Blender, 16 rays".
+    """Build the job that bakes one image with a tool and a number of rays, for example "Blender, 16 rays".
 
     The job's report needs two runs.
     """
@@ -205,7 +205,7 @@ def compare(
 
 
 def interpolate_seconds(error: float, ladder: Sequence[tuple[float, Any]]) -> float | None:
-    """Interpolate the seconds in which a tool reaches an error, from its measured (error, seconds) pairs.
+    """Interpolate a tool's time for an error, in seconds, from its measured (error, seconds) pairs.
 
     The interpolation is linear in logarithms. For an error above the largest, return the seconds of the largest. Return None
     for an error below the smallest, or without measurements.

@@ -17,7 +17,7 @@ Choice = tuple[int, Part, float]
 
 
 def as_lod(value: Any, argument: str) -> float:
-    """Convert a level of detail (LoD), such as 2.2 or "2.2", to a float.
+    """Convert a level of detail (LoD), 2.2 or "2.2" for example, to a float.
 
     Raises:
         ValueError: the value is no level of detail.

@@ -12,7 +12,7 @@ _NOT_BUILT |= {"SolitaryVegetationObject", "CityFurniture", "CityObjectGroup", "
 
 
 def is_built(kind: str) -> bool:
-    """Return True if city objects of a CityJSON type have roofs and walls, such as buildings; True for unknown types."""
+    """Return True if city objects of a CityJSON type have roofs and walls, as buildings have; True for unknown types."""
     return kind not in _NOT_BUILT
 
 

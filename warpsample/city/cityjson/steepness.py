@@ -39,7 +39,7 @@ def _mostly_steep(extents: np.ndarray, least: float) -> bool:
 
 
 def _extents(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Return the extents (N, 3) of consecutive groups of corners, none of them empty."""
+    """Return the extents (N, 3) of consecutive groups of corners; no group is empty."""
     starts = np.cumsum(sizes) - sizes
     return np.maximum.reduceat(corners, starts) - np.minimum.reduceat(corners, starts)
 

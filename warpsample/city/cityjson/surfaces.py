@@ -45,7 +45,7 @@ class CitySurfaces:
 
     @property
     def names(self) -> list[str]:
-        """Object and type of each surface, such as "house/RoofSurface"; the mesh's parts have the same names."""
+        """Object and type of each surface, for example "house/RoofSurface"; the mesh's parts have the same names."""
         return [f"{name}/{kind}" if kind else name for name, kind in zip(self.object, self.type, strict=True)]
 
     @property

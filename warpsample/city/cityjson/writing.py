@@ -104,7 +104,7 @@ def _format_finite(cells: Mapping[str, float]) -> Iterator[tuple[str, float]]:
 
 
 def _split_semantics(geometry: dict[str, Any], semantic: list[int], types: list[str]) -> list[int | None]:
-    """Split the semantic objects of a geometry, in place, so that each face with a type has a semantic object of its own.
+    """Split the semantic objects of a geometry, in place, so that no two faces with a type share a semantic object.
 
     Return the number of the semantic object of each face, None for faces without a type.
     """

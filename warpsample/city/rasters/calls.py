@@ -280,7 +280,7 @@ def run_of(
 
 
 def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:
-    """Return the attributes `units` and `long_name` of one array of a result, such as "standard_error"."""
+    """Return the attributes `units` and `long_name` of one array of a result, for example "standard_error"."""
     said = {
         "standard_error": "standard error of the ",
         "half_width": "half width of the 95 % confidence interval of the ",

@@ -151,7 +151,7 @@ def _place_quadrilaterals(grid: Grid, corners: list[tuple[np.ndarray, np.ndarray
 
 
 def _read_on_same_cells(ground: RasterReader, source: Any, argument: str) -> RasterReader:
-    """Return a reader of a raster of tree crowns, after a check that its cells are those of the ground's raster.
+    """Return a reader of a raster of tree crowns, after a check that its cells equal the cells of the ground's raster.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: An invalid raster, or other cells; the message names the argument.

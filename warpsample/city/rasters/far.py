@@ -266,7 +266,7 @@ def _scatter_extremes(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> 
 
 
 def _find_overlap(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[Any, Any, Any]:
-    """Return the rows and columns of a raster that overlap a lattice, and the lattice cells that each of them overlaps."""
+    """Return the rows and columns of a raster that overlap a lattice, and the lattice cells that each one overlaps."""
     to_lattice = ~where @ bounds.transform
     corners = [~to_lattice @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), (shape[1], shape[0]))]
     ends = []

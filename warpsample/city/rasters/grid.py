@@ -59,7 +59,7 @@ class Grid:
 
     @property
     def mirrored(self) -> bool:
-        """True if the raster is a mirror image of the map, such as a raster whose first row is in the south."""
+        """True if the raster is a mirror image of the map, for example with the first row in the south."""
         return self.transform.determinant > 0.0
 
     @property

@@ -148,7 +148,7 @@ class RasterRun:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the result arrays, such as "value" and "standard_error"."""
+        """Names of the result arrays, for example "value" and "standard_error"."""
         return ("value", "standard_error", "half_width", *(("far_error",) if self.far else ()))
 
     @property
@@ -207,7 +207,7 @@ class RasterRun:
         return laid
 
     def _build_foreground(self, mesh: Mesh, grid: Grid, window: Span) -> Foreground:
-        """Build the triangles of a tile with its margin, followed by those of the tree crowns there."""
+        """Build the triangles of a tile with its margin, followed by the triangles of its tree crowns."""
         ground = mesh.vertices, mesh.faces
         crowns = self.canopy and self.canopy.crowns(grid, *window)
         triangles = join_triangles([ground, build_prisms(grid, crowns)]) if crowns and crowns.any else ground

@@ -78,13 +78,13 @@ def check_lengths(transform: Affine, shape: tuple[int, int], heights: Callable[[
 
 
 def _windows(size: int) -> list[slice]:
-    """Return the rows or columns to check: the first, middle and last `_WINDOW` of them, or all."""
+    """Return the rows or columns to check: the first, middle and last `_WINDOW` rows or columns, or all."""
     last = max(0, size - _WINDOW)
     return [slice(start, start + min(size, _WINDOW)) for start in sorted({0, last // 2, last})]
 
 
 def _impossible_relief(heights: np.ndarray, sides: np.ndarray) -> float:
-    """Return the relief of a window, or of one of its blocks, which is too much for cells with such sides; 0 if none is."""
+    """Return the relief of a window, or of one of its blocks, if it is too much for the sides of the cells; else 0."""
     relief, least = _relief(heights), max(_PEAKS, _STEEP_TERRAIN * np.hypot(*(sides * _BLOCK)))
     if relief > _STEEP * np.hypot(*(sides * heights.shape[::-1])):
         return relief

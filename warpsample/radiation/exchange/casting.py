@@ -160,7 +160,7 @@ class Casting:
     def _cast_block(
         self, of_all: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None
     ) -> Block:
-        """Cast the rays of one block of faces, and count the surfaces that they hit."""
+        """Cast the rays of one block of faces, and count the hits of each surface."""
         codes = np.empty((len(rows), self.replicates, self.per_replicate), np.int32)
         rays = FaceRaysArgs.from_buffer_copy(of_all)
         rays.rows, rays.codes = rows.ctypes.data, codes.ctypes.data

@@ -29,7 +29,7 @@ _OPTIONAL = ("sky", "sky_error", "ground", "ground_error"), ("absorbed", "absorb
 
 
 def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
-    """Check that view factors can be written to `path`, before computing them; return the path.
+    """Check that view factors can be written to `path`, before they are computed; return the path.
 
     Raises:
         TypeError, ValueError: no path, a name of an unknown format, or a file that cannot be written.

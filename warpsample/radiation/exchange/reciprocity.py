@@ -56,7 +56,7 @@ class _Pooling:
         self._both = densities[self.rows] + densities[self.columns]
 
     def pooled(self, value: np.ndarray) -> np.ndarray:
-        """Return the (pairs,) mean exchange from the (E,) view factors, or from changes of these."""
+        """Return the (pairs,) mean exchange from (E,) view factors, or from (E,) changes of view factors."""
         hits = self._hits * value
         sums = np.zeros(len(self._both))
         sums[self._here] = hits

@@ -81,7 +81,7 @@ class LobeRays:
 
 @dataclass(frozen=True, eq=False)
 class RayHits:
-    """What rays hit, ray by ray: patches, the light outside the mesh, or nothing.
+    """Hits of rays, ray by ray: a patch, the light outside the mesh, or nothing.
 
     Attributes:
         ray: (M,) int64, index of the ray, ascending.
@@ -95,7 +95,7 @@ class RayHits:
 
 
 def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> Shares:
-    """Trace cosine-weighted rays and return the share of them that reaches each light source.
+    """Trace cosine-weighted rays and return the share of rays that reaches each light source.
 
     Shares are means over each `together` consecutive points.
     """

@@ -22,7 +22,7 @@ _USUALLY_MORE = 2**13  # patches beyond the number of sides of reflecting faces
 
 @dataclass(frozen=True, eq=False)
 class Patches:
-    """N patches that reflect uniformly: for each reflecting face, those of its front, then those of its back.
+    """N patches that reflect uniformly: for each reflecting face its front patches, then its back patches.
 
     Attributes:
         mesh: Mesh of the faces.

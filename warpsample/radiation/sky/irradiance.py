@@ -118,7 +118,7 @@ def irradiance(
 
 @dataclass(frozen=True, eq=False)
 class _RadianceLight:
-    """Distant light whose radiance is a function of the direction, such as a picture of the sky.
+    """Distant light whose radiance is a function of the direction, for example a picture of the sky.
 
     Attributes:
         summed: sum over rays that gives the irradiance.
@@ -131,7 +131,7 @@ class _RadianceLight:
     known_by: str | None = None
 
     def at(self, plan: Plan) -> Irradiance:
-        """Compute the irradiance of a plan's points (those of a call) from this light, without reflections."""
+        """Compute the irradiance of the points of a call's plan from this light, without reflections."""
         found = estimate(plan, self.summed)
         if self.size == self.summed.integrand.channels:
             return found

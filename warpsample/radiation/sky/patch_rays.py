@@ -64,7 +64,7 @@ SkyRowsArgs = type(SkyRows().__ctype__())
 def _write_directions(
     sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, per_replicate: wp.int32, at: wp.int32, length: wp.int32
 ):
-    """Sample directions and weights of `length` rays of a sky patch, and write them from the at-th ray on.
+    """Sample directions and weights of `length` rays of a sky patch into arrays, from index `at` on.
 
     The second replicate's rays follow those of the first. The density is nearly proportional to the cosine: linear in the
     height along a column, with columns chosen by weight.

@@ -161,7 +161,7 @@ class _Rows:
         )
 
     def _order(self) -> np.ndarray | None:
-        """Return the order in which to process the points, (P,) int64; None for the order of the rows."""
+        """Return the points' processing order, (P,) int64; None for the order of the rows."""
         if not len(self.status):
             return None
         return self.plan.at.order(self.placement, self.plan.count, self.plan.options.workers)

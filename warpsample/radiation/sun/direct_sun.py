@@ -122,7 +122,7 @@ def direct_sun(
     cosine: bool = False,
     **options: Unpack[CastPointKeywords],
 ) -> np.ndarray:
-    """Find the sun positions that each point sees, or their weighted sum, such as sun hours or direct irradiation.
+    """Find the sun positions that each point sees, or their weighted sum, for example sun hours or direct irradiation.
 
     A point sees a sun in front of it, n.s > 0, if the ray of `trace` towards the sun hits nothing. Most pairs need no
     ray: a sun behind, up to 16 suns whose shaft is empty or covered by one triangle, a triangle that blocked another sun.

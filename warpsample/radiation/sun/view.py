@@ -101,7 +101,7 @@ def add(view: View, i: wp.int32, more: wp.int32):
 
 @wp.func
 def known_triangles(view: View) -> wp.int32:
-    """Return the bit mask of the triangles that a point remembers because they blocked a ray."""
+    """Return the bit mask of the triangles that a point remembers after a blocked ray."""
     return (1 << word(view, KNOWN)) - 1
 
 

@@ -140,7 +140,7 @@ def irradiation(
 
 
 def received(plan: Plan, light: Light, series: bool, reflections: Reflections | None = None) -> Irradiation:
-    """Compute the radiation that a plan's points (those of a call) receive, in kWh/m² or for each hour in W/m²."""
+    """Compute the radiation received by the points of a call's plan, in kWh/m² or for each hour in W/m²."""
     hours = len(light.hours)
     if series:
         size = _BYTES * len(plan.at) * hours

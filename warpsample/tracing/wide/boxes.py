@@ -131,7 +131,7 @@ def _fill_leaves() -> wp.Kernel:
 
 @once
 def _fill_nodes() -> wp.Kernel:
-    """Build a kernel that writes each node's boxes, from those of its children, one node of a level per task."""
+    """Build a kernel that writes each node's boxes from its children's boxes, one node of a level per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def fill_nodes(

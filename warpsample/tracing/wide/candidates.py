@@ -51,7 +51,7 @@ def exit_distance(node: wp.uint64, ray: Ray, reach: wp.float32, k: wp.int32) -> 
 
 @wp.func
 def boxes_hit(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
-    """Return a mask of a node's children whose boxes a ray hits within `reach`, and the nearest of these children.
+    """Return a mask of a node's children whose boxes a ray hits within `reach`, and the nearest child hit.
 
     With flip = -1 the number is that of the farthest child. The boxes are padded by more than all rounding errors here
     (`boxes.PADDING`).

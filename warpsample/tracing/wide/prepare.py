@@ -50,7 +50,7 @@ class Ray:
 
 @wp.struct
 class PreparedRay:
-    """Derived values of a ray, such as inverse direction, that `prepare_ray` computes."""
+    """Values that `prepare_ray` derives from a ray, for example its inverse direction."""
 
     inverse: wp.vec3
     shift: wp.vec3

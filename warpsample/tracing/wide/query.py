@@ -102,7 +102,7 @@ def _start_at_one(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: w
 
 @wp.func
 def _start_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
-    """Start a tree traversal at the first of several nodes; the others wait on the stack.
+    """Start a tree traversal at the first of several nodes; push the remaining nodes on the stack.
 
     Return the values of `_start_at_one`.
     """

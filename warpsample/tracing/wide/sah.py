@@ -142,7 +142,7 @@ def partition(
     scale: wp.float32,
     last_bin: wp.int32,
 ) -> wp.int32:
-    """Move the triangles of bins up to `last_bin` to the front of a range; return the start of the others."""
+    """Move the triangles of bins up to `last_bin` to the front of a range; return the index after the last one."""
     low = begin
     high = end - 1
     while low <= high:
