@@ -1,6 +1,6 @@
 """Planted defects: wrong samplers, each with one deliberate error that real samplers have had, to test the laws."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 
 import numpy as np
@@ -19,7 +19,7 @@ from warpsample.proof.mixing import POINTS, cells_of, judge_cells, judge_far_sam
 from warpsample.proof.routes import add_normal
 from warpsample.proof.streams import judge_stream
 from warpsample.proof.twins.sequences import pcg4d
-from warpsample.proof.verify import Verdict, judge
+from warpsample.proof.verify import LAWS, Law, Verdict, judge
 from warpsample.proof.wrong import WrongSampler
 from warpsample.proof.wrong_lobes import WRONG_LOBES
 from warpsample.proof.wrong_microfacets import WRONG_MICROFACETS
@@ -233,7 +233,9 @@ def subject_of(name: str) -> Subject:
     return Subject(name, sampler, getattr(sampler, "claims", _RIGHT), _STREAMS.get(name, independent))
 
 
-def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int = 1_000_000) -> list[Verdict]:
+def judge_defect(
+    name: str, every: int = 16, draws: int = 1 << 22, points: int = 1_000_000, which: Iterable[Law] = LAWS
+) -> list[Verdict]:
     """Test the sampler of one planted defect by all laws that apply to it; return the verdicts.
 
     Args:
@@ -241,9 +243,10 @@ def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int =
         every: see `Evidence`.
         draws: see `Evidence`.
         points: number of points for the laws of streams.
+        which: laws of directions and densities to test; the laws of streams are always tested.
     """
     subject = subject_of(name)
-    verdicts = judge(Evidence(subject, every, draws))
+    verdicts = judge(Evidence(subject, every, draws), which)
     verdicts += judge_cells(name, _MIXERS[name]) if name in _MIXERS else []
     verdicts += [judge_keys(name, _KEYS[name])] if name in _KEYS else []
     verdicts += [judge_far_samples(name, _SAMPLES[name]())] if name in _SAMPLES else []
