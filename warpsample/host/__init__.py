@@ -1,1 +1,1 @@
-"""The host side of every call: arguments, arrays, threads, locks, files."""
+"""Python side of every call: checks of arguments, arrays, threads, locks and files."""

@@ -26,7 +26,7 @@ def told(value: Any) -> str:
 
 
 def check_flag(value: Any, argument: str) -> bool:
-    """Return a flag as a bool.
+    """Check that an argument is True or False, and return it as a bool.
 
     Raises:
         TypeError: the value is neither True nor False; "no" and 2 are true to Python, and are refused here.
@@ -37,7 +37,7 @@ def check_flag(value: Any, argument: str) -> bool:
 
 
 def check_choice(value: Any, argument: str, choices: Sequence[str]) -> str:
-    """Return a name that is one of the choices.
+    """Check that an argument is one of the allowed names, and return it.
 
     Raises:
         TypeError: the value is no string.
@@ -50,7 +50,7 @@ def check_choice(value: Any, argument: str, choices: Sequence[str]) -> str:
 
 
 def check_file(value: Any, argument: str, wants: str) -> Path:
-    """Return the path of an existing ordinary file.
+    """Check that an argument is the path of an existing ordinary file, and return the path.
 
     Args:
         value: path, as a string or a `PathLike` of one.
@@ -102,7 +102,7 @@ def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
 
 
 def check_integer(value: Any, argument: str, low: int, high: int, wants: str | None = None) -> int:
-    """Return a whole number from `low` to `high` as an int.
+    """Check that an argument is a whole number from `low` to `high`, and return it as an int.
 
     Raises:
         TypeError: the value is no whole number.
@@ -121,7 +121,7 @@ def check_integer(value: Any, argument: str, low: int, high: int, wants: str | N
 
 
 def check_number(value: Any, argument: str, low: float, high: float) -> float:
-    """Return a real number from `low` to `high` as a float.
+    """Check that an argument is a real number from `low` to `high`, and return it as a float.
 
     Raises:
         TypeError: the value is no real number.
@@ -140,17 +140,17 @@ def check_number(value: Any, argument: str, low: float, high: float) -> float:
 
 
 def check_scale(scale: Any) -> float:
-    """Return the length of drawn direction vectors as a float, at most 1e30 in size, so that float32 holds it."""
+    """Check the length of drawn direction vectors, at most 1e30 so that float32 holds it, and return it as a float."""
     return check_number(scale, "scale", -1e30, 1e30)
 
 
 def check_seed(seed: Any) -> int:
-    """Return a seed as an int from 0 to 2^64 - 1; raise an error as `check_integer` does."""
+    """Check a seed, a whole number from 0 to 2^64 - 1, and return it as an int."""
     return check_integer(seed, "seed", 0, 2**64 - 1, "a whole number of 64 bits, 0 to 2^64 - 1")
 
 
 def check_first_point(first_point: Any, points: int, ids: Any = None) -> int:
-    """Return the global id of the first point, an int that leaves room for `points` ids of 64 bits.
+    """Check the global id of the first point, which must leave room for `points` ids of 64 bits, and return it.
 
     Only 0 is allowed where the points have `ids`. Errors are those of `check_integer`.
     """

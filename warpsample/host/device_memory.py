@@ -20,7 +20,7 @@ BUDGET = 1 << 28
 
 
 def at_home(device: wp.Device) -> bool:
-    """Return whether kernels on a device read the memory of NumPy arrays, and are written for the CPU."""
+    """Return True if a device is the CPU, whose kernels read NumPy arrays without a copy."""
     return device.alias in HOME
 
 
@@ -41,7 +41,7 @@ def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array
 
 @dataclass(frozen=True)
 class Memory:
-    """Memory of a call.
+    """Memory that a call may use on its device, with a budget that decides how many rows are copied at a time.
 
     Attributes:
         device: device that runs the kernels.
@@ -72,11 +72,11 @@ class Memory:
         return cls(target, of_warp or at_home(target))
 
     def fits(self, size: int) -> bool:
-        """Return whether `size` bytes are within BUDGET; always true in place."""
+        """Return True if `size` bytes fit into the budget of device memory; always True on the CPU."""
         return self.in_place or size <= BUDGET
 
     def parts(self, rows: int, size: int, besides: int = 0) -> Iterable[slice]:
-        """Return slices of rows that are copied to the device one after the other; a single slice of all rows in place.
+        """Return slices of rows that fit into device memory one after the other; on the CPU a single slice of all rows.
 
         Args:
             rows: number of rows.
@@ -94,7 +94,7 @@ class Memory:
 
 
 class Loan:
-    """Memory that one part of a call holds. At the end results are copied back, unless there was an error."""
+    """Device memory of one part of a call, freed at the end of a `with` statement, when results are copied back."""
 
     def __init__(self, memory: Memory) -> None:
         self.memory = memory
@@ -102,7 +102,7 @@ class Loan:
         self._results: list[tuple[np.ndarray, wp.array]] = []
 
     def __enter__(self) -> "Loan":
-        """Return the loan."""
+        """Return this Loan at the start of a `with` statement."""
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:

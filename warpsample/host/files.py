@@ -181,7 +181,7 @@ class _Part(FileIO):
         super().__init__(part, "x")
 
     def write(self, data: Any) -> int | None:
-        """Write bytes as `FileIO.write` does."""
+        """Write bytes to the hidden file, and return their number."""
         with _naming_output(self.path):
             return super().write(data)
 
@@ -204,7 +204,7 @@ def part_of(path: Path, target: Path) -> Iterator[_Part]:
 
 
 def _open(part: Path, path: Path, target: Path, opened: list[_Part]) -> None:
-    """Make and lock the hidden file `part`, and add the open file to a list."""
+    """Create and lock the hidden file `part` of an output, and add the open file to a list."""
     with _naming_output(path):
         while not part.exists():  # again, if another run took it for an orphan before it was locked
             opened.append(_Part(part, path))
@@ -261,7 +261,7 @@ def _prefix(target: Path) -> str:
 
 
 def _target(path: Path) -> Path:
-    """Return the path of the file, or of the target if the file is a link."""
+    """Return the path of a file, with a symbolic link resolved."""
     return Path(os.path.realpath(path))
 
 
@@ -317,6 +317,6 @@ def _naming_output(path: Path) -> Iterator[None]:
 
 
 def _reason(error: OSError) -> str:
-    """Return the system's words for an error."""
+    """Return the operating system's message for an error."""
     cause = error.__cause__ if isinstance(error, WriteError) else error
     return getattr(cause, "strerror", None) or str(error)

@@ -15,7 +15,7 @@ from warpsample.host.arguments import check_flag, check_integer, told
 
 @dataclass(frozen=True)
 class Part:
-    """Object of a JSON text.
+    """JSON object whose members are checked as they are read.
 
     Attributes:
         content: members by name.
@@ -38,7 +38,7 @@ class Part:
         return check_flag(self.content.get(key, False), self.at(key))
 
     def whole(self, key: str, default: int | None = None, high: int = 2**62) -> int:
-        """Return a whole number from 0 to `high`; a missing one is the default, or an error without a default."""
+        """Return a member that is a whole number from 0 to `high`; if it is missing, the default, or else an error."""
         return check_integer(self._member(key, default), self.at(key), 0, high)
 
     def reals(self, key: str, default: Sequence[float]) -> np.ndarray:
@@ -50,19 +50,19 @@ class Part:
         return np.array(finite, np.float64)
 
     def text(self, key: str) -> str:
-        """Return a text; a missing one is an error."""
+        """Return a member that is a string; raise a ValueError if it is missing."""
         return _of_kind(self._member(key, None), self.at(key), str, "a text")
 
     def texts(self, key: str) -> list[str]:
-        """Return a list of texts; empty if the member is missing."""
+        """Return a member that is a list of strings; empty if the member is missing."""
         return [_of_kind(value, f"{self.at(key)}[{i}]", str, "a text") for i, value in enumerate(self.values(key))]
 
     def part(self, key: str) -> "Part":
-        """Return an object; a missing one is an error."""
+        """Return a member that is a JSON object; raise a ValueError if it is missing."""
         return Part(_of_kind(self._member(key, None), self.at(key), dict, "an object"), self.at(key))
 
     def parts(self, key: str) -> list["Part"]:
-        """Return a list of objects; empty if the member is missing."""
+        """Return a member that is a list of JSON objects; empty if the member is missing."""
         members = ((value, f"{self.at(key)}[{i}]") for i, value in enumerate(self.values(key)))
         return [Part(_of_kind(value, path, dict, "an object"), path) for value, path in members]
 
@@ -75,7 +75,7 @@ class Part:
         }
 
     def index(self, key: str, among: Sequence[Any], default: int | None = None) -> int:
-        """Return an index into `among`; a missing one is the default, or an error without a default."""
+        """Return a member that is an index into `among`; if it is missing, the default, or else an error."""
         return _index(self._member(key, default), self.at(key), among)
 
     def indices(self, key: str, among: Sequence[Any]) -> list[int]:
@@ -89,7 +89,7 @@ class Part:
         return self.content.get(key, default)
 
     def values(self, key: str, default: Sequence[Any] = ()) -> Sequence[Any]:
-        """Return a list of values of any kind; the default if the member is missing."""
+        """Return a list of values of any type; the default if the member is missing."""
         return _of_kind(self.content[key], self.at(key), list, "a list") if key in self.content else default
 
 
@@ -124,7 +124,7 @@ def check_finite(tree: Part) -> None:
 
 
 def _object(members: list[tuple[str, Any]]) -> dict[str, Any]:
-    """Return an object of its members; raise a ValueError if two have one name."""
+    """Return a dictionary of a JSON object's members; raise a ValueError if two members have one name."""
     made = dict(members)
     if len(made) < len(members):
         name, _ = Counter(name for name, _ in members).most_common(1)[0]
@@ -137,7 +137,7 @@ def _refuse_constant(name: str) -> float:
 
 
 def _of_kind(value: Any, path: str, kind: type, wants: str) -> Any:
-    """Return a value of a type; raise a TypeError for another type."""
+    """Check that a JSON value is of a Python type, and return it; raise a TypeError otherwise."""
     if not isinstance(value, kind):
         raise TypeError(f"{path}: got {told(value)}, want {wants}")
     return value

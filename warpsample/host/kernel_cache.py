@@ -105,7 +105,7 @@ def _quiet(level: int) -> Iterator[None]:
 
 
 def _without_driver_warning(work: Callable[[], None]) -> None:
-    """Call `work` and remove Warp's warning of a missing CUDA driver from stderr, which no option of Warp turns off."""
+    """Call `work`, and keep Warp's warning of a missing CUDA driver off stderr; no option of Warp does that."""
     with ExitStack() as after:
         with suppress(OSError):  # stderr is closed, or there is no temporary folder
             held = after.enter_context(tempfile.TemporaryFile())
@@ -125,7 +125,7 @@ def _show_others(held: BinaryIO, stderr: int) -> None:
 
 
 def _is_whole(entry: Path) -> bool | None:
-    """Return whether all files of a module match the digests; None without files or digests, as when Warp alone built it."""
+    """Return True if all cached files of a module match their digests; None if files or digests are missing."""
     if not os.path.lexists(entry):
         return None
     try:
@@ -150,7 +150,7 @@ def _digest(entry: Path, name: str) -> bytes:
 
 
 def _mark(entry: Path) -> None:
-    """Write the digests of the files of a module that have none."""
+    """Write digests for the cached files of a module that have none."""
     with suppress(OSError):  # a file without a digest is only built again
         outputs, marked = _contents(entry)
         for name in outputs - marked:

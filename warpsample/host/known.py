@@ -26,7 +26,7 @@ def digest_of(*arrays: np.ndarray) -> str:
 
 
 def remember(digest: str, value: Any) -> None:
-    """Register a value, so that `find_or_make` finds it in this process, and in forked processes, as long as it exists."""
+    """Register a value by its digest, so that `find_or_make` returns it in this and in forked processes while it exists."""
     with making:
         _known.setdefault(digest, value)
 

@@ -36,7 +36,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def make(work: Callable[[], T], lock: Any = making) -> T:
-    """Call `work` while no other thread makes anything, and defer interrupts until the end: Warp expects both."""
+    """Call `work` under the process-wide lock and without interrupts, as the compiler of Warp requires."""
 
     def work_alone() -> T:
         with lock:
@@ -78,7 +78,7 @@ class once_property(Generic[T]):  # noqa: N801  (used as a decorator, like `func
         self.__doc__ = make.__doc__
 
     def __set_name__(self, owner: type, name: str) -> None:
-        """Keep the name under which instances keep the value."""
+        """Store the attribute name under which instances keep the value."""
         self.name = name
 
     def __get__(self, instance: Any, owner: type | None = None) -> T:

@@ -63,7 +63,7 @@ class Option:
 
 
 def _on(*sources: str, only: tuple[str, ...] = (), but: tuple[str, ...] = ()) -> dict[str, tuple[str, ...]]:
-    """Return the suffixes in `only`, or all, without the suffixes in `but`, for some kinds of sources."""
+    """Return the suffixes of files that an option applies to, keyed by kind of source."""
     return {
         source: tuple(suffix for suffix in FILES[source] if suffix not in but and (not only or suffix in only))
         for source in sources

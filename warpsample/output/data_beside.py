@@ -28,7 +28,7 @@ _BEAT, _PATIENCE = 0.01, 60.0  # seconds between two tries to lock a folder, and
 
 
 def check_data_beside(path: Path, suffix: str, argument: str) -> None:
-    """Refuse a path beside which no file of data can be made.
+    """Raise an error if no data file can be written next to `path`.
 
     Raises:
         ValueError: the folder cannot be written; names the argument.
@@ -80,13 +80,13 @@ def write_with_data(
 def _publish(
     part: Path, path: Path, suffix: str, text_naming: Callable[[str], bytes], find_old: Callable[[], Path | None]
 ) -> Path:
-    """Write the pair while no other run does so in its folder; return the path of the data."""
+    """Write the file and its data file under a lock of the folder; return the path of the data file."""
     with _alone_in(path):
         return _write_pair(part, path, suffix, text_naming, find_old())
 
 
 def _write_pair(part: Path, path: Path, suffix: str, text_naming: Callable[[str], bytes], old: Path | None) -> Path:
-    """Give the data a name, then write the file that refers to this name; return the path of the data."""
+    """Rename the data file, then write the file that refers to its name; return the path of the data file."""
     data = _new_file(path, suffix)
     try:
         part.chmod(S_IMODE((old or data).stat().st_mode))
@@ -102,7 +102,7 @@ def _write_pair(part: Path, path: Path, suffix: str, text_naming: Callable[[str]
 
 
 def _take_name(data: Path, old: Path, path: Path, text_naming: Callable[[str], bytes]) -> Path:
-    """Give the data the name of the old data, if that name is still free, and return the final name.
+    """Rename the new data file to the name of the old one if that name is still free; return the final name.
 
     The data have both names until the file at `path` names the second one. Without hard links they keep the first.
     """
@@ -191,7 +191,7 @@ def locked_folder(folder: Path) -> Iterator[None]:
 
 
 def _wait_for(opened: int, path: Path) -> None:
-    """Lock an open folder; raise a WriteError if that takes too long, since no interrupt is heard here."""
+    """Lock an open folder; raise a WriteError after a time limit, because interrupts are deferred here."""
     for _ in range(int(_PATIENCE / _BEAT)):
         if _is_locked(opened):
             return

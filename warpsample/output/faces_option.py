@@ -30,7 +30,7 @@ def with_optics(mesh: Mesh, **options: str | None) -> Mesh:
 
 
 def _shares(mesh: Mesh, text: str, option: str) -> np.ndarray:
-    """Return the number of an option, or an array with a number for each face."""
+    """Return the transmittance or reflectance of an option: one number, or an array with one number per face."""
     if text.endswith(".npy"):
         file = check_file(Path(text), option, _WANTS)
         with naming_file(option, file, _WANTS):

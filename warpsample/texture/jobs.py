@@ -35,7 +35,7 @@ _MOST_NAMES = 5  # most meshes named per flaw
 
 @dataclass(frozen=True, eq=False)
 class TextureJob:
-    """Image to bake, with its texels.
+    """One image to bake: its faces, texels, texture coordinates and material slot.
 
     Attributes:
         name: name of the material, or of the file.

@@ -12,7 +12,7 @@ from warpsample.texture.primitives import Primitive, list_material_references
 
 @dataclass(frozen=True)
 class Slot:
-    """Place of a picture in a glTF material.
+    """Texture slot of a glTF material, for example the occlusion or the base colour texture.
 
     Attributes:
         name: name of the picture in messages.

@@ -20,7 +20,7 @@ _TRANSFORM = "KHR_texture_transform"
 
 @dataclass(frozen=True, eq=False)
 class ShownOcclusion:
-    """Joined occlusion picture of a mesh.
+    """Occlusion of a baked mesh as one picture with texture coordinates, as the viewer shows it.
 
     Attributes:
         picture: (H, W) uint8, grey levels.

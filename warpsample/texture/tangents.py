@@ -27,7 +27,7 @@ class Frames:
 
     @classmethod
     def of(cls, path: Path, mesh: Mesh, uv: np.ndarray, rows: list[slice]) -> "Frames":
-        """Return the frames that viewers use for a mesh file: tangents of the file, else by MikkTSpace.
+        """Read the tangent frames at the corners of a mesh file's faces: tangents of the file, else computed by MikkTSpace.
 
         Args:
             path: path of the file. Only .glb and .gltf files have normals and tangents.
