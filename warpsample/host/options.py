@@ -154,7 +154,7 @@ def _ways(
     given: Array | None = None,
     argument: str = "",
 ) -> dict[str, Any]:
-    """Check where and how a call is computed; return the fields of `CallOptions`."""
+    """Check the options `device`, `workers` and `progress` of a call, and return them as fields of `CallOptions`."""
     return {
         "memory": Memory.of(device, given, argument),
         "workers": check_workers(workers),

@@ -37,7 +37,7 @@ def bar(progress: bool, what: str, total: int | None = None) -> AbstractContextM
 
 @contextmanager
 def _bar(what: str, total: int | None) -> Iterator[None]:
-    """Show a bar on stderr, if it is a terminal, or in a notebook."""
+    """Show a progress bar in a terminal (on stderr) or in a notebook."""
     from rich.console import Console  # only bars need it
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
@@ -84,7 +84,7 @@ def _print_line(line: str) -> None:
 
 @contextmanager
 def asking(wanted: Callable[[], None]) -> Iterator[None]:
-    """Call `wanted` after each batch of the calls of this thread, within a `with` statement; its error ends the call."""
+    """Call `wanted` after each batch of this thread's calls, within a `with` statement; its error ends the call."""
     token = _check.set(wanted)
     try:
         yield

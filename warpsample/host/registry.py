@@ -15,7 +15,7 @@ def records_of(package: ModuleType) -> dict[str, Any]:
 
 
 def look_up(known: dict[str, Any], name: str, argument: str) -> Any:
-    """Return the value of a name; raise the error of `check_choice`, with all names, if there is none."""
+    """Look up a record by name; raise a ValueError that lists all names if there is none."""
     if isinstance(name, str) and name in known:
         return known[name]
     return known[check_choice(name, argument, sorted(known))]

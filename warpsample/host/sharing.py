@@ -16,7 +16,7 @@ _threads = 0
 
 
 class _Helper:
-    """A part of a call, for the first free thread, unless the call ends before."""
+    """Part of a call that waits for a free thread of the package; it is dropped when the call ends first."""
 
     def __init__(self, part: Callable[[], None], stop: Callable[[], None]) -> None:
         self._part: Callable[[], None] | None = part
@@ -26,7 +26,7 @@ class _Helper:
         self.error: BaseException | None = None
 
     def work(self) -> None:
-        """Do the part, in one of the package's threads."""
+        """Run the part of the call on one of the package's threads."""
         if not self._working.acquire(blocking=False):
             return
         try:
@@ -39,7 +39,7 @@ class _Helper:
             self._working.release()
 
     def end(self) -> None:
-        """Wait until no thread works on the part, and let no thread begin."""
+        """Prevent threads from starting the part, and wait for a thread that works on it."""
         if self._process != os.getpid():  # forked within the call, from a signal handler: the thread does not exist here
             self.error = RuntimeError("this process was forked within a call, and has none of its threads: call again")
             return
@@ -48,7 +48,7 @@ class _Helper:
 
 
 def share(parts: Sequence[Callable[[], None]], stop: Callable[[], None]) -> None:
-    """Do the parts of a call at the same time: the first in this thread, each other part when a thread is free.
+    """Run the parts of a call in parallel: the first in this thread, the others on free threads of the package.
 
     All threads have stopped when this function ends, also by the first error of a part. In the main thread, call it within
     `uninterrupted`. `stop` leaves no work to the parts, which all do the same work until none is left.
@@ -76,7 +76,7 @@ def _end(helpers: list[_Helper], stop: Callable[[], None]) -> None:
 
 
 def _start_threads(count: int) -> None:
-    """Start threads until the process has `count`, or until the system gives no more."""
+    """Start threads until the process has `count` of them, or the system refuses more."""
     global _threads  # noqa: PLW0603  (threads belong to the process)
     with suppress(RuntimeError):
         while _threads < count:
@@ -90,7 +90,7 @@ def _serve(waiting: "SimpleQueue[_Helper]") -> None:
 
 
 def _forget_threads() -> None:
-    """Start anew in a forked child, where the parent's threads do not exist."""
+    """Reset the list of threads in a forked child, where the parent's threads do not exist."""
     global _waiting, _threads
     _waiting, _threads = SimpleQueue(), 0
 

@@ -40,7 +40,7 @@ class Summary:
 
 
 def describe(value: Any) -> str:
-    """Return a value in a few words: of an array the shape, the kind of number, the mean and the range."""
+    """Describe a value in a few words: for an array its shape, kind of number, mean and range."""
     if value is None or (isinstance(value, tuple | list | dict) and not value):
         return ""
     if hasattr(value, "shape"):

@@ -68,7 +68,7 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
 
 
 def _rounded(array: np.ndarray) -> np.ndarray:
-    """Return an array as C-contiguous float32; copy all other arrays."""
+    """Convert an array to C-contiguous float32, without a copy if it is so already."""
     if array.dtype == _FLOATS[0] and array.flags.c_contiguous and type(array) is np.ndarray:
         return array
     with np.errstate(over="ignore"):

@@ -43,7 +43,7 @@ def axes_in_plane(normal: np.ndarray, upward: np.ndarray) -> tuple[np.ndarray, n
 
 
 def _joined(faces: np.ndarray, normal: np.ndarray, vertices: int) -> np.ndarray:
-    """Return the (N,) flat part of each face.
+    """Return the (N,) number of the flat part that each face belongs to.
 
     Two faces are joined if they alone share an edge and the angle between their normals is below 0.1 degrees.
     """

@@ -69,13 +69,13 @@ def turn_vectors(normal: np.ndarray, tangent: np.ndarray | None, vectors: Any, *
 
 @wp.func
 def _frame_without(n: wp.vec3, tangents: wp.uint64, point: wp.int64):
-    """Return the frame about a normal."""
+    """Return the frame of a point without a tangent: any two axes perpendicular to the normal."""
     return frame_about(n)
 
 
 @wp.func
 def _frame_with(n: wp.vec3, tangents: wp.uint64, point: wp.int64):
-    """Return the frame along a tangent."""
+    """Return the frame of a point with a tangent: x along the tangent, z along the normal."""
     frame, _usable = frame_along(n, vec4_at(tangents, point))
     return frame
 

@@ -32,7 +32,7 @@ _SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross produc
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Mesh(Summary):
-    """A triangle mesh.
+    """Triangle mesh: checked vertices and faces, with optional named parts and optical properties of faces.
 
     Attributes:
         vertices: (V, 3) float64 coordinates from -1e36 to 1e36, in the user's system and unit; a read-only copy.
@@ -143,7 +143,7 @@ class Mesh(Summary):
 
     @property
     def like(self) -> "Mesh | None":
-        """Mesh of the same shape that `as_mesh` changed the optical properties of to make this one, or None.
+        """Mesh with the same vertices and faces that this mesh was copied from to change optical properties, or None.
 
         None, too, after that mesh is deleted.
         """

@@ -63,7 +63,7 @@ def _drawer(block: int) -> wp.Function:
 
 @wp.func
 def _face_of(share: wp.float64, areas: wp.array[wp.float64], low: wp.int32, high: wp.int32) -> wp.int32:
-    """Return the first face from `low` to `high` with a cumulative area above `share`; its own area is above 0."""
+    """Find the first face from `low` to `high` whose cumulative area exceeds `share`; the face has an area."""
     while low < high:
         middle = (low + high) / 2
         if areas[middle] > share:

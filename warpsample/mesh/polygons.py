@@ -59,7 +59,7 @@ def _fans(counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
 
 
 def _folded(points: np.ndarray, fans: np.ndarray, counts: np.ndarray) -> np.ndarray:
-    """Return the numbers of the polygons whose fan has flipped triangles; most of the polygons are not convex."""
+    """Return the numbers of the polygons that a fan of triangles would not cover correctly, mostly concave polygons."""
     owner = np.repeat(np.arange(len(counts)), counts - 2)
     with np.errstate(all="ignore"):  # `Mesh` reports coordinates that are not finite
         crosses = np.cross(points[fans[:, 1]] - points[fans[:, 0]], points[fans[:, 2]] - points[fans[:, 0]])

@@ -66,7 +66,7 @@ def _limit_memory() -> None:
 
 
 def _read(path: Path, what: str) -> list[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]] | str:
-    """Return the meshes of a file, or its up axis."""
+    """Return the meshes of a USD file, or its up axis."""
     from pxr import Tf, UsdGeom
 
     try:

@@ -15,7 +15,7 @@ SUFFIXES = (".ply", ".vtp", ".npz")
 
 
 def read_array(path: Any, name: str, argument: str) -> np.ndarray:
-    """Return the array of a name in a file: .ply, .vtp or .npz.
+    """Read the array with a given name from a .ply, .vtp or .npz file.
 
     In a .ply, the array is a property of the vertices, or else of the faces. A vector has three properties, such as view_x,
     view_y and view_z.
@@ -43,7 +43,7 @@ def read_array(path: Any, name: str, argument: str) -> np.ndarray:
 
 
 def _ply(path: Path) -> dict[str, np.ndarray]:
-    """Return the numbers of a .ply by name, with those of vertices before those of faces."""
+    """Read the numbers of vertices and faces in a .ply, by name; for equal names vertices come first."""
     found = read_elements(path)
     columns = {**_numbers(found.get("face", {})), **_numbers(found.get("vertex", {}))}
     for name in [name.removesuffix("_x") for name in columns if name.endswith("_x")]:
@@ -54,12 +54,12 @@ def _ply(path: Path) -> dict[str, np.ndarray]:
 
 
 def _numbers(columns: dict[str, Any]) -> dict[str, np.ndarray]:
-    """Return the columns that hold one number in each row."""
+    """Return the columns of a .ply element that hold one number in each row."""
     return {name: np.asarray(column) for name, column in columns.items() if not isinstance(column, tuple)}
 
 
 def _vtp(path: Path) -> dict[str, np.ndarray]:
-    """Return the arrays of a .vtp by name, with those of points before those of cells."""
+    """Read the arrays of points and cells in a .vtp, by name; for equal names points come first."""
     found = pyvista().read(path)
     return arrays_of(found)
 
@@ -71,13 +71,13 @@ def arrays_of(dataset: Any) -> dict[str, np.ndarray]:
 
 
 def _npz(path: Path) -> dict[str, np.ndarray]:
-    """Return the arrays of an .npz by name."""
+    """Read the arrays of an .npz, by name."""
     with np.load(path, allow_pickle=False) as archive:
         return {name: archive[name] for name in archive.files}
 
 
 def carry_to_points(array: np.ndarray, name: str, mesh: Mesh, points: SurfacePoints) -> np.ndarray:
-    """Return an array with one row for each point, from one with a row for each vertex, face or point.
+    """Convert an array with a row for each vertex, face or point to an array with a row for each point.
 
     The numbers of vertices are interpolated between the corners of a point's face. An array that has as many rows as the
     mesh has vertices belongs to the vertices.

@@ -71,7 +71,7 @@ def _distance_of(count: int, guess: float, kept: Callable[[float], np.ndarray]) 
 
 
 def _stay(points: "SurfacePoints", distance: float, workers: int) -> np.ndarray:
-    """Return the (N,) bool mask of the points that are accepted for a distance."""
+    """Return the (N,) bool mask of the points that are accepted for a minimum distance."""
     count = len(points)
     if not distance > 0.0:
         return np.ones(count, bool)
