@@ -36,7 +36,7 @@ def finished(monkeypatch, client, attempts):
     [
         ((0, 0, 5), ([0, -1, -2, -3, -4], 3)),
         ((2, 0, 1, 0, 2), ([0, -1, -2, -3, -4], 5)),
-        (repeat(0), (["the scheduler forgets its tasks (lost)"], 3)),
+        (repeat(0), (["the Dask scheduler repeatedly lost the tasks (lost)"], 3)),
     ],
 )
 def test_a_scheduler_that_forgets_thrice_without_a_task_finished_is_given_up(monkeypatch, attempts, right):
@@ -44,7 +44,10 @@ def test_a_scheduler_that_forgets_thrice_without_a_task_finished_is_given_up(mon
 
 
 def test_one_that_is_gone_is_not_asked_again(monkeypatch):
-    assert finished(monkeypatch, SimpleNamespace(status="closed"), repeat(0)) == (["the scheduler is gone"], 1)
+    assert finished(monkeypatch, SimpleNamespace(status="closed"), repeat(0)) == (
+        ["the Dask scheduler no longer answers"],
+        1,
+    )
 
 
 def test_a_deadline_is_no_word_of_the_scheduler(monkeypatch):
@@ -103,7 +106,7 @@ class Sent:
 
 
 def check(limits):
-    """Checks workers a and b that may take so many MiB."""
+    """Checks workers a and b that may use so many MiB."""
     workers = {name: {"memory_limit": limit and limit * MIB} for name, limit in zip("ab", limits, strict=False)}
     client = SimpleNamespace(scheduler_info=lambda **_: {"workers": workers})
     finishing.check_workers_of(client, SimpleNamespace(shared={}))
@@ -117,6 +120,8 @@ def test_one_worker_that_is_large_enough_or_without_a_limit_will_do(limits):
 @pytest.mark.parametrize("limits", [(300,), (200, 300), (359, 1)])
 def test_workers_that_are_all_too_small_are_refused_by_the_largest(limits):
     """A process takes 288 MiB at least, and a worker pauses at 0.8 of its memory."""
-    largest = f"{'ab'[limits.index(max(limits))]} may take {max(limits)} MiB"
-    with pytest.raises(MemoryError, match=f"^the workers are too small: {largest}, want at least 360 MiB for each$"):
+    largest = f"{'ab'[limits.index(max(limits))]} may use {max(limits)} MiB"
+    with pytest.raises(
+        MemoryError, match=f"^the workers have too little memory: {largest}, want at least 360 MiB for each worker$"
+    ):
         check(limits)

@@ -176,7 +176,7 @@ def test_a_scheduler_that_is_gone_is_a_sentence(path, whole, scheduler, child_en
     out, err = running.communicate(timeout=HANGS)
     assert (running.returncode, out) == (2, "")
     assert [line for line in err.splitlines() if "CUDA" not in line][:1] == err.splitlines()[-1:]
-    assert err.splitlines()[-1].startswith("error: the scheduler is gone after ")
+    assert err.splitlines()[-1].startswith("error: the Dask scheduler no longer answers after ")
     assert err.rstrip().endswith(f"of 8,000 points; {path} can be resumed")
     subprocess.run(bake(path, "--resume"), env=child_environment, capture_output=True, check=True)
     with xr.open_zarr(path) as found:

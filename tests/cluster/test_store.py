@@ -183,7 +183,7 @@ def test_an_interrupt_leaves_a_store_that_resumes(path, mesh, right, monkeypatch
 def test_a_store_is_not_written_over_or_mixed_with_another_run(path, mesh, right, computed):
     bake(path, mesh)
     computed.clear()
-    with pytest.raises(ValueError, match="^path: got .*out.zarr', which is there already"):
+    with pytest.raises(ValueError, match="^path: got .*out.zarr', which exists already"):
         bake(path, mesh)
     points = ws.sample_surface(mesh, POINTS)
     other = ws.Mesh(mesh.vertices + 1.0, mesh.faces)
@@ -270,7 +270,7 @@ def test_a_store_that_cannot_be_written(path, tmp_path, mesh):
         ("no/out.zarr", "whose folder does not exist"),
         ("x" * 246 + ".zarr", "which cannot be written: File name too long"),
         ("loop.zarr", "which is a link to itself"),
-        ("file.zarr", "which is there already and is no store"),
+        ("file.zarr", "which exists and is not a Zarr store"),
     ]:
         (tmp_path / "file.zarr").touch()
         if not (tmp_path / "loop.zarr").is_symlink():
@@ -347,7 +347,9 @@ def damage_an_array(path, mesh):
     with pytest.raises(ValueError, match=r"^path: got '.*out\.zarr', whose array 'spread' cannot be read"):
         bake(path, mesh, resume=True)
     shutil.rmtree(path / "spread")
-    with pytest.raises(ValueError, match=r"^path: got '.*out\.zarr', whose array 'spread' is missing; bake it anew$"):
+    with pytest.raises(
+        ValueError, match=r"^path: got '.*out\.zarr', whose array 'spread' is missing; compute it again under a new name$"
+    ):
         bake(path, mesh, resume=True)
 
 
@@ -357,7 +359,10 @@ def test_consolidated_metadata_that_are_damaged_are_named(path, mesh, key, value
     kept = json.loads((path / "zarr.json").read_text())
     kept["consolidated_metadata"]["metadata"]["value"][key] = value
     (path / "zarr.json").write_text(json.dumps(kept))
-    said = rf"^path: got '.*out\.zarr', whose zarr\.json has another {key} than its run at 'value'; bake it anew$"
+    said = (
+        rf"^path: got '.*out\.zarr', whose zarr\.json has another {key} "
+        rf"than this run writes at 'value'; compute it again under a new name$"
+    )
     with pytest.raises(ValueError, match=said):
         bake(path, mesh, resume=True)
 
@@ -365,9 +370,9 @@ def test_consolidated_metadata_that_are_damaged_are_named(path, mesh, key, value
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ('"value": {', '"volue": {', "has other arrays than its run"),
+        ('"value": {', '"volue": {', "has other arrays than this run writes"),
         ('"metadata": {', '"metadota": {', "is damaged"),
-        ('"coordinates": "position', '"coordinates": "pasition', "has other coordinates than its run"),
+        ('"coordinates": "position', '"coordinates": "pasition', "has other coordinates than this run writes"),
     ],
 )
 def test_so_are_other_names_in_them(path, mesh, old, new, said):
@@ -375,7 +380,9 @@ def test_so_are_other_names_in_them(path, mesh, old, new, said):
     text = (path / "zarr.json").read_text()
     assert old in text
     (path / "zarr.json").write_text(text.replace(old, new))
-    with pytest.raises(ValueError, match=rf"^path: got '.*out\.zarr', whose zarr\.json {said}; bake it anew$"):
+    with pytest.raises(
+        ValueError, match=rf"^path: got '.*out\.zarr', whose zarr\.json {said}; compute it again under a new name$"
+    ):
         bake(path, mesh, resume=True)
 
 
@@ -384,7 +391,10 @@ def test_so_is_one_of_another_shape(path, mesh):
     without_consolidated(path)
     file = path / "spread/zarr.json"
     file.write_text(file.read_text().replace('"float32"', '"float64"'))
-    with pytest.raises(ValueError, match=r"whose spread/zarr.json has another data_type than its run; bake it anew$"):
+    with pytest.raises(
+        ValueError,
+        match=r"whose spread/zarr.json has another data_type than this run writes; compute it again under a new name$",
+    ):
         bake(path, mesh, resume=True)
 
 
@@ -405,7 +415,7 @@ def test_a_lock_that_is_no_ordinary_file_is_refused_at_once(kind, path, mesh, tm
     """A pipe would wait for who reads it, deaf to every signal; a link's target is somebody's."""
     file = tmp_path / lock.lock_name(path)
     {"pipe": os.mkfifo, "folder": os.mkdir, "link": partial(os.symlink, "thesis.txt")}[kind](file)
-    with pytest.raises(OSError, match=r"out.zarr cannot be written: its lock \.out\.zarr\.lock: "):
+    with pytest.raises(OSError, match=r"out.zarr cannot be written: its lock file \.out\.zarr\.lock cannot be opened: "):
         bake(path, mesh)
     assert list(tmp_path.iterdir()) == [file]
 

@@ -116,7 +116,7 @@ def test_the_command_says_what_it_did_and_goes_on(call, path, monkeypatch):
         ),
         (
             ("bake", "courtyard", "-o", "x.zarr", "--cluster", "inproc://a"),
-            "--cluster: got 'inproc://a', which its own process alone reaches, want HOST:PORT",
+            "--cluster: got 'inproc://a', which only the process that created it can reach, want HOST:PORT",
         ),
         (("export", "x.zarr", "courtyard", "-o", "x.vtp"), "store: got 'x.zarr', which is missing"),
         (("export", "x.zarr", "courtyard", "-o", "x.txt"), "--output: got 'x.txt', want a file that ends in one of"),
@@ -144,7 +144,7 @@ def test_only_a_finished_store_of_that_mesh_is_exported(call, path, cube, tmp_pa
     (path / "value/c/1").unlink()
     status, _, err = call("export", path, "courtyard", "-o", tmp_path / "x.vtp")
     assert (status, err.count("\n")) == (2, 1)
-    assert "1 of whose 3 chunks are missing" in err
+    assert "which lacks 1 of 3 chunks, want a finished store" in err
     assert not (tmp_path / "x.vtp").exists()
 
 
@@ -154,7 +154,10 @@ def test_a_store_without_an_array_is_not_exported(call, path, tmp_path):
     (path / "zarr.json").write_text(json.dumps({**kept, "consolidated_metadata": None}))
     shutil.rmtree(path / "spread")
     status, _, err = call("export", path, "courtyard", "-o", tmp_path / "x.vtp")
-    assert (status, err) == (2, f"error: store: got '{path}', whose array 'spread' is missing; bake it anew\n")
+    assert (status, err) == (
+        2,
+        f"error: store: got '{path}', whose array 'spread' is missing; compute it again under a new name\n",
+    )
     (path / "zarr.json").write_text("null")
     status, _, err = call("export", path, "courtyard", "-o", tmp_path / "x.vtp")
     assert (status, err.count("\n")) == (2, 1)

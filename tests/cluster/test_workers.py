@@ -125,7 +125,7 @@ def test_two_stores_of_one_run_are_both_written(client, mesh, right, tmp_path):
 
 
 def test_workers_that_are_too_small_are_called_that(threads, mesh, path):
-    said = r"^the workers are too small: .* may take 250 MiB, want at least 36\d MiB for each$"
+    said = r"^the workers have too little memory: .* may use 250 MiB, want at least 36\d MiB for each worker$"
     with pytest.raises(MemoryError, match=said):
         cluster.bake(path, "ambient_occlusion", mesh, POINTS, 2)
     assert not path.exists()
@@ -146,7 +146,7 @@ def test_so_they_are_when_they_end_or_pause_at_work(threads, mesh, path, monkeyp
 
 
 def test_a_dataset_of_a_closed_client_says_so(mesh, monkeypatch):
-    said = "this dataset is of a Client that is closed, to which its mesh was sent: make it again"
+    said = "this dataset's mesh was sent to a Dask Client that is closed: make the dataset again"
     with distributed.LocalCluster(n_workers=1, processes=False, **OWN) as own:
         with distributed.Client(own):
             lazy = cluster.ambient_occlusion(mesh, POINTS, 2)

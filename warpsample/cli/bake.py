@@ -133,7 +133,7 @@ def _describe(name: str, row: Option) -> tuple[Any, str]:
 
 
 def _with_files(row: Option) -> str:
-    """Return the sources of an option as text, each with the suffixes of the outputs if not all apply."""
+    """List in words the sources and output suffixes to which an option applies, for the help text."""
     parts = [
         source if row.where[source] == FILES[source] else f"{source} as {' '.join(row.where[source])}"
         for source in SOURCES
@@ -143,7 +143,7 @@ def _with_files(row: Option) -> str:
 
 
 def _describe_defaults(name: str) -> Iterator[str]:
-    """Yield a sentence on the defaults of an option, if there are any."""
+    """Yield a sentence that states the default of an option for each quantity, or nothing without a default."""
     defaults: dict[str, list[str]] = {}
     for quantity in quantities_with(name):
         value = quantity_of(quantity).default(name)
@@ -156,7 +156,7 @@ def _describe_defaults(name: str) -> Iterator[str]:
 
 
 def _list_quantities(name: str) -> str:
-    """Return a sentence on the quantities to which an option applies or, if fewer, does not apply."""
+    """Return a help sentence that lists the quantities to which an option applies, or does not apply if fewer."""
     applicable = quantities_with(name)
     rest = [quantity for quantity in quantities() if quantity not in applicable]
     return f"Only for {', '.join(applicable)}" if len(applicable) <= len(rest) else f"Not for {', '.join(rest)}"

@@ -23,7 +23,7 @@ app: typer.Typer = typer.Typer(
 Write = Annotated[
     bool,
     typer.Option(
-        "--write", help="Save the results in the checkout, and update both pages of benchmarks and their pictures."
+        "--write", help="Save the results in this Git checkout, and rewrite its two benchmark pages and their pictures."
     ),
 ]
 
@@ -40,8 +40,8 @@ def _measure(benchmark: Benchmark, **settings: Any) -> Result:
 def _run_and_save(
     benchmark: Benchmark,
     settings: dict[str, Any],
-    json: Annotated[Path | None, option("File for the machine, the settings and every repeat: .json.")] = None,
-    plot: Annotated[Path | None, option("Folder for pictures; created if missing.")] = None,
+    json: Annotated[Path | None, option("File to write, .json: machine, settings and the result of every repeat.")] = None,
+    plot: Annotated[Path | None, option("Folder for pictures of the results; created if missing.")] = None,
     write: Write = False,
 ) -> None:
     """Measure a benchmark, write the requested files, and exit with status 1 if methods disagree."""

@@ -1,4 +1,4 @@
-"""The commands of `warpsample`."""
+"""The commands `warpsample info`, `directions` and `view`, and the registration of all commands."""
 
 from pathlib import Path
 from typing import Annotated, Literal

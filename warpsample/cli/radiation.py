@@ -17,7 +17,10 @@ def view_factors_command(
         Path | None, option("Text or .npy file with the surface number of each face; or part, for the named parts.")
     ] = None,
     reciprocal: Annotated[
-        bool, typer.Option("--reciprocal", help="Use the rays of both faces of a pair, and scale rows to sum to 1.")
+        bool,
+        typer.Option(
+            "--reciprocal", help="Combine the rays of both faces of each pair, and scale each row of factors to sum to 1."
+        ),
     ] = False,
     up: Annotated[
         tuple[float, float, float] | None,

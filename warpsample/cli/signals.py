@@ -15,11 +15,11 @@ SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP"
 
 
 class Ended(KeyboardInterrupt):
-    """A signal, as an exception without a message."""
+    """Exception raised in the main thread when the process receives a signal such as SIGTERM."""
 
 
 class _State:
-    """First signal, last exception raised for the signal, and whether a message was printed."""
+    """State of signal handling: first signal, last exception raised, and whether a message was printed."""
 
     number: int | None = None
     rising: "weakref.ref[Ended] | None" = None
@@ -54,7 +54,7 @@ def listening() -> Iterator[None]:
 
 @contextmanager
 def at_once() -> Iterator[None]:
-    """Let a signal end the process at once: an open window runs no Python that could handle it, and writes nothing."""
+    """Let signals end the process at once within a `with` statement, while an open window runs no Python code."""
     ours = [number for number in SIGNALS if signal.getsignal(number) is _hear]
     try:
         for number in ours:
@@ -71,7 +71,7 @@ def heard() -> bool:
 
 
 def _report(error: BaseException) -> int:
-    """Print why the command ends, by the message of a KeyboardInterrupt if it has one; return the exit status."""
+    """Print why a signal ended the command, and return the exit status, 128 + the signal's number."""
     _State.reported = True
     show_cursor()
     number = _State.number or signal.SIGINT
@@ -81,7 +81,7 @@ def _report(error: BaseException) -> int:
 
 
 def _hear(number: int, _: object) -> None:
-    """Raise `Ended`, but not while one is propagating, since the cleaning up must not be interrupted.
+    """Handle a signal: raise `Ended`, unless an earlier `Ended` is still propagating.
 
     If Python drops the exception, as in the callback of a weak reference, it is raised again a little later.
     """
@@ -98,7 +98,7 @@ def _hear(number: int, _: object) -> None:
 
 
 def _raise_again_after(seconds: float) -> None:
-    """Call `_hear` after a number of seconds, in case the exception has been dropped; 0 cancels the call."""
+    """Schedule another raise of `Ended` after some seconds, in case Python drops the exception; 0 cancels it."""
     if hasattr(signal, "setitimer") and (seconds or heard()):
         signal.signal(signal.SIGALRM, _hear if seconds else signal.SIG_DFL)
         signal.setitimer(signal.ITIMER_REAL, seconds, seconds)

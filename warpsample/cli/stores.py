@@ -15,7 +15,7 @@ def export_command(
     mesh: Annotated[Path, typer.Argument(help="Mesh file from which the store was computed.", show_default=False)],
     output: Annotated[Path, output_file(".ply .vtp .glb .npz .csv")],
 ) -> None:
-    """Convert a finished Zarr store and its mesh to a file of another format, as `bake` writes."""
+    """Convert a Zarr store that `warpsample bake` has finished to another format, such as .ply or .csv."""
     try:
         from warpsample.cluster.exporting import export_store
     except ModuleNotFoundError as error:

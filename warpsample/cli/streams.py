@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def open_closed_streams() -> None:
-    """Open closed standard streams to the null device: else a new file could get the number that libraries print to."""
+    """Open closed standard streams to the null device, so that no new file gets the descriptor of a stream."""
     while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
         pass
     os.close(number)
@@ -20,7 +20,7 @@ def open_closed_streams() -> None:
 
 
 def print_error(sentence: str) -> None:
-    """Print a line on stderr, unless stderr is closed."""
+    """Print a message as one line on stderr; do nothing if stderr is closed."""
     try:
         print(sentence, file=sys.stderr, flush=True)
     except OSError:

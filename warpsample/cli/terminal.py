@@ -20,7 +20,7 @@ from warpsample.host.files import WriteError
 
 
 def option(words: str, *names: str) -> Any:
-    """Return an option of a command; `words` is the whole help text, including the default."""
+    """Build the Typer option of a command from its whole help text, `words`, which states the default."""
     return typer.Option(*names, help=words, show_default=False)
 
 
@@ -107,7 +107,7 @@ def _options_of(command: Callable[..., Any]) -> dict[str, str]:
 
 
 def _fail(error: Exception, options: dict[str, str]) -> None:
-    """Print the error, and exit with its status."""
+    """Print an error as one line on stderr, and exit with status 1 (cannot write) or 2 (bad input)."""
     try:
         sys.stdout.flush()
     except OSError as flaw:  # a full disk, or a closed pipe
@@ -122,14 +122,14 @@ def _fail(error: Exception, options: dict[str, str]) -> None:
 
 
 def print_anything() -> None:
-    """Print θ as theta and other characters outside the encoding of stdout and stderr by number."""
+    """Make stdout and stderr replace characters outside their encoding, such as θ by theta, instead of failing."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="warpsample")
 
 
 def _spell(error: UnicodeError) -> tuple[str, int]:
-    """Replace characters that cannot be printed; an error handler of `codecs`."""
+    """Replace characters that a stream cannot encode; registered as an error handler of `codecs`."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
     return "".join(map(_spell_letter, error.object[error.start : error.end])), error.end
@@ -189,7 +189,7 @@ def console() -> Any:
 
 
 def with_progress(items: Iterable[Any], total: int, what: str) -> Iterator[Any]:
-    """Yield the items, with a bar on stderr if stderr is a terminal."""
+    """Yield the items, with a progress bar on stderr if stderr is a terminal."""
     from rich.console import Console
     from rich.progress import track
 

@@ -27,13 +27,13 @@ def verify_command(
         bool, typer.Option("--thorough", help="Test all 2^24 random numbers instead of every fourth.")
     ] = False,
     power: Annotated[
-        bool, typer.Option("--power", help="Test instead whether the tests find samplers with planted defects.")
+        bool, typer.Option("--power", help="Test the tests instead: do they find planted defects (deliberate errors)?")
     ] = False,
     plant: Annotated[
-        str | None, option("Name of a planted defect to test together with the samplers; --power lists the names.")
+        str | None, option("Also test a sampler with this planted defect (deliberate error); --power lists the names.")
     ] = None,
     markdown: Annotated[
-        bool, typer.Option("--markdown", help="Print the table of distributions in the README instead.")
+        bool, typer.Option("--markdown", help="Print the results as the Markdown table in the README.")
     ] = False,
 ) -> None:
     """Test every sampler against its density and other laws, and print tables and advice. Exit status 1 if a test fails.

@@ -77,7 +77,7 @@ def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
 def _array(
     job: Job, base: HighLevelGraph, layer: str, task: tuple[Any, ...], kind: tuple[np.dtype, tuple[int, ...]]
 ) -> Array:
-    """Build the Dask array of one named result by taking the result's item out of every chunk.
+    """Build the Dask array of one named result from the dictionaries of results that the chunks return.
 
     Args:
         job: The job.

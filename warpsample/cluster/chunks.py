@@ -81,7 +81,7 @@ def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray
 def numbers_in(
     call: Call, span: range, shared: list[Any], given: list[np.ndarray], rows: list[np.ndarray]
 ) -> dict[str, Any]:
-    """Compute one chunk, and return the fields of the result, keyed by name.
+    """Compute one chunk of a job, and return the arrays of the result, keyed by name.
 
     The points are made in the same task: a task of their own takes longer.
     """
@@ -89,7 +89,7 @@ def numbers_in(
 
 
 def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[Any], rows: list[Any]) -> dict[str, Any]:
-    """Call the function that `call` names for the rows of one chunk, and return the result's fields, keyed by name.
+    """Compute a `Call` for the points of one chunk, and return the arrays of the result, keyed by name.
 
     One thread computes, unless the option `workers` is set: Dask runs one task on each thread of a worker.
 

@@ -33,7 +33,7 @@ def check_processes(processes: int | None) -> None:
 
 @contextmanager
 def computing(address: str | None, processes: int | None, threads: int | None) -> Iterator[None]:
-    """Set the Dask scheduler for the body of a `with` statement, and silence logging.
+    """Set the Dask scheduler (threads, processes or a cluster) within a `with` statement, and silence Dask's logging.
 
     Errors that matter are raised, so log lines on a terminal would only repeat them.
 
@@ -98,9 +98,11 @@ def _connect(client: Any, address: str) -> Any:
         ConnectionError: if no scheduler answers, or the address is valid only inside another process.
     """
     if address.startswith("inproc:"):
-        raise ConnectionError(f"cluster: got {address!r}, which its own process alone reaches, want HOST:PORT")
+        raise ConnectionError(f"cluster: got {address!r}, which only the process that created it can reach, want HOST:PORT")
     try:
         return client(address, timeout=_PATIENCE)
     except (OSError, ValueError, TypeError) as error:
         reason = str(error).splitlines()[0]
-        raise ConnectionError(f"cluster: got {address!r}, where no scheduler answers: {reason}") from None
+        raise ConnectionError(
+            f"cluster: got {address!r}, where no scheduler answers, want that of a running one: {reason}"
+        ) from None

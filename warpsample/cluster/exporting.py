@@ -65,21 +65,21 @@ def _read_attributes(store: Path) -> dict[str, Any]:
     """
     path = check_store(store, "store")
     if not path.exists():
-        raise FileNotFoundError(f"store: got {str(store)!r}, which is missing, want what `warpsample bake` wrote")
+        raise FileNotFoundError(f"store: got {str(store)!r}, which is missing, want a store that `warpsample bake` wrote")
     about = about_of(path, "store")
     if about.get("call") not in CALLS:
         raise ValueError(f"store: got {str(store)!r} of {about.get('call')}, want one of {', '.join(CALLS)}")
     whole = whole_chunks(path, _list_arrays(path, CALLS[about["call"]]), "store")
     if missing := np.count_nonzero(~whole):
         raise ValueError(
-            f"store: got {str(store)!r}, {missing:,} of whose {len(whole):,} chunks are missing, want a finished one: bake "
-            "it again, with --resume"
+            f"store: got {str(store)!r}, which lacks {missing:,} of {len(whole):,} chunks, want a finished store: run "
+            "`warpsample bake` again with --resume"
         )
     return about
 
 
 def _run(quantity: Quantity, about: dict[str, Any], mesh: Path, output: Path) -> BakeRun:
-    """Reconstruct the arguments of `warpsample bake` from the attributes of a store."""
+    """Reconstruct the arguments of the `warpsample bake` run that wrote a store, from the attributes of the store."""
     at = about["place"] if about["place"] in ("vertices", "faces") else None
     kept = {name: tuple(value) if isinstance(value, list) else value for name, value in about.items()}
     options = {OPTIONS.get(name, name): kept[name] for name in quantity.parameters if name in kept}

@@ -55,12 +55,12 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
             raise ConnectionError(str(error).splitlines()[0]) from error
         except (CancelledError, CommClosedError, TimeoutError) as error:
             if client.status != "running":
-                raise ConnectionError("the scheduler is gone") from error
+                raise ConnectionError("the Dask scheduler no longer answers") from error
             if isinstance(error, TimeoutError):  # a deadline of the user; the scheduler still answers
                 raise
             tries -= 1
             if not tries:
-                raise ConnectionError(f"the scheduler forgets its tasks ({error})") from error
+                raise ConnectionError(f"the Dask scheduler repeatedly lost the tasks ({error})") from error
 
 
 def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks: list[int]) -> Iterator[tuple[int, Any]]:
@@ -128,6 +128,6 @@ def _check_size(workers: list[Any], job: Job) -> None:
     if workers and all(0 < (worker.memory_limit or 0) < needed for worker in workers):
         most = max(workers, key=lambda worker: worker.memory_limit)
         raise MemoryError(
-            f"the workers are too small: {most.address} may take {most.memory_limit / 2**20:,.0f} MiB, want at least "
-            f"{needed / 2**20:,.0f} MiB for each"
+            f"the workers have too little memory: {most.address} may use {most.memory_limit / 2**20:,.0f} MiB, "
+            f"want at least {needed / 2**20:,.0f} MiB for each worker"
         )

@@ -48,7 +48,7 @@ def checksum_of(content: bytes) -> int | None:
 
 
 def record_of(chunk: int) -> str:
-    """Return the path, relative to the store, of the record of a chunk's checksums."""
+    """Return the path, relative to the store, of the file that records the checksums of a chunk."""
     return f"{RECORDS}/chunks/{chunk}"
 
 
@@ -92,7 +92,7 @@ def _array(group: Any, name: str, got: str) -> Any:
     try:
         return group[name]
     except KeyError:
-        raise ValueError(f"{got}, whose array {name!r} is missing; bake it anew") from None
+        raise ValueError(f"{got}, whose array {name!r} is missing; compute it again under a new name") from None
     except Exception as error:  # as for the group
         raise ValueError(f"{got}, whose array {name!r} cannot be read: {' '.join(str(error).split())}") from None
 

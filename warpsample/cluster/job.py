@@ -93,7 +93,7 @@ class Job:
 
     @property
     def token(self) -> str:
-        """Hash in the names of the job's tasks; equal for equal calls."""
+        """Hash of the call, used in the names of the job's Dask tasks; equal calls have equal hashes."""
         return str(tokenize(self.call, self.about, [array.name for array in (*self.given.values(), *self.rows.values())]))
 
 
@@ -115,7 +115,9 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
     taken, chunk = dict(bound.arguments), check_integer(chunk, "chunk", 1, 2**31 - 1)
     for unwanted in _OF_THE_CLIENT:
         if not isinstance(value := taken.pop(unwanted, None), bool | None) or value:
-            raise ValueError(f"{unwanted}: got a value for a call over Dask, want none: its arrays and bars are Dask's")
+            raise ValueError(
+                f"{unwanted}: got a value for a call over Dask, want none: Dask allocates arrays and shows bars"
+            )
     shared = _pop_large_arguments(taken, on)
     at, seed = _AT.get(name, "points"), check_seed(taken.get("seed", 0))
     place, total, given = _find_placement(taken[at], at, shared.get("mesh"))

@@ -55,7 +55,9 @@ def _acquire(path: Path, file: Path, held: list[Any]) -> None:
         try:
             opened = os.fdopen(_open_regular_file(file), "a")
         except OSError as error:
-            raise WriteError(f"{path} cannot be written: its lock {file.name}: {error.strerror}") from error
+            raise WriteError(
+                f"{path} cannot be written: its lock file {file.name} cannot be opened: {error.strerror}"
+            ) from error
         if not _lock(opened):
             opened.close()
             raise WriteError(f"{path} cannot be written: another process is writing it")

@@ -65,7 +65,7 @@ def add_array(
 
 
 def check_metadata(path: Path, job: Job, argument: str) -> None:
-    """Raise an error if the metadata of a store differ from the metadata that its run creates.
+    """Raise an error if the metadata files of a store differ from the files that the job would create.
 
     The attributes of the run are not compared here, but by `check_same`.
 
@@ -84,11 +84,11 @@ def check_metadata(path: Path, job: Job, argument: str) -> None:
     for name in kinds:
         file = f"{name}/{_FILE}"
         if flaw := _describe_difference(_read((path / file).read_bytes()), wanted[file]):
-            raise ValueError(f"{got}, whose {file} {flaw}; bake it anew")
+            raise ValueError(f"{got}, whose {file} {flaw}; compute it again under a new name")
     if flaw := _describe_flaw(_read((path / _FILE).read_bytes()), wanted[_FILE]):
-        raise ValueError(f"{got}, whose {_FILE} {flaw}; bake it anew")
+        raise ValueError(f"{got}, whose {_FILE} {flaw}; compute it again under a new name")
     if flaw := _find_read_error(path):
-        raise ValueError(f"{got}, whose {_FILE} cannot be read: {flaw}; bake it anew")
+        raise ValueError(f"{got}, whose {_FILE} cannot be read: {flaw}; compute it again under a new name")
 
 
 def _read(content: bytes) -> dict[str, Any]:
@@ -101,23 +101,23 @@ def _read(content: bytes) -> dict[str, Any]:
 
 
 def _describe_difference(kept: Any, wanted: dict[str, Any]) -> str:
-    """Return the end of an error message about the first difference between two arrays' metadata; "" if there is none."""
+    """Describe the first difference between the metadata of two arrays, to end an error message; return "" if equal."""
     if not isinstance(kept, dict):
         return "is damaged"
-    return next((f"has another {key} than its run" for key in _COMPARED if kept.get(key) != wanted.get(key)), "")
+    return next((f"has another {key} than this run writes" for key in _COMPARED if kept.get(key) != wanted.get(key)), "")
 
 
 def _describe_flaw(kept: dict[str, Any], wanted: dict[str, Any]) -> str:
-    """Return the end of an error message about differences in a store's own and consolidated metadata; "" without any."""
+    """Describe how a store's metadata differ from the expected metadata, to end an error message; return "" if equal."""
     attributes = "attributes", "coordinates"
     if kept[attributes[0]].get(attributes[1]) != wanted[attributes[0]][attributes[1]]:
-        return f"has other {attributes[1]} than its run"
+        return f"has other {attributes[1]} than this run writes"
     if kept.get("consolidated_metadata") is None:
         return ""
     try:
         kept, wanted = (found["consolidated_metadata"]["metadata"] for found in (kept, wanted))
         if sorted(kept) != sorted(wanted):
-            return "has other arrays than its run"
+            return "has other arrays than this run writes"
     except (TypeError, KeyError):
         return "is damaged"
     flaws = ((name, _describe_difference(kept[name], wanted[name])) for name in wanted)

@@ -33,14 +33,14 @@ class Named:
     content: dict[str, Any]
 
     def taken(self) -> Any:
-        """Return the wrapped function or data; raise an error if a function has changed since the call.
+        """Return the wrapped function or data; raise an error if the function has changed since the call.
 
         Raises:
             ValueError: if the function has changed since the call was made, or differs in this process.
         """
         if is_function(self.value) and (now := function_content(self.value)) != self.content:
             changed = difference(self.argument, self.content, now)
-            raise ValueError(f"{changed} since the call, or is another one where it is computed: make the call again")
+            raise ValueError(f"{changed} since the call, or differs on this worker: make the call again")
         return self.value
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -53,7 +53,7 @@ class Named:
         if function is None or function.__module__ == "__main__" or "<locals>" in function.__qualname__:
             raise TypeError(
                 f"{self.argument}: got {self.content[WHAT]}, which other processes cannot import, "
-                "want a wp.func at the top of a module that they have, without data, or Dask's threads"
+                'want a wp.func at the top level of an importable module and no data, or Dask\'s scheduler="threads"'
             )
         return _import_named, (self.argument, function.__module__, function.__qualname__, self.content)
 

@@ -71,7 +71,7 @@ class ZarrTiles:
         return begin_raster(self.path, run, about, "--output")
 
     def compute(self, job: RasterJob, digests: Mapping[str, np.ndarray], tiles: list[int]) -> Iterator[np.void]:
-        """Compute and write tiles, and yield a SUMMARY for each."""
+        """Compute the given tiles, write each tile into the store, and yield a summary of each (dtype SUMMARY)."""
         with computing(None, self.processes, None) if self.processes else nullcontext(), writing(self.path) as folder:
             write_bytes(folder / ABOUT, (self.path / "zarr.json").read_bytes())
             write_digests(folder, digests)
@@ -79,11 +79,11 @@ class ZarrTiles:
                 yield from found
 
     def tiles(self, run: RasterRun) -> Tiles:
-        """Yield the spans and arrays of all tiles."""
+        """Yield the row and column range and the arrays of each tile of the finished store."""
         return tiles_in(self.path, run)
 
     def about(self) -> dict[str, Any]:
-        """Return the attributes of the run."""
+        """Return the attributes of the store, which identify the run."""
         return about_of(self.path, "--output")
 
     def remove(self) -> None:

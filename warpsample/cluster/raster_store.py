@@ -45,7 +45,9 @@ def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument:
         check_same(path, dict(about), argument)
         for name, array in arrays_of(path, run.names, argument).items():
             if (array.shape, array.chunks) != (run.reader.shape, run.sides):
-                raise ValueError(f"{argument}: got {str(path)!r}, whose array {name!r} is of another shape; bake it anew")
+                raise ValueError(
+                    f"{argument}: got {str(path)!r}, whose array {name!r} has another shape; compute again under a new name"
+                )
         whole = whole_chunks(path, run.names, argument)
     check_space(path, int(cells * (1.0 - whole.mean())) * _KIND.itemsize * len(run.names), f"{cells:,} cells")
     if not path.exists():

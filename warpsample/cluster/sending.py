@@ -68,8 +68,8 @@ def _raise_closed() -> None:
         RuntimeError: always.
     """
     raise RuntimeError(
-        "this dataset is of a Client that is closed, to which its mesh was sent: make it again, within the Client that is "
-        "to compute it, or without one"
+        "this dataset's mesh was sent to a Dask Client that is closed: make the dataset again, with the Client that "
+        "computes it, or without a Client"
     )
 
 
@@ -96,5 +96,5 @@ def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
 
 
 def _return_unchanged(value: Any) -> Any:
-    """Return the argument unchanged."""
+    """Return the argument unchanged; as a Dask task, it holds a large argument."""
     return value

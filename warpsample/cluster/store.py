@@ -46,7 +46,7 @@ def check_store(path: Any, argument: str) -> Path:
         if found.is_symlink():
             raise ValueError(f"{argument}: got {str(path)!r}, which is a link to itself")
         if found.exists() and not (found / "zarr.json").is_file():
-            raise ValueError(f"{argument}: got {str(path)!r}, which is there already and is no store, want a new name")
+            raise ValueError(f"{argument}: got {str(path)!r}, which exists and is not a Zarr store, want a new name")
         if not found.parent.is_dir():
             raise ValueError(f"{argument}: got {str(path)!r}, whose folder does not exist")
     except OSError as error:
@@ -87,8 +87,8 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
 def check_new(path: Path, resume: bool, argument: str) -> None:
     """Raise a ValueError if a store exists and is not to be resumed."""
     if path.exists() and not resume:
-        how = "a new name, or to resume it (resume=True, --resume)"
-        raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want {how}")
+        how = "a new name, or resume=True (--resume) to continue it"
+        raise ValueError(f"{argument}: got {str(path)!r}, which exists already, want {how}")
 
 
 def _check_space(path: Path, job: Job, chunks: int) -> None:
@@ -102,7 +102,7 @@ def _check_space(path: Path, job: Job, chunks: int) -> None:
 
 
 def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
-    """Raise an error if a store belongs to another run.
+    """Raise an error if a store was computed with other arguments, input data or versions.
 
     Args:
         path: Path of the store.
@@ -117,8 +117,8 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
         old, new = kept.get(name), json.loads(json.dumps(about.get(name)))
         if old != new and name == STREAMS_OF:
             raise ValueError(
-                f"{argument}: got {str(path)!r} of random streams by definition {old}, want one by definition {new}, whose "
-                "seeds give other numbers: bake it anew"
+                f"{argument}: got {str(path)!r} of version {old} of the random streams, want version {new}, whose "
+                "seeds give other numbers: compute it again under a new name"
             )
         if old != new and isinstance(old, dict) and isinstance(new, dict):
             raise ValueError(f"{argument}: got {str(path)!r} of another run; {difference(name, old, new)}")

@@ -86,7 +86,7 @@ def store_of(folder: Path) -> Path:
 
 @contextmanager
 def at_work(folder: Path) -> Iterator[None]:
-    """Register the body of a `with` statement as a task of the writing call with this folder.
+    """Register the body of a `with` statement as a task of a writing call, so that the call waits for the task to stop.
 
     Kernels in the body stop between two batches of rays when the call ends.
 

@@ -27,7 +27,7 @@ _TOGETHER = wp.constant(wp.int32(2 * LANES))  # variates are filled in multiples
 
 @wp.func
 def _folded(u: wp.float32) -> wp.float32:
-    """Return 1 - |2u - 1|, clamped below 1: a uniform variate maps to a uniform variate, periodic at the ends."""
+    """Fold a uniform number u in [0, 1) to 1 - |2u - 1|, also uniform and with equal values at both ends."""
     return clamp_uniform(1.0 - wp.abs(2.0 * u - 1.0))
 
 
@@ -127,7 +127,7 @@ def free_lobe(slots: Slots) -> wp.Function:
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """Return the six sums of `traced_lobe`'s function; the workspace holds a block of variates and a block of values."""
+        """Sum the integrand over the directions of one point; return the same six sums as the function of `traced_lobe`."""
         total = NOTHING
         variance = NOTHING
         unseen = NOTHING

@@ -23,7 +23,7 @@ WANTED = "a wp.func (w: wp.vec3[, lobe: funcs.Lobe[, data: the struct of `data`]
 
 @wp.struct
 class Lobe:
-    """Point whose lobe is integrated, as passed to integrands.
+    """Surface point and ray density, passed to a user-defined integrand as the second argument.
 
     normal: Unit normal in world coordinates.
     row: Row of the point in the call.
@@ -44,7 +44,7 @@ def density_setter(reads_pdf: bool) -> wp.Function:
 
         @wp.func
         def with_pdf(lobe: Lobe, pdf: wp.float32):
-            """Return the lobe with the density."""
+            """Return a copy of the lobe with the field `pdf` set to the density of a direction."""
             own = lobe
             own.pdf = pdf
             return own
@@ -53,7 +53,7 @@ def density_setter(reads_pdf: bool) -> wp.Function:
 
         @wp.func
         def with_pdf(lobe: Lobe, pdf: wp.float32):
-            """Return the lobe as it is; the compiler then drops the density."""
+            """Return the lobe unchanged, for integrands that do not read the density."""
             return lobe
 
     return with_pdf
@@ -71,7 +71,7 @@ _DIGITS = 16  # hexadecimal digits of the content in the name of a function, whi
 
 @dataclass(frozen=True)
 class Integrand:
-    """Function to integrate over a lobe, with its data.
+    """User-defined function to integrate over directions, checked, together with the data that it reads.
 
     Attributes:
         function: Warp function (direction, Lobe, data) -> weight of an unoccluded ray, a vec3.
@@ -226,7 +226,7 @@ def _number_as_vector(x: Any) -> wp.vec3:
 
 @once
 def _in_one_form(function: wp.Function, struct: Any, count: int, colour: bool, content: str) -> wp.Function:
-    """Wrap a function of `count` arguments, 1 to 3, that returns a number or a vec3 as (w, lobe, data) -> vec3.
+    """Wrap an integrand of 1 to 3 arguments that returns a number or a vec3 as a function (w, lobe, data) -> vec3.
 
     A number becomes (number, 0, 0). The wrapper's name contains `content`, so that changed functions get another kernel.
     """

@@ -94,7 +94,7 @@ def integrate(
 
 
 def _without_mesh(points: Any) -> PlacedPoints:
-    """Return placed points without a mesh, from SurfacePoints or from a (P, 3) array of normals."""
+    """Convert SurfacePoints or a (P, 3) array of normals to the points of an integral without a mesh."""
     if not isinstance(points, SurfacePoints):
         given = Triples.of(points, "points", "(P, 3)")
         if len(given.shape) != 1:

@@ -106,7 +106,7 @@ def posterior(
     strata: wp.int32,
     prior: Prior,
 ):
-    """Return (squared scale, degrees of freedom) of the t distribution of a sum of rays.
+    """Return (squared scale, degrees of freedom) of Student's t distribution for the error of a sum over rays.
 
     Args:
         variance: Sum over all strata of the squared difference between the replicates.

@@ -22,7 +22,7 @@ _ANYTHING = wp.constant(wp.float32(2.0**60))  # no geometry is that far below a 
 
 @once
 def _keep(channels: int) -> wp.Function:
-    """Build the Warp function that stores the results of a point."""
+    """Build the Warp function that stores the mean, the standard error and the interval numbers of one point."""
 
     @wp.func
     def keep(lobes: Lobes, point: wp.int64, total: wp.vec3d, variance: wp.vec3d, width: wp.vec3d, degrees: wp.vec3d):

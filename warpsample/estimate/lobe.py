@@ -17,7 +17,7 @@ NOTHING: wp.vec3d = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 @once
 def widths_of(slots: Slots) -> wp.Function:
-    """Build the Warp function that computes the t distribution of each channel of a point."""
+    """Build the Warp function that computes the width of the confidence interval of each channel at a point."""
     channels = slots.channels
     numbers = prior_numbers(slots.counts, slots.sequence.unseen, slots.query is not None)
     worth, unseen_ray, worth_if_agreed, unseen_if_agreed, unseen_if_one = (wp.constant(wp.float64(x)) for x in numbers)
@@ -59,7 +59,7 @@ def traced_lobe(slots: Slots) -> wp.Function:
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """Return six sums over the rays of a point.
+        """Sum the weights of the rays of one point against a mesh, and return six numbers.
 
         They are: the sum of the weights, its squared standard error, its squared spread, the degrees of freedom, the number
         of rays cast, and the number of rays in strata proven empty.

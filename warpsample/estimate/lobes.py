@@ -95,7 +95,7 @@ def orienter_of(tangents: bool) -> wp.Function:
 
         @wp.func
         def orient(lobes: Lobes, point: ShadingPoint):
-            """Return (unit normal, 1)."""
+            """Return (unit normal, 1); the 1 means that the point can be used."""
             return point.n, wp.int32(1)
 
     else:
@@ -115,7 +115,7 @@ def finder_of(glass: bool) -> wp.Function:
 
     @wp.func
     def find(lobes: Lobes, tree: Accelerator, point: ShadingPoint, i: wp.int32, local: wp.int32):
-        """Return (bits of the kinds of faces in the i-th shaft, bits of the local leaf's triangles in that shaft)."""
+        """Return bits of the kinds of faces in the i-th shaft, and bits of the nearby triangles in that shaft."""
         aim_about(lobes.shafts + wp.uint64(i) * VECTORS_BYTES, point)
         found = search_shaft(tree, point, local)
         may_meet = wp.where(found.state == EMPTY, 0, BLOCKERS)

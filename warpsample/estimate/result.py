@@ -94,7 +94,7 @@ class PointResult(Summary):
     """Names of the dimensions after "point" of the result's arrays, for `to_xarray`."""
 
     def counts(self) -> dict[PointStatus, int]:
-        """Count the points of each status.
+        """Return the number of points with each status, such as OK or ZERO_NORMAL.
 
         Returns:
             {status: number of points}, without statuses that no point has.
@@ -108,7 +108,7 @@ class PointResult(Summary):
         return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
 
     def _arrays(self) -> dict[str, np.ndarray]:
-        """Return the fields with a row for each point, keyed by name."""
+        """Return the arrays of the result with one row per point, keyed by name."""
         kept = {item.name: getattr(self, item.name) for item in fields(self)}  # type: ignore[arg-type]
         arrays = {name: a for name, a in kept.items() if isinstance(a, np.ndarray) and a.dtype.kind != "M"}  # no hours
         return {name: a for name, a in arrays.items() if a.shape[:1] == self.status.shape and a.ndim < 3}

@@ -25,7 +25,7 @@ _MOST_REACH = 2.0**60  # in sizes of the scene: relative to this reach, all dist
 
 
 class Runner:
-    """A plan and its integrand, prepared to run with any number of rays."""
+    """Estimate prepared on a device, which can be computed repeatedly with different numbers of rays per point."""
 
     plan: Plan
     summed: RaySum
@@ -86,7 +86,7 @@ class Runner:
         return placement
 
     def _part(self, loan: Loan, rows: slice, strata: Strata, skip: bool) -> LobesArgs:
-        """Return the kernel argument for the points of `rows`, without the seed and the addresses of the results."""
+        """Return the kernel's `Lobes` argument for some points, without the seed and the addresses of the results."""
         options = self.options
         part = LobesArgs(
             placement=self.placement,

@@ -80,7 +80,7 @@ def strata_of(count: int, lobe: Distribution | None = POLAR_COSINE, traced: bool
 
 
 def counts_with_the_strata_of(count: float, traced: bool = True) -> tuple[int, float]:
-    """Return (fewest, most) rays for which `strata_of` has the same strata as for `count` rays.
+    """Return the smallest and largest number of rays for which `strata_of` returns the same strata as for `count`.
 
     The second number is infinity for the finest strata.
     """
@@ -95,7 +95,7 @@ def _grids(traced: bool) -> tuple[tuple[int, int, int], ...]:
 
 
 def _edges(lobe: Distribution, bands: int) -> np.ndarray | None:
-    """Return sin^2 of the angles between the bands, (bands + 1,) ascending from the normal.
+    """Return sin^2 of the angles to the normal at which bands of strata begin and end, (bands + 1,) ascending.
 
     The result is None if equal bands of u[0] are not bands of cones about the normal, or if angles exceed 90 degrees.
     """
@@ -141,6 +141,6 @@ def _shaft(first: float, last: float, low: float, high: float) -> list[tuple[flo
 
 
 def _unit(along: float, up: float, azimuth: float) -> tuple[float, float, float]:
-    """Return the unit vector of a horizontal component `along` at an azimuth in radians and a vertical component `up`."""
+    """Normalise the vector with horizontal length `along` at an azimuth in radians and vertical component `up`."""
     length = sqrt(along * along + up * up)
     return along * cos(azimuth) / length, along * sin(azimuth) / length, up / length

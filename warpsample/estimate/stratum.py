@@ -82,7 +82,7 @@ def share_of(slots: Slots) -> wp.Function:
 
     @wp.func
     def share_of(lobes: Lobes, tree: Accelerator, point: ShadingPoint, local: wp.int32, k: wp.int32):
-        """Return (share of the k-th ray's weight to add, 0 to 1; whether the ray hits a face)."""
+        """Trace the k-th ray; return the share of the ray's weight to add, 0 to 1, and whether the ray hits a face."""
         share = wp.float32(1.0)
         met = wp.bool(False)
         if wp.static(any_hit):
@@ -143,7 +143,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
         found: wp.int32,
         local: wp.int32,
     ):
-        """Return five results of a stratum.
+        """Sum the rays of one stratum, and return five numbers.
 
         They are: the sum of the weights of both replicates, the first replicate's sum less the second's, the number of rays
         cast, the number of unoccluded rays, and the weight `w` for `jump_of`'s function.

@@ -54,7 +54,7 @@ def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
 
 
 def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
-    """Return `needed`, or a larger number of rays with finer strata if fewer of those rays are cast.
+    """Return `needed`, or a larger number of rays per point if finer strata let more of the rays be skipped.
 
     Finer strata may be cheaper because more strata are empty.
     """
@@ -88,7 +88,7 @@ class _Trial:
         self.active, self.rays = len(rows), np.zeros(len(runner.at), np.int32)
 
     def whole(self, count: float) -> int:
-        """Return `count` rounded up to a number that the strata and the sequence allow, at most the plan's count."""
+        """Round a number of rays up to a number that the strata and the sequence allow, at most the plan's count."""
         plan = self.runner.plan
         rays = int(np.ceil(min(count, plan.count)))
         if self.runner.options.sequence.nets:  # the numbers of strata and replicates are powers of two, too
@@ -128,7 +128,7 @@ class _Trial:
 
 
 def error_of(found: Estimate, good: np.ndarray) -> float:
-    """Return the root mean square of the standard errors of the points in `good`, of the component where it is largest."""
+    """Return the root mean square of the standard errors at the points in `good`, for the component with the largest."""
     points = np.count_nonzero(good)
     squares = [np.square(a[good].astype(np.float64)).sum(axis=0) for a in (found.standard_error, found.spread)]
     return float(np.sqrt(np.max((squares[0] + _PRIOR / max(points, 1) * squares[1]) / (points + _PRIOR), initial=0.0)))

@@ -35,13 +35,13 @@ def everywhere(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
 
 @wp.func
 def above(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
-    """Return the weight (1, 0, 0) if the direction is on the side of the vector in `weights`, else 0."""
+    """Return the weight (1, 0, 0) if the direction is above the plane perpendicular to the vector in `weights`, else 0."""
     return wp.vec3(wp.where(d[0] * weights.x + d[1] * weights.y + d[2] * weights.z > 0.0, 1.0, 0.0), 0.0, 0.0)
 
 
 @wp.func
 def itself(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
-    """Return the direction as the ray's weight."""
+    """Return the ray's direction as the weight, so that the mean weight is the bent normal."""
     return d
 
 

@@ -85,7 +85,7 @@ def tan_squared(w: wp.vec3) -> wp.float64:
 
 @wp.func
 def quotient_of_squares(across: wp.float64, z: wp.float64) -> wp.float64:
-    """Return across / z^2, at most 1e37."""
+    """Return the quotient `across` / z^2, limited to 1e37."""
     return wp.min(across / wp.max(z * z, _TINY), _LARGEST_TAN_SQUARED)
 
 

@@ -42,7 +42,7 @@ def contracted(w: wp.vec3, m: wp.vec3) -> wp.vec3:
 
 @wp.func
 def stretched_to_unit(w: wp.vec3, m: wp.vec3) -> wp.vec3:
-    """Return a unit vector w stretched as by `stretched`, and normalised; for equal roughnesses w itself, bit for bit."""
+    """Stretch a unit vector w along x and y and normalise it; return w bit for bit if both roughnesses are equal."""
     v = stretched(w, m)
     equal = m[1] == m[2]
     inverse = wp.where(equal, 1.0, 1.0 / wp.sqrt(fma(v[0], v[0], fma(v[1], v[1], v[2] * v[2]))))

@@ -27,7 +27,7 @@ def _split(x: wp.float32):
 
 @wp.func
 def _log_of(k: wp.float32, f: wp.float32, c: wp.float32) -> wp.float32:
-    """Return log(2^k (1 + f)), where c corrects the rounding error of f."""
+    """Return log(2^k (1 + f)) + c, with c a small correction for the rounding error of f."""
     s = f / (2.0 + f)
     z = s * s
     r = z * (0.6666666 + z * (0.40000972 + z * (0.28498787 + z * 0.24279079)))

@@ -28,7 +28,7 @@ def frame_about(n: wp.vec3) -> wp.mat33:
 
 @wp.func
 def to_world(frame: wp.mat33, w: wp.vec3) -> wp.vec3:
-    """Return a local direction in world coordinates."""
+    """Rotate a direction from the local coordinates of a frame to world coordinates."""
     return wp.vec3(
         fma(frame[0, 0], w[0], fma(frame[0, 1], w[1], frame[0, 2] * w[2])),
         fma(frame[1, 0], w[0], fma(frame[1, 1], w[1], frame[1, 2] * w[2])),
@@ -38,7 +38,7 @@ def to_world(frame: wp.mat33, w: wp.vec3) -> wp.vec3:
 
 @wp.func
 def to_local(frame: wp.mat33, w: wp.vec3) -> wp.vec3:
-    """Return a world direction in the coordinates of the frame."""
+    """Rotate a direction from world coordinates to the local coordinates of a frame."""
     return to_world(wp.transpose(frame), w)
 
 

@@ -103,7 +103,7 @@ def reverse_bits(x: wp.uint32) -> wp.uint32:
 
 @wp.func
 def weyl(index: wp.uint32, step: wp.uint64) -> wp.uint32:
-    """Return the top 32 bits of the fractional part of index * step / 2^64, exact to 2^-32 for any index.
+    """Return element `index` of a Weyl sequence: the top 32 bits of the fractional part of index * step / 2^64.
 
     Consecutive indices give a rotation of the unit interval by step / 2^64.
     """
@@ -164,7 +164,7 @@ def sincos_turns(u: wp.float32) -> wp.vec2:
 
 @wp.func
 def polish(v: wp.vec3) -> wp.vec3:
-    """Normalise v, of a length within 1e-4 of 1, to a length error of 8e-8 by a Newton step.
+    """Normalise a vector whose length is within 1e-4 of 1 by one Newton step, to a length error of 8e-8.
 
     1 / sqrt alone leaves three times this error.
     """

@@ -52,7 +52,7 @@ def bake(source: Source, record: RunRecord) -> str:
 
 
 def _compute(source: Source, record: RunRecord) -> Any:
-    """Compute the quantity at all points, and return the result."""
+    """Compute the quantity of a run at all points of the source, and return the result."""
     quantity, points, options = source.quantity, source.points, source.run.options
     numbers = quantity.numbers(source.mesh, len(points), options)
     numbers(points.take(slice(0, 1)), 0)  # builds the tree and the kernel
@@ -61,20 +61,20 @@ def _compute(source: Source, record: RunRecord) -> Any:
 
 
 def part_size(quantity: Quantity, options: dict[str, Any]) -> int:
-    """Return the number of points of a part for options of a quantity."""
+    """Return the number of points to compute at a time, given the options of a quantity."""
     rays = options.get("samples") or quantity.default("samples") or _RAYS
     least = _TRIED if options.get("tolerance") else 1
     return max(least if Memory.of(options.get("device")).in_place else _FULL, RAYS_PER_PART // rays)
 
 
 class Takeable(Protocol):
-    """Points that can be taken part by part."""
+    """Interface of point sets from which a range of rows can be selected."""
 
     def __len__(self) -> int:
         """Return the number of points."""
 
     def take(self, rows: slice) -> SurfacePoints:
-        """Return the points of some rows."""
+        """Return the points of the selected rows."""
 
 
 def compute_parts(points: Takeable, numbers: Numbers, size: int, record: RunRecord) -> Iterator[Any]:
@@ -118,6 +118,6 @@ def _describe_skips(found: Any) -> Iterator[str]:
 
 
 def _describe(what: str, counts: dict[str, int]) -> Iterator[str]:
-    """Yield a sentence that lists the counts above 0, if there are any."""
+    """Yield one sentence that lists the names with a count above 0, or nothing if all counts are 0."""
     if any(counts.values()):
         yield what + ", ".join(f"{n:,} {name}" for name, n in counts.items() if n)

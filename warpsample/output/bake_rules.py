@@ -26,7 +26,7 @@ _SHARES = (0.0, 1.0)
 
 
 def check_table(run: BakeRun) -> None:
-    """Check that the source, the output, the quantity and all options of a run go together.
+    """Check that the source, the output, the quantity and all options of a `warpsample bake` run are compatible.
 
     Raises:
         ValueError: a combination that the table excludes; the message names the option and what it applies to.
@@ -41,7 +41,7 @@ def check_table(run: BakeRun) -> None:
 
 
 def can_hold(quantity: Quantity, source: str, suffix: str) -> bool:
-    """Return whether a file, by its suffix, can hold a quantity of a kind of source."""
+    """Return whether an output format can hold a quantity that is computed on a kind of source."""
     if suffix not in FILES[source]:
         return False
     if source == RASTER:
@@ -91,7 +91,7 @@ def _check_option(run: BakeRun, quantity: Quantity, name: str, value: Any) -> No
 
 
 def _flaws(run: BakeRun, quantity: Quantity) -> Iterator[str]:
-    """Yield a sentence for each pair of options, or option and quantity, that do not go together."""
+    """Yield an error message for each incompatible pair of options, or of an option and the quantity."""
     for is_wrong, describe in _PAIRS:
         if is_wrong(run, quantity):
             yield describe(run, quantity)
@@ -104,13 +104,13 @@ def is_by_parts(run: BakeRun) -> bool:
 
 
 def _places(run: BakeRun) -> list[str]:
-    """Return the given options of a store that each choose where it is computed."""
+    """Return the given options among --cluster, --processes and --workers, which exclude each other for stores."""
     given = {name: run.arguments.get(name) for name in ("cluster", "processes", "workers")}
     return [f"--{name} {value}" for name, value in given.items() if value is not None]
 
 
 def _other_city(run: BakeRun) -> bool:
-    """Return whether CityJSON would be written with the other suffix of CityJSON."""
+    """Return whether the source and the output are CityJSON of different kinds, .json and .jsonl."""
     cities = set(MEAN_FILES[CITY]) - set(MEAN_FILES[MESH]) - {".png"}
     return {run.mesh.suffix, run.output.suffix} == cities
 

@@ -63,7 +63,7 @@ class Option:
 
 
 def _on(*sources: str, only: tuple[str, ...] = (), but: tuple[str, ...] = ()) -> dict[str, tuple[str, ...]]:
-    """Return the suffixes of files that an option applies to, keyed by kind of source."""
+    """Return the output suffixes to which an option applies, keyed by kind of source."""
     return {
         source: tuple(suffix for suffix in FILES[source] if suffix not in but and (not only or suffix in only))
         for source in sources
@@ -71,7 +71,7 @@ def _on(*sources: str, only: tuple[str, ...] = (), but: tuple[str, ...] = ()) ->
 
 
 def _of_quantities(kind: Any, panel: str, words: str, *sources: str) -> Option:
-    """Return an option that applies only to some quantities, on all or some kinds of sources."""
+    """Build the table row of an option that applies only to some quantities."""
     return Option(kind, panel, words, _on(*(sources or SOURCES)), by_quantity=True)
 
 
@@ -81,10 +81,14 @@ OPTIONS: dict[str, Option] = {
     "quantity": Option(str, COMPUTE, ""),
     "samples": _of_quantities(int, COMPUTE, "Number of rays per point"),
     "tolerance": _of_quantities(
-        float, COMPUTE, "Standard error at which to stop, as the root mean square over the points, such as 0.01"
+        float, COMPUTE, "Target standard error (root mean square over the points), such as 0.01; --samples limits the rays"
     ),
-    "max_distance": _of_quantities(float, COMPUTE, "Length of the rays, in units of the mesh"),
-    "falloff": _of_quantities(float, COMPUTE, "Exponent of the decrease of occlusion with distance, up to --max-distance"),
+    "max_distance": _of_quantities(
+        float, COMPUTE, "Length of the rays, in units of the mesh; geometry further away is ignored"
+    ),
+    "falloff": _of_quantities(
+        float, COMPUTE, "Exponent f: a hit at distance d occludes by (1 - d / max-distance)^f. Needs --max-distance"
+    ),
     "sequence": _of_quantities(str, COMPUTE, f"Sampling sequence: {', '.join(sequences.names())}"),
     "seed": Option(int, COMPUTE, "Seed of the random points and rays. Default: 0."),
     "points": Option(
@@ -140,7 +144,7 @@ OPTIONS: dict[str, Option] = {
         "such as leaf=0.2,glass=0.8. Default: 0. For a raster, the fraction that tree crowns transmit. Default: 0.03.",
     ),
     "lod": Option(str, _CITY_PANEL, "Level of detail to read, such as 2.2. Default: the highest of each object.", _on(CITY)),
-    "split": Option(bool, _CITY_PANEL, "Write one result per polygon, not per surface.", _on(CITY)),
+    "split": Option(bool, _CITY_PANEL, "Write one result per polygon, instead of one per semantic surface.", _on(CITY)),
     "context": Option(
         str,
         _CITY_PANEL,
@@ -156,7 +160,8 @@ OPTIONS: dict[str, Option] = {
     "receiver": Option(
         Literal["horizontal", "surface"],
         _RASTER_PANEL,
-        "Orientation of the cells. Default: surface for irradiation and sun-hours, else horizontal.",
+        "Receiving plane in each cell: horizontal, or along the surface. "
+        "Default: surface for irradiation and sun-hours, else horizontal.",
         _on(RASTER),
     ),
     "canopy": Option(
@@ -175,9 +180,12 @@ OPTIONS: dict[str, Option] = {
         _on(RASTER),
     ),
     "margin": Option(
-        int, _RASTER_PANEL, "Number of cells at full resolution around a tile. Default: 256. Needs --tile.", _on(RASTER)
+        int,
+        _RASTER_PANEL,
+        "Width in cells of the full-resolution border around a tile. Default: 256. Needs --tile.",
+        _on(RASTER),
     ),
-    "far": Option(Path, _RASTER_PANEL, "Raster of the terrain outside the first raster.", _on(RASTER)),
+    "far": Option(Path, _RASTER_PANEL, "Raster of heights of the terrain around the first raster.", _on(RASTER)),
     "texture": Option(
         str, _TEXTURE_PANEL, "Write a texture of this size in texels, such as 1024 (square) or 1024x512.", _on(TEXTURE)
     ),
@@ -246,11 +254,15 @@ OPTIONS: dict[str, Option] = {
         _on(TEXTURE, only=_GLTF),
     ),
     "chunk": Option(int, _STORE_PANEL, "Number of points per task and per chunk of the store.", _on(MESH, only=(STORE,))),
-    "cluster": Option(str, _STORE_PANEL, "Address of a Dask scheduler, such as tcp://host:8786.", _on(MESH, only=(STORE,))),
+    "cluster": Option(
+        str, _STORE_PANEL, "Address of a running Dask scheduler, such as tcp://host:8786.", _on(MESH, only=(STORE,))
+    ),
     "processes": Option(
         int, _STORE_PANEL, "Number of processes, each with one thread.", _on(MESH, only=(STORE,)) | _on(RASTER)
     ),
-    "resume": Option(bool, _STORE_PANEL, "Continue an interrupted run.", _on(MESH, only=(STORE,)) | _on(RASTER)),
+    "resume": Option(
+        bool, _STORE_PANEL, "Continue an interrupted run with the same arguments.", _on(MESH, only=(STORE,)) | _on(RASTER)
+    ),
     "workers": Option(int, RUN, "Number of threads. Default: the environment variable WARPSAMPLE_WORKERS, or one per core."),
     "device": _of_quantities(str, RUN, "Device that computes, such as cuda:0. Default: the CPU"),
     "report": Option(

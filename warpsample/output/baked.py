@@ -86,7 +86,7 @@ class BakeRun:
 
     @property
     def optics(self) -> dict[str, str | None]:
-        """Options of light on faces."""
+        """Reflectance and transmittance options of the run, keyed by name."""
         return {"transmittance": self.transmittance, "reflectance": self.reflectance}
 
     @property
@@ -121,7 +121,7 @@ class Baked:
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
-        """Values of each point in columns, keyed by name."""
+        """Results at the points as one-dimensional columns, keyed by name."""
         return self.quantity.columns(self.found)
 
 
@@ -204,7 +204,7 @@ def _write_glb(file: BinaryIO, baked: Baked) -> None:
 
 
 def _repeated(array: np.ndarray, times: int, dtype: type) -> Lazy:
-    """Return the rows of an array, each repeated, as `Lazy` rows."""
+    """Return the rows of an array, each repeated, as a `Lazy` array that is computed when written."""
     return Lazy((times * len(array), *array.shape[1:]), np.dtype(dtype), lambda i: array[i // times])
 
 
@@ -243,5 +243,5 @@ MATRIX_WRITERS: dict[str, Callable[..., None]] = {
 
 
 def writers_of(quantity: Quantity) -> dict[str, Callable[[BinaryIO, Baked], None]]:
-    """Return the writers of a quantity's files, keyed by suffix."""
+    """Return the functions that write a quantity's output files, keyed by file suffix."""
     return MATRIX_WRITERS if quantity.is_matrix else WRITERS | PICTURES

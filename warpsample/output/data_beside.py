@@ -28,7 +28,7 @@ _BEAT, _PATIENCE = 0.01, 60.0  # seconds between two tries to lock a folder, and
 
 
 def check_data_beside(path: Path, suffix: str, argument: str) -> None:
-    """Raise an error if no data file can be written next to `path`.
+    """Raise a ValueError if no data file, such as a .bin, can be created in the folder of an output file.
 
     Raises:
         ValueError: the folder cannot be written; names the argument.
@@ -37,7 +37,7 @@ def check_data_beside(path: Path, suffix: str, argument: str) -> None:
         with part_of(path, path.with_suffix(suffix)):
             pass
     except WriteError as error:
-        raise ValueError(f"{argument}: got {str(path)!r}, beside which no {suffix} can be written: {error}") from None
+        raise ValueError(f"{argument}: got {str(path)!r}, next to which no {suffix} can be written: {error}") from None
 
 
 def write_with_data(
@@ -49,7 +49,7 @@ def write_with_data(
     named_by: Callable[[Path], Iterable[Path]],
     inputs: Iterable[Path] = (),
 ) -> Path:
-    """Write `path` and its file of data, and return the path of the data.
+    """Write an output file and the data file that it refers to, such as a .gltf and its .bin; return the data file's path.
 
     The data keep the name that the old file at `path` gives them, if it names NAME.bin or NAME-1.bin and the like beside it.
     Else they get the first free name of these. Two runs that write the same path do so one after the other, where the file
@@ -80,13 +80,13 @@ def write_with_data(
 def _publish(
     part: Path, path: Path, suffix: str, text_naming: Callable[[str], bytes], find_old: Callable[[], Path | None]
 ) -> Path:
-    """Write the file and its data file under a lock of the folder; return the path of the data file."""
+    """Move the data file into place and write the output file, with the folder locked; return the data file's path."""
     with _alone_in(path):
         return _write_pair(part, path, suffix, text_naming, find_old())
 
 
 def _write_pair(part: Path, path: Path, suffix: str, text_naming: Callable[[str], bytes], old: Path | None) -> Path:
-    """Rename the data file, then write the file that refers to its name; return the path of the data file."""
+    """Move the data file to a free name, then write the output file that refers to it; return the data file's path."""
     data = _new_file(path, suffix)
     try:
         part.chmod(S_IMODE((old or data).stat().st_mode))
@@ -102,7 +102,7 @@ def _write_pair(part: Path, path: Path, suffix: str, text_naming: Callable[[str]
 
 
 def _take_name(data: Path, old: Path, path: Path, text_naming: Callable[[str], bytes]) -> Path:
-    """Rename the new data file to the name of the old one if that name is still free; return the final name.
+    """Rename the new data file to the name of the old one, if that name is still free; return the final path.
 
     The data have both names until the file at `path` names the second one. Without hard links they keep the first.
     """
@@ -122,7 +122,7 @@ def _take_name(data: Path, old: Path, path: Path, text_naming: Callable[[str], b
 
 
 def _new_file(path: Path, suffix: str) -> Path:
-    """Make an empty file under the first free name beside `path`, in one step: no other program can take the name first."""
+    """Create an empty data file under the first free name next to `path`, safely against other programs."""
     for number in count():
         made = path.with_name(f"{path.stem}-{number}{suffix}") if number else path.with_suffix(suffix)
         try:
@@ -136,7 +136,7 @@ def _new_file(path: Path, suffix: str) -> Path:
 
 
 def _old_data(path: Path, suffix: str, named_by: Callable[[Path], Iterable[Path]], inputs: Iterable[Path]) -> Path | None:
-    """Return the file of data beside `path` that its old content names and that may be replaced; None if there is none."""
+    """Return the data file that the existing file at `path` refers to, if it may be replaced, else None."""
     ours, kept = re.compile(rf"{re.escape(path.stem)}(-\d+)?{re.escape(suffix)}"), list(inputs)
     for file in named_by(path):
         is_ours = file.parent == path.parent and ours.fullmatch(file.name) and file.is_file()
@@ -147,7 +147,7 @@ def _old_data(path: Path, suffix: str, named_by: Callable[[Path], Iterable[Path]
 
 
 def _named_by_siblings(path: Path, named_by: Callable[[Path], Iterable[Path]]) -> Iterator[Path]:
-    """Yield the files that other files with the suffix of `path` in the same folder name; links to `path` are left out."""
+    """Yield the data files that other files of the same suffix and folder refer to, without links to `path`."""
     for sibling in path.absolute().parent.iterdir():
         if sibling.suffix.lower() == path.suffix.lower() and os.path.realpath(sibling) != os.path.realpath(path):
             yield from named_by(sibling)
@@ -191,7 +191,7 @@ def locked_folder(folder: Path) -> Iterator[None]:
 
 
 def _wait_for(opened: int, path: Path) -> None:
-    """Lock an open folder; raise a WriteError after a time limit, because interrupts are deferred here."""
+    """Lock an open folder; raise a WriteError if that takes too long, since no interrupt is heard here."""
     for _ in range(int(_PATIENCE / _BEAT)):
         if _is_locked(opened):
             return

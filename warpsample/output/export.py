@@ -95,7 +95,7 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
 
 
 def _array(run: DirectionsRun, name: str) -> np.ndarray:
-    """Read the array of points' parameters that `--distribution` names as @array."""
+    """Read an array that the distribution of a run names, such as "@roughness"."""
     return read_array(run.mesh if run.arrays is None else run.arrays, name, "--arrays")
 
 

@@ -30,7 +30,7 @@ def with_optics(mesh: Mesh, **options: str | None) -> Mesh:
 
 
 def _shares(mesh: Mesh, text: str, option: str) -> np.ndarray:
-    """Return the transmittance or reflectance of an option: one number, or an array with one number per face."""
+    """Parse an option such as --reflectance to one number for all faces, or an array with a number per face."""
     if text.endswith(".npy"):
         file = check_file(Path(text), option, _WANTS)
         with naming_file(option, file, _WANTS):
@@ -39,7 +39,7 @@ def _shares(mesh: Mesh, text: str, option: str) -> np.ndarray:
 
 
 def _by_parts(mesh: Mesh, text: str, option: str) -> np.ndarray:
-    """Return (F,) float64 numbers of faces, 0 for faces of parts that the option does not name."""
+    """Parse numbers by part, such as "wall=0.3,roof=0.1", to (F,) float64 numbers per face; 0 for other faces."""
     if mesh.part is None:
         raise ValueError(f"{option}: got {text!r} for a mesh without named parts, want a number or NAME.npy")
     shares = np.zeros(len(mesh.parts) + 1)  # the last is of faces of no part

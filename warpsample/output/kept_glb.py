@@ -12,12 +12,12 @@ from warpsample.texture.primitives import Primitive, list_primitives
 
 
 def keeps(source: Path, output: Path, at: str | None) -> bool:
-    """Return whether a run adds its values to the content of the source, a glTF file."""
+    """Return whether a run copies its source .glb and adds the computed values, instead of writing a new mesh."""
     return source.suffix.lower() in (".glb", ".gltf") and output.suffix == ".glb" and at == "vertices"
 
 
 def describe_kept(source: Path) -> list[str]:
-    """Return sentences on colours that are replaced, on meshes in several places and on materials.
+    """Return notes on a copied .glb: replaced colours, meshes placed several times, and materials.
 
     Raises:
         ValueError: a file that cannot be edited.

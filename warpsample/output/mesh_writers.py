@@ -21,7 +21,7 @@ _GLB = {"f4": 5126, "u4": 5125, "u1": 5121}
 
 @dataclass(frozen=True)
 class Lazy:
-    """Rows of an array, computed when written: `make` returns the rows of (n,) int64 indices."""
+    """Array whose rows are computed only when written; the function `make` computes the rows of (n,) int64 indices."""
 
     shape: tuple[int, ...]
     dtype: np.dtype
@@ -149,16 +149,16 @@ def write_glb(
 
 
 def _count(columns: dict[str, Any]) -> int:
-    """Return the number of rows of the columns."""
+    """Return the number of rows that the columns of a table have."""
     return len(next(iter(columns.values())))
 
 
 def _bytes(rows: Rows) -> int:
-    """Return the size of rows in bytes."""
+    """Return the size in bytes of an array, or of a `Lazy` array when computed."""
     return int(np.prod(rows.shape)) * rows.dtype.itemsize
 
 
 def _blocks(rows: Rows) -> Iterator[np.ndarray]:
-    """Yield the rows block by block, little-endian and contiguous."""
+    """Yield the rows of an array in contiguous little-endian blocks, so that little memory is used."""
     for first in range(0, len(rows), _BLOCK):
         yield np.ascontiguousarray(rows[first : first + _BLOCK], rows.dtype.newbyteorder("<"))

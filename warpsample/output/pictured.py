@@ -22,7 +22,7 @@ def shown_values(baked: Any) -> np.ndarray:
 
 
 def title_of(baked: Any) -> str:
-    """Return the title of the shown values, with the unit."""
+    """Return the title of a picture: the name of the shown quantity, with the unit."""
     unit = baked.quantity.unit
     name = f"length of {baked.quantity.title}" if baked.found.value.ndim == 2 else baked.quantity.title
     return f"{name}, {unit}" if unit else name
@@ -67,5 +67,5 @@ def _draw_map(baked: Any) -> bytes:
 
 
 def write_png(file: BinaryIO, baked: Any) -> None:
-    """Write the picture of the values."""
+    """Write a .png picture of the computed values to an open file."""
     file.write(draw_picture(baked))

@@ -10,7 +10,7 @@ PLACES = {"vertices": vertex_points, "faces": face_centers}
 
 
 def check_points(points: int | None) -> None:
-    """Check a number of random points.
+    """Check the number of random points of the option --points.
 
     Raises:
         ValueError: a number that is not positive, or too large.
@@ -22,7 +22,7 @@ def check_points(points: int | None) -> None:
 
 
 def check_places(points: int | None, at: str | None) -> None:
-    """Check that not both a number of points and a place are given, and the number.
+    """Check the options --points and --at, which exclude each other.
 
     Raises:
         ValueError: both, or a wrong number.
@@ -34,5 +34,5 @@ def check_places(points: int | None, at: str | None) -> None:
 
 
 def points_on(mesh: Mesh, points: int | None, at: str | None, seed: int) -> SurfacePoints:
-    """Return random points, uniform by area, if their number is given, else the vertices or face centres."""
+    """Return the points of a mesh that --points (random, uniform by area) or --at (vertices, face centres) specifies."""
     return PLACES[at or "vertices"](mesh) if points is None else sample_surface(mesh, points, seed=seed)

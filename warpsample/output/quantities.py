@@ -28,7 +28,7 @@ def quantities_with(option: str) -> list[str]:
 
 
 def in_stores() -> list[str]:
-    """Return the names of the quantities that Zarr stores hold."""
+    """Return the names of the quantities that can be written to Zarr stores."""
     return [name for name, quantity in quantities().items() if quantity.in_stores]
 
 

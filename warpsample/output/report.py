@@ -27,7 +27,7 @@ td:first-child, th:first-child { text-align: left }
 
 
 def check_report(path: Path | None, *others: Path) -> None:
-    """Check that a report can be written, and that it is none of the other files.
+    """Check that the .html report can be written, and that its path is no input or output file.
 
     Raises:
         ValueError: a wrong suffix, or a path that cannot be written.
@@ -67,7 +67,7 @@ def _draw(baked: Baked) -> Iterator[str]:
 
 
 def _histogram(value: np.ndarray, title: str) -> str:
-    """Return a histogram of values as a drawing."""
+    """Return a histogram of values as SVG text for the .html report."""
     value = value[np.isfinite(value)]
     counts, edges = np.histogram(value, bins=_BINS)
     tall = max(int(counts.max(initial=0)), 1)
@@ -115,12 +115,12 @@ def _arguments(baked: Baked) -> Mapping[str, Any]:
 
 
 def _table(rows: Iterable[Iterable[Any]], header: Iterable[str] = ()) -> str:
-    """Return an HTML table."""
+    """Return rows as the text of an HTML table."""
     head = "".join(f"<th>{escape(name)}</th>" for name in header)
     body = "".join(f"<tr>{''.join(f'<td>{escape(_cell(cell))}</td>' for cell in row)}</tr>" for row in rows)
     return f"<div><table>{f'<tr>{head}</tr>' if head else ''}{body}</table></div>"
 
 
 def _cell(value: Any) -> str:
-    """Return the text of a cell of a table."""
+    """Return a value as the text of a cell of an HTML table."""
     return f"{value:.6g}" if isinstance(value, float) else "" if value is None else str(value)

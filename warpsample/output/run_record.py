@@ -22,7 +22,7 @@ standard errors, the sum, the lowest and the highest value."""
 
 
 def summarize(value: np.ndarray, error: np.ndarray, rays: int, known: np.ndarray | None = None) -> np.void:
-    """Return the SUMMARY of a part.
+    """Return the counts, sums and range of values of a part of a run, as a record of dtype SUMMARY.
 
     Args:
         value: (P,) or (P, C) values. Three components are summarized by their length, more by their mean.
@@ -40,13 +40,13 @@ def summarize(value: np.ndarray, error: np.ndarray, rays: int, known: np.ndarray
 
 
 def summarize_result(found: Any) -> np.void:
-    """Return the SUMMARY of a result of a call over points."""
+    """Return the counts, sums and range of the values of a result, as a record of dtype SUMMARY."""
     return summarize(found.value, found.standard_error, int(found.rays.sum(dtype=np.int64)), found.status == 0)
 
 
 @dataclass(eq=False)
 class RunRecord:
-    """Sums over the parts of a run.
+    """Progress and summary of a run that is computed part by part.
 
     Attributes:
         title: Name of the quantity.
@@ -108,12 +108,12 @@ class RunRecord:
             self._computing += perf_counter() - self._first
 
     def skip(self, there: int) -> None:
-        """Count things that were complete before the run."""
+        """Count tiles or points that an earlier run completed, in the progress bar."""
         self.there, self._first = there, perf_counter()
         self.advance(there)
 
     def advance(self, count: int) -> None:
-        """Count further things as complete, and move the bar."""
+        """Count further points or tiles as complete, and move the progress bar."""
         self.done += count
         self._update()
 

@@ -47,7 +47,7 @@ class Shading:
 
 
 def write_shading(run: Shading, workers: int | None = None) -> str:
-    """Write `run.output`: a row for each hour of the year, stamped with its end, and a column for each surface.
+    """Write the .csv of sunlit fractions: a row for each hour of the year, named by its end, and a column per surface.
 
     A value is the fraction of a surface's area that sees the centre of the sun in the middle of the hour. The value is 0 at
     night and on surfaces that face away from the sun. N random points give a standard error of at most 0.5 / sqrt(N).

@@ -30,7 +30,7 @@ from warpsample.plotting.rendering import check_rendering
 
 @dataclass(frozen=True, eq=False)
 class Source:
-    """Source of a run, as read and checked.
+    """Checked and loaded input of a run: the mesh or city, the arguments and the points.
 
     Attributes:
         run: Arguments of the command.

@@ -47,7 +47,7 @@ def upright_by_y(path: Path) -> str:
 
 
 def up_of(quantity: Quantity, options: Mapping[str, Any]) -> Any:
-    """Return the direction of up of a run, or None for a quantity that has no direction of up."""
+    """Return the up vector of a run, or None for a quantity without the option --up."""
     return options.get("up") or quantity.default("up") if quantity.takes("up") else None
 
 

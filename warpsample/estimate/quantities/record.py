@@ -75,18 +75,18 @@ class Quantity:
 
     @property
     def parameters(self) -> dict[str, Any]:
-        """Defaults of the call's parameters after the mesh and the points, keyed by parameter name."""
+        """Default values of the parameters of the quantity's Python function, without mesh and points, keyed by name."""
         _mesh, _points, *others = inspect.signature(self.call).parameters.values()
         return {parameter.name: parameter.default for parameter in others}
 
     @property
     def arrays(self) -> list[str]:
-        """Names of the fields with a row for each point that every result has."""
+        """Names of the arrays with one row per point that every result of the quantity has."""
         return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is not None]
 
     @property
     def sometimes(self) -> list[str]:
-        """Names of the fields with a row for each point that may be None."""
+        """Names of the arrays with one row per point that a result may lack (None)."""
         return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is None]
 
     def arrays_of(self, found: Any) -> dict[str, np.ndarray]:
@@ -103,16 +103,16 @@ class Quantity:
         return None if default is inspect.Parameter.empty else default
 
     def arguments(self, options: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the call's arguments for command-line options, keyed by argument name."""
+        """Convert command-line options to arguments of the quantity's Python function, keyed by argument name."""
         return {ARGUMENTS.get(name, name): value for name, value in options.items()}
 
     def told(self, options: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the options to record in an output file, given ones and defaults, keyed by command-line name."""
+        """Return all options of a run, including defaults, to record in an output file, keyed by command-line name."""
         names = [OPTIONS.get(name, name) for name in self.parameters if name not in _NOT_RECORDED]
         return {name: options.get(name, self.default(name)) for name in names}
 
     def numbers(self, mesh: Any, total: int, options: Mapping[str, Any]) -> Numbers:
-        """Return the function that computes the quantity for a part of the points.
+        """Build the Python function that computes the quantity for a part of a mesh's points.
 
         Args:
             mesh: Mesh of the points.

@@ -45,7 +45,7 @@ def function_content(function: wp.Function) -> dict[str, Any]:
 
 
 def data_content(data: Any, function: Any) -> dict[str, Any]:
-    """Return the content of a struct, keyed by field name: numbers, and digests of arrays and vectors.
+    """Return the numbers in a user's struct, and digests of its arrays and vectors, keyed by field name.
 
     The memory at an address, such as the id of a wp.Mesh, cannot be compared. Where `function` reads from addresses, the
     content of an address field therefore differs from every other content.
@@ -55,7 +55,7 @@ def data_content(data: Any, function: Any) -> dict[str, Any]:
 
 
 def difference(name: str, old: dict[str, Any], new: dict[str, Any]) -> str:
-    """Return a text for error messages that describes the first difference between two contents of the argument `name`."""
+    """Describe, for an error message, the first difference between two versions of a user's function or data."""
     if old.get(WHAT) != new.get(WHAT):
         return f"{name}: it was {old.get(WHAT)}, and is {new.get(WHAT)}"
     part = next(part for part in (*new, *old) if old.get(part) != new.get(part))
@@ -98,7 +98,7 @@ def _is_address(value: Any, raw: Any, kind: Any) -> bool:
 
 
 def _told(function: wp.Function) -> list[Any]:
-    """Return the parts of a function that determine its results: source, types, constants and defaults."""
+    """Return the parts of a user's function that determine the results: source, types, constants and defaults."""
     constants, types, _ = function.adj.get_references()
     static = function.adj.resolved_static_expressions
     told = [function.adj.source, function.native_snippet]
@@ -112,7 +112,7 @@ def _number(value: Any) -> str:
 
 
 def _kind(kind: Any) -> str:
-    """Return a text that identifies a type, for a struct including the fields."""
+    """Return a text that identifies a type; the text of a struct includes the fields."""
     of = getattr(kind, "dtype", kind)  # the element type of an array type
     fields = of.hash.hex() if hasattr(of, "native_name") else ""  # a struct
     return f"{getattr(kind, 'key', kind)} {fields}"

@@ -23,7 +23,7 @@ _DOES_NOT_COMPILE = "Error while parsing function"
 
 
 def latest(function: wp.Function) -> wp.Function:
-    """Return the last definition of a function's name, whatever the types of the arguments."""
+    """Return the most recent definition of a Warp function with the same name, whatever the types of the arguments."""
     last = getattr(function, "__wrapped__", function.func)
     overloads = (*function.user_overloads.values(), *function.user_templates.values())
     return next((overload for overload in overloads if overload.func is last), function)
@@ -60,7 +60,7 @@ def called(function: wp.Function) -> list[wp.Function]:
 
 
 def reached(functions: list[wp.Function]) -> list[wp.Function]:
-    """Return functions and, recursively, all definitions of the user's functions that their sources name."""
+    """Return the given functions and, recursively, all user-defined functions that the sources refer to."""
     found = list(functions)
     for one in found:  # the list grows
         named = (*one.adj.get_references()[2], *one.adj.resolved_static_expressions.values(), *one.defaults.values())

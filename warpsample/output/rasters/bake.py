@@ -58,7 +58,7 @@ class RasterJob:
 
     @classmethod
     def of(cls, run: BakeRun) -> "RasterJob":
-        """Return the job of a command."""
+        """Build the job from the arguments of a `warpsample bake` command."""
         given = run.options | {name: run.more[name] for name in _RASTER_OPTIONS if name in run.more}
         given |= {} if run.transmittance is None else {"transmittance": run.transmittance}
         options = {ARGUMENTS.get(name, name): _to_plain(name, value) for name, value in given.items()}
@@ -101,7 +101,7 @@ def _to_plain(name: str, value: Any) -> Any:
 
 
 class TileStore(Protocol):
-    """Place for the tiles of a run, which can be resumed."""
+    """Interface of storage for the tiles of a raster run: a folder of files or a Zarr store, which can be resumed."""
 
     path: Path
 
@@ -112,13 +112,13 @@ class TileStore(Protocol):
         """Create the store, or check an existing one, and return the (tiles,) bool mask of the complete tiles."""
 
     def compute(self, job: RasterJob, digests: Mapping[str, np.ndarray], tiles: list[int]) -> Iterator[np.void]:
-        """Compute and write tiles, and yield a SUMMARY for each."""
+        """Compute and store the given tiles, and yield a summary of each (dtype SUMMARY)."""
 
     def tiles(self, run: RasterRun) -> Tiles:
         """Yield all tiles of a finished run."""
 
     def about(self) -> dict[str, Any]:
-        """Return the attributes of the run."""
+        """Return the stored attributes that identify the run."""
 
     def remove(self) -> None:
         """Remove the tiles of a finished run, unless the tiles are the output."""
@@ -227,7 +227,7 @@ class BakedRaster:
 
     @classmethod
     def of(cls, run: BakeRun, raster: RasterRun, tiles: Tiles) -> "BakedRaster":
-        """Gather the values of all tiles."""
+        """Join the values of all tiles to arrays of the whole raster."""
         names = ("value", "standard_error")
         laid = {name: np.full(raster.reader.shape, np.nan, np.float32) for name in names}
         for span, arrays in tiles:
@@ -285,5 +285,5 @@ def read_unchanging(job: RasterJob, kept: Mapping[str, Any], store: Path, digest
 
 
 def summarize_tile(arrays: Mapping[str, np.ndarray]) -> np.void:
-    """Return the SUMMARY of a tile."""
+    """Return the counts, sums and range of a tile's values, as a record of dtype SUMMARY."""
     return summarize(arrays["value"].ravel(), arrays["standard_error"].ravel(), 0)

@@ -32,7 +32,7 @@ class TileFiles:
     """
 
     def __init__(self, output: Path, resume: bool) -> None:
-        """Choose the folder for an output."""
+        """Set the output file, next to which the hidden folder of tiles is created."""
         self.path = output.absolute().with_name(f".{output.name}.tiles")
         self.resume = resume
 
@@ -64,7 +64,7 @@ class TileFiles:
             raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another name of the output")
         if files and not self.resume:
             raise ValueError(
-                f"--output: got {str(self.path)!r}, which is there already, want a new name, or to resume it (--resume)"
+                f"--output: got {str(self.path)!r}, which exists already, want a new name, or --resume to continue it"
             )
 
     def begin(self, run: RasterRun, about: dict[str, Any]) -> np.ndarray:
@@ -95,7 +95,7 @@ class TileFiles:
             return False
 
     def _file(self, index: int) -> Path:
-        """Return the path of a tile."""
+        """Return the path of the .npz file of a tile."""
         return tile_file(self.path, index)
 
     def compute(self, job: RasterJob, digests: Mapping[str, np.ndarray], tiles: list[int]) -> Iterator[np.void]:
@@ -109,31 +109,31 @@ class TileFiles:
             yield summarize_tile(arrays)
 
     def tiles(self, run: RasterRun) -> Tiles:
-        """Yield the spans and arrays of all tiles."""
+        """Yield the row and column range and the arrays of each tile of a finished run."""
         for index, span in enumerate(run.spans()):
             yield span, read_arrays(self._file(index))
 
     def about(self) -> dict[str, Any]:
-        """Return the attributes of the run."""
+        """Return the attributes in the folder, which identify the run."""
         return read_about(self.path)
 
     def remove(self) -> None:
-        """Remove the folder."""
+        """Remove the hidden folder with all tiles."""
         uninterrupted(partial(shutil.rmtree, self.path))
 
 
 def tile_file(folder: Path, index: int) -> Path:
-    """Return the path of a tile in a folder."""
+    """Return the path of the .npz file of a tile in a folder of tiles."""
     return folder / f"tile-{index}.npz"
 
 
 def read_about(folder: Path) -> dict[str, Any]:
-    """Return the attributes in a folder."""
+    """Read the attributes that identify the run of a folder of tiles."""
     return json.loads((folder / ABOUT).read_bytes())
 
 
 def write_digests(folder: Path, digests: Mapping[str, np.ndarray]) -> None:
-    """Write the digests of input rasters into a folder."""
+    """Write the digests of the input rasters into a folder of tiles."""
     with complete_or_absent(folder / DIGESTS) as stream:
         write_arrays(stream, digests)
 

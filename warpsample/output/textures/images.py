@@ -68,7 +68,7 @@ def fill_texture(
     looks, convert = how.inside == "fill" and quantity.result is not ExactResult, _converter(job, run, quantity)
 
     def of_part(part: SurfacePoints, first: int) -> Any:
-        """Compute the values of some texels."""
+        """Compute the quantity at a part of the texels."""
         rows, places = slice(first, first + len(part)), part
         if high is not None:
             places, missed[rows] = high.project(part, points.mesh, workers)

@@ -21,7 +21,7 @@ _STEP = 1 / 255  # of the largest number: differences that a picture of 8 bits d
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A picture, and the places that show it.
+    """Computed texture, and the places in the scene (instances of the mesh) that show the texture.
 
     Attributes:
         filled: its numbers.
@@ -50,13 +50,13 @@ def pictures_of(job: TextureJob, fill: Callable[[TextureJob], Filled], how: Text
 
 
 def _joined(known: Picture, other: Picture) -> Picture:
-    """Return a picture that the places of two show."""
+    """Return the first of two equal pictures, with the places of both."""
     rays = known.rays[0] + other.rays[0], known.rays[1] + other.rays[1]
     return replace(known, groups=known.groups + other.groups, rays=rays)
 
 
 def _mean_of(first: Picture, others: Iterator[Picture], gutter: Any) -> Picture:
-    """Return one picture of the means over all places; the errors are not taken as independent."""
+    """Average the pictures of all places of a mesh to one picture; errors are averaged, not taken as independent."""
     total, count = _sums(first.filled)
     for other in others:
         first = _joined(first, other)
@@ -75,7 +75,7 @@ def _picture(filled: Filled, job: TextureJob) -> Picture:
 
 
 def _differ(known: Filled, other: Filled) -> bool:
-    """Return whether the means of two places, over some block of texels or over all, differ by more than their errors.
+    """Return whether the pictures of two places differ by more than the standard errors, in a block of texels or overall.
 
     Errors of single texels do not do: they are 0 where all rays of each stratum agree.
     """

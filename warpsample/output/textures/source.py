@@ -38,7 +38,7 @@ _WITHOUT_LIGHT = ("normals", "position", "thickness")  # quantities that do not 
 
 @dataclass(frozen=True, eq=False)
 class TextureSource:
-    """Source of a run with `--texture`, as read and checked.
+    """Checked and loaded input of a run with `--texture`: meshes, arguments and planned textures.
 
     Attributes:
         run: Arguments of the command.
@@ -81,7 +81,7 @@ def read_texture_source(run: BakeRun) -> TextureSource:
 
 
 def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[str]:
-    """Return sentences on jobs with texels too small for the rays; with `--strict` raise a ValueError instead."""
+    """Return warnings about textures with texels too small for the rays; with `--strict` raise a ValueError instead."""
     lines = [(job, describe_coarse_texels(job.points, traced)) for job in jobs]
     found = [f"{job.name!r}: {line}" for job, line in lines if line is not None]
     if how.strict and found:
