@@ -141,7 +141,7 @@ def test_so_they_are_when_they_end_or_pause_at_work(threads, mesh, path, monkeyp
     monkeypatch.setattr(finishing, "check_workers_of", look)
     paused(threads, None, 1e-9)
     time.sleep(1.0)  # the worker looks at its memory five times a second
-    with pytest.raises(MemoryError, match=r"may take 250 MiB, .* for each after 0 of 400 points; .* can be resumed$"):
+    with pytest.raises(MemoryError, match=r"may use 250 MiB, .* for each worker after 0 of 400 points; .* can be resumed$"):
         cluster.bake(path, "ambient_occlusion", mesh, POINTS, 2)
 
 
