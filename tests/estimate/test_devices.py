@@ -1,7 +1,7 @@
 """All calls on a device: arrays go there in parts and come back, and no bit depends on them.
 
-Machines of CI have no GPU. A second CPU device is used in its place, with the kernels and the tracer of CUDA; these kernels are also
-compiled to PTX.
+Machines of CI have no GPU. A second CPU device is used in its place, with the kernels and the tracer of CUDA; these
+kernels are also compiled to PTX.
 """
 
 from dataclasses import fields
