@@ -15,7 +15,7 @@ from warpsample.distributions.lights.solid_angles import (
     vector_of,
 )
 from warpsample.distributions.record import Cases, Distribution, Maps
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real
 from warpsample.maths.angles import arctan2_double, sincos_double
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO, clamp_uniform, root_double
@@ -122,7 +122,7 @@ class SphericalTriangle(Distribution):
     polar = False
     worst_round_trip = 1e-5
     limits = (
-        "the density is blurred by 3e-7 rad at the edges; the error of the inverse is measured for u[1] above 0.01 and for "
+        "the density is blurred by 3e-7 rad at the edges. The error of the inverse is measured for u[1] above 0.01 and for "
         "solid angles above 4e-3 sr, and grows as 6e-8 over the triangle's width in radians, because w is rounded"
     )
     # An octant; a triangle of the other orientation; a small one seen from the side; one that almost surrounds the point;
@@ -143,7 +143,7 @@ class SphericalTriangle(Distribution):
             return
         corners = as_real(self.corners, "corners", _WANTS)
         if corners.shape != (3, 3) or not _are_usable(corners[None])[0]:
-            raise ValueError(f"corners: got {told(self.corners)}, want {_WANTS}")
+            raise ValueError(f"corners: got {quote(self.corners)}, want {_WANTS}")
         object.__setattr__(self, "corners", tuple(map(tuple, corners.astype(np.float64).tolist())))
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:
