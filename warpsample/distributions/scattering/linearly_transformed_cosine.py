@@ -122,7 +122,7 @@ class LinearlyTransformedCosine(Distribution):
     polar = False
     worst_round_trip = 1e-5
     limits = (
-        "the support is the hemisphere about M⁻ᵀz; the density is blurred by rounding at the horizon of o; the error of the "
+        "the support is the hemisphere about M⁻ᵀz. The density is blurred by rounding at the horizon of o. The error of the "
         "inverse is measured for u[0] above 0.01, and grows with the condition of M, because M⁻¹ stretches the rounding of w"
     )
     # The cosine lobe, one as of a rough mirror, a long one along y, a narrow one that leans, and a mirrored one that reaches
