@@ -1,4 +1,4 @@
-"""Base class of all distributions: properties for tests and tables, and methods that apply the maps to arrays."""
+"""Base class of all distributions, with methods to sample directions, evaluate densities and invert the map."""
 
 from dataclasses import dataclass
 from math import pi
