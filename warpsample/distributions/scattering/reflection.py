@@ -193,12 +193,11 @@ class Reflection(ScatteredLight):
     limits = (
         "the direction has twice the error of the lobe's normals. For v·m below 2⁻²⁴ the density has 2⁻²⁴ in its place, and "
         "for w = −v it is 0. There is no inverse if m and −m can both be normals. The error of the inverse is measured for "
-        "u[0] above 0.01 and abs(v·m) above 0.3; it is 2e-6 for visible normals. The density of Beckmann's normals is less "
-        "precise than others, because the exponential of the slope of m multiplies the rounding of w"
+        "u[0] above 0.01 and abs(v·m) above 0.3. The density of Beckmann's normals is less precise than others, because the "
+        "exponential of the slope of m multiplies the rounding of w"
     )
     worst_angle = 1.2e-6
     worst_pdf = 6e-6
-    worst_round_trip = 2e-5
     # Visible normals, rough, brushed and narrow; normals that face away; and lobes over the whole sphere.
     case_values: ClassVar[Cases] = (
         (VisibleGGX(1.0), (0.0, 0.0, 1.0)),
@@ -218,8 +217,6 @@ class Reflection(ScatteredLight):
         object.__setattr__(self, "worst_angle", 2.0 * self.lobe.worst_angle + 2e-7)
         if "beckmann" not in self.lobe.name:
             object.__setattr__(self, "worst_pdf", Distribution.worst_pdf)
-        if self.lobe.maps.per_cosine is not None:
-            object.__setattr__(self, "worst_round_trip", Distribution.worst_round_trip)
 
     def bound_maps(self, start: int = 0) -> Maps:
         """Return the functions with all parameters in the struct `Parameters`; see `Distribution.bound_maps`."""
