@@ -345,7 +345,7 @@ def test_what_is_not_our_working_folder_stays(dsm, folder, computed):
     hidden = folder / ".sky.tif.tiles"
     hidden.mkdir()
     (hidden / "thesis.txt").write_text("own")
-    with pytest.raises(ValueError, match="which holds other files, want another name"):
+    with pytest.raises(ValueError, match="which holds other files, want another output name"):
         bake(dsm, folder / "sky.tif", resume=True)
     assert [path.name for path in hidden.iterdir()] == ["thesis.txt"]
     shutil.rmtree(hidden)

@@ -78,7 +78,7 @@ def test_every_file_holds_the_numbers(call, torus, tmp_path, suffix, at, monkeyp
     )
     assert re.search(rf"{right.rays.sum():,} rays cast in \d+\.\d\d s", rest[1])
     assert re.fullmatch(r"  took \d+\.\d\d s, with reading, compiling and writing", rest[2])
-    assert f"{right.skipped.empty_rays:,} in empty strata" in rest[3]
+    assert f"{right.skipped.empty_rays:,} known to hit nothing" in rest[3]
     assert right.skipped.open_points == 0 or rest[4] == f"  {right.skipped.open_points:,} points needed no rays"
     assert set(tmp_path.iterdir()) == {torus, output}
 
@@ -101,7 +101,7 @@ def test_sky_at_points_and_light(call, torus, tmp_path):
     status, out, _ = call("bake", torus, "-o", output, "--quantity", "sky", "--up", 1, 0, 0, *where)
     assert status == 0
     assert "sky view factor of 100 points" in out
-    assert "without weight" in out
+    assert "of weight 0, such as below the horizon" in out
     found = read(output)
     mesh = ws.load_mesh(torus)
     right = ws.sky_view_factor(mesh, ws.sample_surface(mesh, 100), 64, up=(1, 0, 0))

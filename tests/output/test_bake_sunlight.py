@@ -63,7 +63,7 @@ def test_irradiation_of_faces(call, athens, yard, tmp_path, monkeypatch):
     assert third.startswith(f"  {right.rays.sum():,} rays cast in ")
     skipped = right.skipped
     assert re.fullmatch(r"  took \d+\.\d\d s, with reading, compiling and writing", fourth)
-    assert fifth == f"  sky patches without rays: {skipped.open_patches:,} open, {skipped.closed_patches:,} closed"
+    assert fifth == f"  sky patches known without rays: {skipped.open_patches:,} open, {skipped.closed_patches:,} covered"
 
 
 def test_irradiation_in_columns_and_by_default_of_the_year(call, yard, tmp_path):

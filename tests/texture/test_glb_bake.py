@@ -349,8 +349,8 @@ def sparse(number):
         (lambda tree: tree["extensionsUsed"].append("KHR_meshopt_compression"), [], "it uses KHR_meshopt_compression"),
         (lambda tree: tree["materials"][0].update(occlusionTexture=3), [], r"materials\[0\].occlusionTexture: got 3, want"),
         (lambda tree: tree["materials"][1].update(alphaMode=3), [], r"materials\[1\].alphaMode: got 3, want a text"),
-        (sparse(0), [], "it has sparse data"),
-        (sparse(9), ["--uv", "new"], "it has sparse data"),
+        (sparse(0), [], "it has sparse accessors"),
+        (sparse(9), ["--uv", "new"], "it has sparse accessors"),
         (
             lambda tree: tree["meshes"][1]["primitives"][0].update(material=9),
             [],

@@ -142,7 +142,9 @@ class Distribution(Parameterised):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """Return the cdf at float64 angles, clipped to [0, pi], or to [-pi, pi] for a `width` of 2."""
-        raise NotImplementedError(f"{self!r}: there is no cdf of the angle, as the density depends on the azimuth, too")
+        raise NotImplementedError(
+            f"{self!r}: this distribution has no cdf of the angle, because its density also depends on the azimuth"
+        )
 
     def seam(self, u: np.ndarray) -> np.ndarray:
         """Return the mask of points u that `invert` cannot recover precisely: by default the pole, which has no azimuth.
@@ -219,7 +221,8 @@ class Distribution(Parameterised):
         """
         if self.maps.invert is None:
             raise NotImplementedError(
-                f"{self!r}: there is no inverse, as sample maps several u to one w, or Maps has no invert"
+                f"{self!r}: this distribution has no inverse, because several points u map to one direction, or because "
+                "Maps has no invert"
             )
         return self._apply(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 

@@ -85,7 +85,7 @@ def integrate(
     plan = plan_of(at, count, distribution=distribution, tangents=True, **options)
     summed = RaySum(integrand_of(integrand, data, device=plan.options.memory.device), reach=reach_of(max_distance))
     if mesh is None and max_distance is not None:
-        raise ValueError(f"max_distance: got {quote(max_distance)} without a mesh, want it with one")
+        raise ValueError(f"max_distance: got {quote(max_distance)} without a mesh, want a mesh, too, or no max_distance")
     first = _first_of(plan)
     with naming_function("integrand"):
         found = estimate(first, summed)

@@ -61,7 +61,7 @@ class TileFiles:
         """Raise a ValueError for an existing folder with other files, or that is not to be resumed."""
         files = list(self.path.iterdir()) if self.path.is_dir() else [self.path]
         if files and not (self.path / ABOUT).is_file():
-            raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another name of the output")
+            raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another output name")
         if files and not self.resume:
             raise ValueError(
                 f"--output: got {str(self.path)!r}, which exists already, want a new name, or --resume to continue it"
