@@ -76,7 +76,7 @@ def offset_sphere_to_square(w: wp.vec3, rho: wp.float32) -> wp.vec2:
 
 
 def _is_checked(rho: Any) -> bool:
-    """Return whether rho is an array of float32 by point, which `Distribution` has checked and copied."""
+    """Return whether rho is an array with a row per point that has been checked already."""
     return isinstance(rho, np.ndarray) and rho.dtype == np.float32
 
 
@@ -107,7 +107,7 @@ class OffsetSphere(Distribution):
 
     @property
     def polar(self) -> bool:
-        """True for rho >= 1; below, two points u map to the same direction."""
+        """True if u[0] alone determines the angle to +z, which is the case for rho >= 1."""
         return isinstance(self.rho, Real) and self.rho >= 1.0
 
     @property

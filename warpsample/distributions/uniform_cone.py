@@ -91,7 +91,7 @@ class UniformCone(Distribution):
             object.__setattr__(self, "cos_angle", 1.0 - self.one_minus_cos)
 
     def _set_rows(self) -> None:
-        """Check the attribute that is given by point, and compute the other one, float32 both."""
+        """Check the attribute that is an array with a row per point, and compute the other attribute from it."""
         if self.cos_angle is not None and self.one_minus_cos is not None:
             raise TypeError("cos_angle: got both cos_angle and one_minus_cos, want only one of the two")
         name = "cos_angle" if self.one_minus_cos is None else "one_minus_cos"

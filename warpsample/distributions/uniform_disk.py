@@ -30,7 +30,7 @@ def square_to_uniform_disk(u: wp.vec2) -> wp.vec2:
 
 @wp.func
 def uniform_disk_to_square(p: wp.vec2) -> wp.vec2:
-    """Return the point (squared radius, azimuth in turns) that `square_to_uniform_disk` maps to the point p."""
+    """Return the point u of the unit square that `square_to_uniform_disk` maps to the point p."""
     return wp.vec2(clamp_uniform(p[0] * p[0] + p[1] * p[1]), turns_of(p[0], p[1]))
 
 
@@ -107,7 +107,7 @@ class UniformDisk(Distribution):
     case_values: ClassVar[Cases] = tuple((method,) for method in get_args(Method))
 
     def __post_init__(self) -> None:
-        """Check the name of the method."""
+        """Raise an error if the name of the sampling method is unknown."""
         check_choice(self.method, "method", get_args(Method))
 
     @property

@@ -64,7 +64,7 @@ def _of_faces(face: np.ndarray | None, mesh: Mesh) -> dict[str, np.ndarray]:
 
 
 def _numbers(found: Any, count: int) -> dict[str, np.ndarray]:
-    """Return the arrays of a result with a row for each point, as columns."""
+    """Return the arrays of a result that have a row for each point, as table columns keyed by name."""
     arrays = {item.name: getattr(found, item.name) for item in fields(found)}
     arrays = {name: as_ndarray(array, name) for name, array in arrays.items() if hasattr(array, "shape")}
     of_points = {name: array for name, array in arrays.items() if array.shape[:1] == (count,)}

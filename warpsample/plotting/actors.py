@@ -50,7 +50,7 @@ class CloudActor:
             self._bar.SetBelowRangeAnnotation("")
 
     def show(self, position: np.ndarray, pdf: np.ndarray, peak: float) -> None:
-        """Replace the cloud's points, (N, 3), and densities per steradian, (N,); the density `peak` has the last colour."""
+        """Show other points, (N, 3), coloured by densities, (N,); `peak` is the density of the last colour."""
         import pyvista as pv
 
         cloud = pv.PolyData(position)
@@ -95,7 +95,7 @@ class LobeActor:
 
 
 class Sheet:
-    """Picture that fills a renderer of a PyVista scene, for every camera position."""
+    """Picture that fills a whole panel of a PyVista window."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
         import pyvista as pv

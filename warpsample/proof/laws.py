@@ -1,4 +1,4 @@
-"""Laws that a sampler must obey, one function each: it returns a measured error, or the p-value of a statistical test.
+"""Tests of samplers, one function each, which returns a measured error or the p-value of a statistical test.
 
 The functions take distributions and arrays, not meshes. They assert nothing; `verify` and the tests compare their results
 with limits. A wrong sampler may return anything, so NaN counts as the worst error.
@@ -20,7 +20,7 @@ _LEAST_COUNT = 10.0  # least expected count of a cell in Pearson's test
 
 
 def corner_grid() -> np.ndarray:
-    """Return the points of the unit square at which samplers tend to fail: all pairs of critical values, (N, 2) float32.
+    """Return points of the unit square where samplers tend to fail (corners, edges, ...), (N, 2) float32.
 
     These are the ends, the middle, quarters, eighths, and their neighbours.
     """
@@ -33,7 +33,7 @@ def corner_grid() -> np.ndarray:
 
 
 def all_variates(every: int = 1) -> Iterator[np.ndarray]:
-    """Yield arrays of points of the unit square in which each coordinate takes all 2^24 multiples of 2^-24 once.
+    """Yield arrays of points of the unit square; overall, each coordinate takes all 2^24 multiples of 2^-24 once.
 
     Each array has up to 2^16 points, float32.
 
@@ -85,7 +85,9 @@ def round_trip_error(back: np.ndarray, u: np.ndarray) -> float:
 
 
 def area_stretch_error(sampler: Sampler, u: np.ndarray, step: float = 2.0**-11) -> tuple[float, float]:
-    """Return (greatest, mean) error of the pdf times the area stretch of the map, which is 1 for a correct sampler.
+    """Return the (largest, mean) deviation from 1 of the density times the local stretch of areas by the map.
+
+    The product is 1 for a correct sampler.
 
     The stretch is the area of the image of a square of side 2 `step`, divided by the area of the square. On the sphere the
     image is two spherical triangles, so that the area is exact for any curvature. The density is averaged over the square by
@@ -165,7 +167,7 @@ def angles_p_value(sampler: Sampler, a: np.ndarray) -> float:
 
 
 def tails_p_value(sampler: Sampler, a: np.ndarray) -> float:
-    """Return the p-value of the numbers of directions in both tails of the polar angle, with probability `thinnest_tail`.
+    """Return the p-value of the numbers of directions at very small and very large angles.
 
     It is twice the smaller p-value of the two tails.
 
@@ -246,7 +248,7 @@ def worst(errors: np.ndarray) -> float:
 
 
 def _quantile(sampler: Sampler, probability: float) -> float:
-    """Return the polar coordinate at which the cdf of a sampler reaches a probability, by bisection."""
+    """Return the quantile of a sampler's angle to the normal at a probability, by bisection of the cdf."""
     low, high = support_of(sampler)
     for _ in range(80):
         middle = 0.5 * (low + high)

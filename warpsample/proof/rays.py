@@ -1,4 +1,4 @@
-"""Laws of rays: no ray leaves a closed mesh, even if aimed at an edge, and both tracers and both queries agree."""
+"""Tests of ray tracing: no ray leaves a closed mesh, even if aimed at an edge, and both tracers agree."""
 
 from functools import cache
 

@@ -1,4 +1,4 @@
-"""Tables of verdicts: one table for each law, and the table in the README of the distributions."""
+"""Tables of test results: one table for each test, and the table in the README of the distributions."""
 
 import re
 from collections.abc import Iterable
@@ -47,7 +47,7 @@ _SUMMARIES = {
 
 
 def show_one(verdicts: list[Verdict], console: Any) -> None:
-    """Print verdicts as one table, with a row for each law and distribution: the case closest to failing."""
+    """Print test results as one table, with a row for each test and distribution: the case closest to failing."""
     table = _make_table()
     for heading in ("test", "sampler", "cases", "worst", "limit"):
         table.add_column(heading, justify="left" if heading in ("test", "sampler") else "right")
@@ -63,7 +63,7 @@ def show_one(verdicts: list[Verdict], console: Any) -> None:
 
 
 def show(verdicts: list[Verdict], console: Any) -> None:
-    """Print verdicts as one table per law on a rich Console.
+    """Print test results on a rich Console, with a table for each test.
 
     A row is a distribution, with its case closest to failing, the limit and the verdict.
     """
@@ -84,7 +84,7 @@ def show(verdicts: list[Verdict], console: Any) -> None:
 
 
 def summarize(verdicts: list[Verdict]) -> str:
-    """Return sentences with the numbers of verdicts, of broken laws, and of statistical tests."""
+    """Return sentences with the numbers of tests, of failed tests, and of statistical tests."""
     failed = sum(not v.passed for v in verdicts)
     statistics = sum(v.statistical for v in verdicts)
     return (
@@ -146,7 +146,7 @@ def _describe_inverse(kind: type[Distribution]) -> str:
 
 
 def _worst_by_name(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
-    """Return the worst error that one law has measured, keyed by distribution."""
+    """Return the worst error that one test has measured, keyed by distribution."""
     worst: dict[str, float] = {}
     for v in verdicts:
         if v.law == law:
@@ -169,7 +169,7 @@ def name_of(v: Verdict) -> str:
 
 
 def _distance_to_failure(v: Verdict) -> float:
-    """Return a sort key for verdicts that is smallest for the verdict closest to failing."""
+    """Return a sort key for test results that is smallest for the result closest to failing."""
     return v.measured if v.statistical else -v.measured / max(v.limit, 1e-300)
 
 

@@ -1,4 +1,4 @@
-"""Laws of independence of sequences over points, samples and seeds, and a command that writes their bits.
+"""Tests of the independence of random numbers over points, samples and seeds, and a command that writes them.
 
 External test batteries read the stream: `python -m warpsample.proof.streams independent | dieharder -a -g 200`.
 """
@@ -28,7 +28,7 @@ def integers(u: np.ndarray) -> np.ndarray:
 
 
 def digest(name: str) -> str:
-    """Return a hash of some points of a sequence, which reveals any change of the sequence's values.
+    """Return a hash of some points of a sequence, to detect any change of the sequence's values.
 
     The ids of the surface points cross a multiple of 2^32.
     """
@@ -37,7 +37,7 @@ def digest(name: str) -> str:
 
 
 def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random: bool = True) -> list[Verdict]:
-    """Test variates for independence over points, samples and seeds; return the verdicts.
+    """Test random numbers for independence over points, samples and seeds; return the results.
 
     Args:
         name: name in tables.

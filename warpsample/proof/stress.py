@@ -1,4 +1,4 @@
-"""Laws for hostile input: extreme and invalid normals, ids and indices at word limits, bad and huge meshes."""
+"""Tests with extreme and invalid input: normals, ids and indices at the limits of integers, damaged and huge meshes."""
 
 from itertools import product
 

@@ -15,7 +15,7 @@ _MOST = 0.999999
 
 @wp.func
 def _versines(w: wp.vec3) -> wp.vec2:
-    """Return (1 - cos, 1 + cos) of the angle between w and +z, neither of which cancels."""
+    """Return (1 - cos, 1 + cos) of the angle between w and +z, both precise at every angle."""
     across = fma(w[0], w[0], w[1] * w[1])
     small = across / (1.0 + wp.abs(w[2]))
     large = 1.0 + wp.abs(w[2])

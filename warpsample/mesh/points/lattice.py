@@ -13,7 +13,7 @@ _BYTES_PER_POINT = 96
 
 @dataclass(frozen=True)
 class LatticePoints:
-    """Integer lattice points in triangles.
+    """Points with integer coordinates in triangles of the plane: triangle, coordinates and barycentric weights of each.
 
     Attributes:
         triangle: (N,) int64 index of the triangle that contains the point.
@@ -48,7 +48,7 @@ def lattice_points(corners: np.ndarray) -> LatticePoints:
 
 
 def _blocks(counts: np.ndarray) -> Iterator[np.ndarray]:
-    """Yield groups of triangles whose bounding boxes have few lattice points in total; skip triangles without any."""
+    """Yield groups of triangles that are small enough to be searched for lattice points at once."""
     rows = np.flatnonzero(counts)
     block = (np.cumsum(counts[rows]) // _AT_A_TIME).astype(np.int64)
     yield from np.split(rows, np.flatnonzero(np.diff(block)) + 1) if len(rows) else ()
@@ -57,7 +57,7 @@ def _blocks(counts: np.ndarray) -> Iterator[np.ndarray]:
 def _inside(
     corners: np.ndarray, rows: np.ndarray, low: np.ndarray, sides: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the fields of `LatticePoints` for the triangles `rows`.
+    """Return the lattice points in the triangles `rows`: triangle, coordinates and barycentric weights of each.
 
     Their bounding boxes begin at `low` and have `sides` lattice points per axis.
     """

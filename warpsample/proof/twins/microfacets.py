@@ -14,14 +14,14 @@ def _roughnesses(d: Any) -> tuple[float, float]:
 
 
 def _tilted(d: Any, turns: np.ndarray, sine: np.ndarray, cosine: np.ndarray) -> np.ndarray:
-    """Return normals with the slopes sine / cosine (alpha_x cos phi, alpha_y sin phi), for phi in turns."""
+    """Return microfacet normals from sine and cosine of their angle, before stretching by the roughnesses, and azimuth."""
     x, y = _roughnesses(d)
     azimuth = TAU * turns
     return _normalize(np.stack([x * sine * np.cos(azimuth), y * sine * np.sin(azimuth), cosine], axis=-1))
 
 
 def _steepness(d: Any, w: np.ndarray) -> np.ndarray:
-    """Return cos^2 phi / alpha_x^2 + sin^2 phi / alpha_y^2 for the azimuth phi of directions."""
+    """Return cos^2 phi / alpha_x^2 + sin^2 phi / alpha_y^2 for directions with azimuth phi, a factor of densities."""
     (x, y), azimuth = _roughnesses(d), np.arctan2(w[..., 1], w[..., 0])
     return (np.cos(azimuth) / x) ** 2 + (np.sin(azimuth) / y) ** 2
 

@@ -1,4 +1,4 @@
-"""Second implementations of the sequences in exact integers and fractions, and recorded digests of their streams."""
+"""Second implementations of the sequences in exact integers and fractions, and recorded hashes of their values."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -26,7 +26,7 @@ def frozen_digest(name: str) -> str:
 
 
 def names() -> set[str]:
-    """Return the names of the sequences that have a twin."""
+    """Return the names of the sequences that have a second implementation."""
     return set(_TWINS)
 
 

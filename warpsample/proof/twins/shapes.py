@@ -1,4 +1,4 @@
-"""Twins of the uniform, cosine and offset distributions, and of the lobes that depend on the angle to the normal alone."""
+"""Second implementations of the distributions whose density depends only on the angle to the normal."""
 
 from typing import Any
 
@@ -16,7 +16,7 @@ def _cosine(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _concentric(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return radius and azimuth, in turns, of the concentric map, by the square's four triangles (Shirley1997).
+    """Return (radius, azimuth / 2 pi) of the concentric map of the square to the disk (Shirley1997).
 
     u is moved to the centre of its cell.
     """
@@ -122,7 +122,7 @@ def _linearly_transformed_cosine(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _linearly_transformed_cosine_density(d: Any, w: np.ndarray) -> np.ndarray:
-    """Return D(o) of the cosine lobe times the change of solid angle, by the inverse (Heitz2016, equation 1)."""
+    """Return the density of a linearly transformed cosine, per steradian (Heitz2016, equation 1)."""
     inverse = np.linalg.inv(_matrix(d))
     back = w @ inverse.T
     length = np.sqrt(np.square(back).sum(axis=-1))

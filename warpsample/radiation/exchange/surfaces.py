@@ -17,7 +17,7 @@ _BYTES = 200  # per row
 
 @dataclass(frozen=True, eq=False)
 class Surfaces:
-    """N surfaces between which view factors are computed: F faces, or groups of them.
+    """Surfaces between which view factors are computed: the F faces of a mesh, or N groups of faces.
 
     Attributes:
         groups: (F,) int32, group of each face; None if each face is a surface.
@@ -58,7 +58,7 @@ def surfaces_of(areas: np.ndarray, cast: np.ndarray, groups: np.ndarray | None) 
 
 
 def quotients(above: np.ndarray, below: np.ndarray) -> np.ndarray:
-    """Return above / below, and 0 where `below` is 0."""
+    """Return the elementwise quotients above / below; 0 where `below` is 0."""
     return np.divide(above, below, out=np.zeros_like(above), where=below > 0.0)
 
 
