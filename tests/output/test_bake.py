@@ -162,7 +162,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
             "error: --environment: got a.hdr for ao; it applies only to irr",
         ),
         (["-o", "x.csv", "--samples", "1"], "error: --samples: got 1, want a whole number from 2"),
-        (["-o", "x.csv", "--falloff", "1"], "error: --max-distance: got None, want a finite one"),
+        (["-o", "x.csv", "--falloff", "1"], "error: --max-distance: got None, want a finite distance"),
         (
             ["-o", "x.csv", "--falloff", "1", "--quantity", "sky"],
             "error: --falloff: got 1.0 for sky; it applies only to ao",

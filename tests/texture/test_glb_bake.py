@@ -315,7 +315,7 @@ def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
         (["--texture", 64, "--supersample", 0], "--supersample: got 0, want"),
         (["--texture", 64, "--gutter", "some"], "--gutter: got 'some', want 'all' or a whole number"),
         (["--texture", 64, "--strength", 2], "--strength: got 2.0, want a number from 0 to 1"),
-        (["--texture", 64, "--uv", "1"], "--uv: got 1, want a set of texture coordinates that all faces of 'brick' have"),
+        (["--texture", 64, "--uv", "1"], "--uv: got 1, want a set of texture coordinates for all faces of 'brick'"),
         (["--texture", "64x32", "--uv", "new"], "--texture: got 64x32 for new texture coordinates, want a square"),
         (
             ["--texture", 64, "--quantity", "mean-distance"],

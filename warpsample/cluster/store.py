@@ -48,7 +48,7 @@ def check_store(path: Any, argument: str) -> Path:
         if found.exists() and not (found / "zarr.json").is_file():
             raise ValueError(f"{argument}: got {str(path)!r}, which exists and is not a Zarr store, want another name")
         if not found.parent.is_dir():
-            raise ValueError(f"{argument}: got {str(path)!r}, whose folder does not exist; create the folder first")
+            raise ValueError(f"{argument}: got {str(path)!r}, whose folder does not exist")
     except OSError as error:
         raise ValueError(f"{argument}: got {str(path)!r}, which cannot be written: {error.strerror}") from error
     return found
@@ -122,7 +122,7 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
             )
         if old != new and isinstance(old, dict) and isinstance(new, dict):
             raise ValueError(
-                f"{argument}: got {str(path)!r} of another run: {difference(name, old, new)}; repeat the arguments of "
+                f"{argument}: got {str(path)!r} of another run; {difference(name, old, new)}; repeat the arguments of "
                 "that run, or use a new name"
             )
         if old != new:

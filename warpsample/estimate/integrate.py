@@ -98,7 +98,7 @@ def _without_mesh(points: Any) -> PlacedPoints:
     if not isinstance(points, SurfacePoints):
         given = Triples.of(points, "points", "(P, 3)")
         if len(given.shape) != 1:
-            raise ValueError(f"points: got shape {(*given.shape, 3)}, want (P, 3)")
+            raise ValueError(f"points: got shape {(*given.shape, 3)}, want (P, 3), one row for each of P points")
         normals = as_directions(given.owner)
         points = SurfacePoints(np.zeros(normals.shape, np.float32), normals)
     return PlacedPoints(points, None)

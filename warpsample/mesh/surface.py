@@ -64,7 +64,7 @@ class SurfacePoints(Summary):
         """Check the types and shapes of the arrays, and set missing faces to -1."""
         position, normal = as_real(self.position, "position"), as_real(self.normal, "normal")
         if position.ndim != 2 or position.shape[1] != 3:
-            raise ValueError(f"position: got shape {position.shape}, want (P, 3)")
+            raise ValueError(f"position: got shape {position.shape}, want (P, 3), one row for each of P points")
         points = len(position)
         face = np.full(points, -1, np.int32) if self.face is None else _check_face(self.face)
         barycentric = None if self.barycentric is None else as_real(self.barycentric, "barycentric")

@@ -151,7 +151,7 @@ _PAIRS: tuple[tuple[Callable[[BakeRun, Quantity], bool], Callable[[BakeRun, Quan
             and run.mesh.suffix.lower() not in (".glb", ".gltf")
         ),
         lambda run, _: (
-            f"--output: got {run.output.name!r} for {run.mesh.name!r}, want .png, .exr or .npz: only glTF becomes a "
+            f"--output: got {run.output.name!r} for {run.mesh.name!r}, want .png, .exr or .npz; only a glTF input becomes a "
             f"{run.output.suffix}"
         ),
     ),

@@ -80,7 +80,10 @@ class TileFiles:
             for name in dict.fromkeys((*about, *kept)):
                 if kept.get(name) != about.get(name):
                     was, now = quote(kept.get(name)), quote(about.get(name))
-                    raise ValueError(f"--output: got {str(self.path)!r} of {name} {was}, want one of {name} {now}")
+                    raise ValueError(
+                        f"--output: got {str(self.path)!r} of {name} {was}, want tiles of {name} {now}; repeat the "
+                        "arguments of that run, or use a new name"
+                    )
         whole = np.array([self._is_whole(index, run) for index in range(run.grid[0] * run.grid[1])])
         cells = run.reader.shape[0] * run.reader.shape[1]
         check_space(self.path, int(cells * (1.0 - whole.mean())) * 4 * len(run.names), f"{cells:,} cells")
