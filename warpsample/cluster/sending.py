@@ -40,7 +40,7 @@ class Tasks(MaterializedLayer):
         self.client: Any = current_client()
 
     def __iter__(self) -> Iterator[Any]:
-        """Iterate over the keys of the tasks.
+        """Return an iterator over the keys of the tasks.
 
         Raises:
             RuntimeError: if the Client is closed. Schedulers without a Client iterate first, so the error reaches the user.

@@ -177,11 +177,11 @@ class CosineHemisphere(Distribution):
 
     @property
     def maps(self) -> Maps:
-        """Functions (`wp.func`) of the distribution, for use in kernels."""
+        """Warp functions of the distribution for kernels: map, density and inverse."""
         return _MAPS[self.method]
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, sin^2 theta. See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: sin^2 theta. See `Distribution.cdf`."""
         return np.sin(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
 
 

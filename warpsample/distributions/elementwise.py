@@ -12,7 +12,7 @@ FLAT_BLOCK = 256
 
 @wp.func
 def _read_2(x: wp.array[wp.float32], i: wp.int32) -> wp.vec2:
-    """Return the i-th vector, of two components, of a flat array."""
+    """Return the i-th vector of a flat array of 2-vectors."""
     # Adding 0 changes only -0.0. Without the sum LLVM joins the two loads into a short vector and does not vectorise the
     # loop.
     return wp.vec2(x[2 * i] + 0.0, x[2 * i + 1] + 0.0)
@@ -20,7 +20,7 @@ def _read_2(x: wp.array[wp.float32], i: wp.int32) -> wp.vec2:
 
 @wp.func
 def _read_3(x: wp.array[wp.float32], i: wp.int32) -> wp.vec3:
-    """Return the i-th vector, of three components, of a flat array."""
+    """Return the i-th vector of a flat array of 3-vectors."""
     return wp.vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2])
 
 
@@ -32,14 +32,14 @@ def _write_1(y: wp.array[wp.float32], i: wp.int32, value: wp.float32):
 
 @wp.func
 def _write_2(y: wp.array[wp.float32], i: wp.int32, value: wp.vec2):
-    """Write the i-th vector, of two components, of a flat array."""
+    """Write the i-th vector of a flat array of 2-vectors."""
     y[2 * i] = value[0]
     y[2 * i + 1] = value[1]
 
 
 @wp.func
 def _write_3(y: wp.array[wp.float32], i: wp.int32, value: wp.vec3):
-    """Write the i-th vector, of three components, of a flat array."""
+    """Write the i-th vector of a flat array of 3-vectors."""
     y[3 * i] = value[0]
     y[3 * i + 1] = value[1]
     y[3 * i + 2] = value[2]
@@ -85,13 +85,13 @@ def _clear_1(y: wp.array[wp.float32], i: wp.int32):
 
 @wp.func
 def _clear_2(y: wp.array[wp.float32], i: wp.int32):
-    """Set the i-th vector, of two components, of a flat array to 0."""
+    """Set the i-th vector of a flat array of 2-vectors to 0."""
     _write_2(y, i, wp.vec2(0.0))
 
 
 @wp.func
 def _clear_3(y: wp.array[wp.float32], i: wp.int32):
-    """Set the i-th vector, of three components, of a flat array to 0."""
+    """Set the i-th vector of a flat array of 3-vectors to 0."""
     _write_3(y, i, wp.vec3(0.0))
 
 

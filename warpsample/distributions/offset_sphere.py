@@ -112,7 +112,7 @@ class OffsetSphere(Distribution):
 
     @property
     def maps(self) -> Maps:
-        """Functions (`wp.func`) of the distribution, for use in kernels."""
+        """Warp functions of the distribution for kernels: map, density and inverse."""
         ambiguous = bool((self.rho < 1.0).any()) if _is_checked(self.rho) else self.support == "cone"
         invert = None if ambiguous else offset_sphere_to_square
         return Maps(square_to_offset_sphere, square_to_offset_sphere_pdf, invert)
@@ -140,7 +140,7 @@ class OffsetSphere(Distribution):
         return 1e-2 if self.support == "cone" else super().thinnest_tail
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle: the fraction of the sphere that appears within theta of the normal.
+        """Return the probability that the angle to +z is at most theta: the part of the sphere seen within this angle.
 
         See `Distribution.cdf`.
         """

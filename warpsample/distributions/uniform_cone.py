@@ -110,7 +110,7 @@ class UniformCone(Distribution):
         return float(2.0 * np.arcsin(np.sqrt(0.5 * self.one_minus_cos)))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, (1 - cos theta) / one_minus_cos, at most 1. See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: (1 - cos theta) / one_minus_cos, at most 1."""
         return np.minimum(2.0 * np.sin(0.5 * theta) ** 2 / self.one_minus_cos, 1.0)
 
 

@@ -112,7 +112,7 @@ class UniformDisk(Distribution):
 
     @property
     def maps(self) -> Maps:
-        """Functions (`wp.func`) of the distribution, for use in kernels."""
+        """Warp functions of the distribution for kernels: map, density and inverse."""
         return _MAPS[self.method]
 
     @property
@@ -121,7 +121,7 @@ class UniformDisk(Distribution):
         return 1.0
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the radius, the square of the radius. See `Distribution.cdf`."""
+        """Return the probability that the radius is at most theta: theta squared. See `Distribution.cdf`."""
         return np.clip(theta, 0.0, 1.0, dtype=np.float64) ** 2
 
 

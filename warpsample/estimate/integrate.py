@@ -1,4 +1,4 @@
-"""The mean of a user-defined function over the directions of a lobe."""
+"""The call `integrate`: the mean of a user-defined function over directions about each normal."""
 
 from dataclasses import replace
 from typing import Any

@@ -33,7 +33,7 @@ def widths_of(slots: Slots) -> wp.Function:
         fewer: wp.int32,
         strata: wp.int32,
     ):
-        """Return the squared scale and the degrees of freedom of Student's t distribution, for each channel of the estimate.
+        """Return squared scale and degrees of freedom of the t-distributed error of an estimate, for each of its channels.
 
         `unseen` is the sum over the strata of the squared weight of one ray.
         """
@@ -59,7 +59,7 @@ def traced_lobe(slots: Slots) -> wp.Function:
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """Sum the weights of the rays of one point against a mesh, and return six numbers.
+        """Trace the rays of one point against a mesh; return the sum of their weights, its error, and counts of rays.
 
         They are: the sum of the weights, its squared standard error, its squared spread, the degrees of freedom, the number
         of rays cast, and the number of rays in strata proven empty.

@@ -51,7 +51,7 @@ class Strata:
 
     @property
     def step(self) -> int:
-        """Number of strata times replicates; the ray count of a point must be a multiple of this number."""
+        """Number that the ray count of a point must be a multiple of: two sets of rays in each stratum."""
         return self.bands * self.sectors * REPLICATES
 
     @property

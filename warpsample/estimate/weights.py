@@ -1,4 +1,4 @@
-"""Built-in integrands: Warp functions (direction, Lobe, Weights) -> weight of an unoccluded ray, a vec3."""
+"""Built-in integrands: Warp functions that return the weight of a ray, for ambient occlusion, sky view and others."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Stretching of directions along x and y, by which an isotropic lobe of microfacet normals becomes an anisotropic one."""
+"""Stretching of microfacet normals along x and y, which turns an isotropic distribution into an anisotropic one."""
 
 import warp as wp
 

@@ -28,7 +28,7 @@ class Outlines:
         return np.cumsum(self.rings) - self.rings
 
     def crosses(self, points: np.ndarray) -> np.ndarray:
-        """Return the (R, 3) normals of the rings by Newell's formula, with a length of twice the ring's area.
+        """Return the normal of each ring of corners, (R, 3), with a length of twice the ring's area (Newell's formula).
 
         The normal is 0 for a ring with fewer than three corners.
         """

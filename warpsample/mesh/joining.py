@@ -1,4 +1,4 @@
-"""Joins the meshes of a scene into one mesh, each transformed by its matrix."""
+"""Joining of the meshes of a scene into one mesh, each transformed by its matrix."""
 
 from collections.abc import Iterable, Iterator
 

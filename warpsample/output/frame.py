@@ -52,7 +52,7 @@ def to_frame(found: Any, points: SurfacePoints, mesh: Any = None, *, first_point
 
 
 def _of_faces(face: np.ndarray | None, mesh: Mesh) -> dict[str, np.ndarray]:
-    """Return the columns with the part and the area of each point's face."""
+    """Return two table columns: the name of the part, and the area, of the face that each point lies on."""
     assert face is not None
     if face.size and face.max() >= len(mesh.faces):
         raise ValueError(f"points: got the face {face.max()}, want faces of the mesh, which has {len(mesh.faces):,}")

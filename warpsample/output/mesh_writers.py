@@ -68,7 +68,7 @@ def write_ply(file: BinaryIO, elements: dict[str, dict[str, Rows]]) -> None:
 def write_vtp(
     file: BinaryIO, points: Rows, faces: Rows | None, point_data: dict[str, Rows], cell_data: dict[str, Rows]
 ) -> None:
-    """Write a binary PolyData of VTK: points (N, 3) with faces, (F, 3) indices of points, or with each point as a cell.
+    """Write a binary .vtp file of points (N, 3), with triangles (F, 3) or without.
 
     Data are arrays (N, ...) or (F, ...) by name; "Normals" of points become the active normals.
     """

@@ -1,4 +1,4 @@
-"""Parts of a PyVista scene with replaceable contents: clouds, lobes, pins, sheets of pixels and mouse picking.
+"""Objects of a PyVista scene whose contents can be replaced: point clouds, surfaces, pins and pictures.
 
 The constructor of each class adds the part to the current renderer of the plotter.
 """
@@ -78,7 +78,7 @@ def label_bar(bar: Any, high: float) -> None:
 
 
 class LobeActor:
-    """Lobe in a PyVista scene: the density of directions as a translucent surface over the tangent plane."""
+    """Density of directions in a PyVista scene, as a translucent surface over the tangent plane."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
         import pyvista as pv
@@ -87,7 +87,7 @@ class LobeActor:
         self.actor = plotter.add_mesh(pv.Plane(i_resolution=1, j_resolution=1), **style)
 
     def show(self, grid: np.ndarray) -> None:
-        """Replace the lobe's surface by a grid of points, (I, J, 3), on I rings and J spokes."""
+        """Show another surface, given by a grid of points, (I, J, 3), on I rings and J spokes."""
         rings, spokes = grid.shape[:2]
         first = (np.arange(rings - 1)[:, None] * spokes + np.arange(spokes - 1)).ravel()
         quads = np.stack([first, first + 1, first + spokes + 1, first + spokes], axis=1)

@@ -44,7 +44,7 @@ class SetPanel:
 
 
 def family_sheet(sets: list[SetPanel], spheres: list[SetPanel], caption: str) -> "Figure":
-    """Draw four projected offset sets, spheres of three radii, and the half angle that proves the cosine lobe."""
+    """Draw a figure on Shirley's trick: four sets of points around the normal's tip, three spheres, and the proof."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(16.0, 16.5), layout="constrained", dpi=100)

@@ -1,4 +1,4 @@
-"""Advice on broken laws in sentences: the wrong part, the parts that are merely imprecise, and a way to mend each."""
+"""Advice for users whose sampler fails tests: which function is wrong or imprecise, and how to mend it."""
 
 from collections.abc import Iterable, Iterator
 
@@ -36,7 +36,7 @@ _JUDGED = {
 
 
 def advise(verdicts: Iterable[Verdict], subjects: Iterable[Subject] = ()) -> list[str]:
-    """Return sentences of advice on each distribution with a broken law.
+    """Return sentences of advice on each distribution that fails a test.
 
     Args:
         verdicts: verdicts of any laws.

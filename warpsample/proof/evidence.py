@@ -18,7 +18,7 @@ _ROWS = 40
 
 
 def independent(points: int, count: int, seed: int) -> np.ndarray:
-    """Return (points, count, 2) float32 variates of the sequence "independent", as the statistical tests assume."""
+    """Return independent uniform random numbers, (points, count, 2) float32, of the sequence "independent"."""
     return sample_square("independent", points, count, seed=seed)
 
 
@@ -59,7 +59,7 @@ class Evidence:
         self.chart: Chart = chart_of(subject.sampler)
 
     def draw(self, seed: int, draws: int) -> np.ndarray:
-        """Sample `draws` directions of the sampler with independent variates."""
+        """Sample `draws` directions of the sampler from independent random numbers."""
         u = self.subject.variates(draws // _SAMPLES, _SAMPLES, seed)
         return self.sampler.sample(u.reshape(-1, 2))
 

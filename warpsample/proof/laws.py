@@ -51,7 +51,7 @@ def length_error(w: np.ndarray) -> float:
 
 
 def angle_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Return the greatest angle, in radians, between directions and the exact directions of their float64 twin.
+    """Return the largest angle, in radians, between float32 directions and exact directions computed in float64.
 
     It is computed from the component of w perpendicular to the twin, and is pi if some angle is 90 degrees or more.
     """
@@ -61,13 +61,13 @@ def angle_error(w: np.ndarray, twin: np.ndarray) -> float:
 
 
 def distance_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Return the greatest distance between points and the exact points of their float64 twin."""
+    """Return the largest distance between float32 points and exact points computed in float64."""
     difference = w - twin
     return worst(np.sqrt(_dot(difference, difference)))
 
 
 def sine_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Return the greatest relative error of sin theta of directions w, float64, which matters for narrow lobes."""
+    """Return the largest relative error of the sine of the angle between directions and +z."""
     exact = twin[..., 0] ** 2 + twin[..., 1] ** 2
     ratio = (w[..., 0] ** 2 + w[..., 1] ** 2) / np.maximum(exact, 1e-60)
     return worst(np.sqrt(ratio) - (exact > 0.0))  # at the pole itself any nonzero sine is an error
@@ -79,7 +79,7 @@ def density_error(pdf: np.ndarray, exact: np.ndarray) -> float:
 
 
 def round_trip_error(back: np.ndarray, u: np.ndarray) -> float:
-    """Return the greatest difference of a coordinate of u after `sample` and `invert`, modulo 1 as for azimuths."""
+    """Return the largest difference between u and invert(sample(u)), modulo 1."""
     difference = back.astype(np.float64) - u
     return worst(difference - np.round(difference))
 
@@ -157,12 +157,12 @@ def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
 
 
 def mass_error(sampler: Sampler, edges: np.ndarray) -> float:
-    """Return the absolute difference between the density's integral and 1."""
+    """Return by how much the integral of a sampler's density differs from 1."""
     return worst(cell_masses(sampler, edges, _COLUMNS).sum() - 1.0)
 
 
 def angles_p_value(sampler: Sampler, a: np.ndarray) -> float:
-    """Return the p-value of a Kolmogorov-Smirnov test of polar coordinates a against the sampler's cdf."""
+    """Return the p-value of a Kolmogorov-Smirnov test of angles to the normal against the sampler's cdf."""
     return uniform_p_value(sampler.cdf(a))
 
 
@@ -179,7 +179,7 @@ def tails_p_value(sampler: Sampler, a: np.ndarray) -> float:
 
 
 def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float:
-    """Return the p-value of the means of a and a^2 of polar coordinates a, compared with integrals of the density.
+    """Return the p-value of the mean angle and mean squared angle of directions, compared with integrals of the density.
 
     It is twice the smaller p-value of the two means.
     """

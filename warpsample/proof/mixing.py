@@ -203,7 +203,7 @@ def low_bits_p_value(words: np.ndarray, bits: int) -> float:
 
 
 def judge_keys(name: str, keys: Callable[[int, bool], np.ndarray] = keys_of) -> Verdict:
-    """Test whether the lowest bits of the keys of points and streams are evenly distributed; return the verdict.
+    """Test whether the lowest bits of the random keys of points and streams are uniform; return the result.
 
     The seeds are ordinary ones and ones for which a weak hash fails.
     """
@@ -213,7 +213,7 @@ def judge_keys(name: str, keys: Callable[[int, bool], np.ndarray] = keys_of) -> 
 
 
 def judge_far_samples(name: str, samples: np.ndarray) -> Verdict:
-    """Test whether the lowest bits of samples that are 1,024 apart are evenly distributed; return the verdict.
+    """Test whether the lowest bits of samples that are 1,024 apart are uniform; return the result.
 
     The sequence must have independent samples.
     """
@@ -225,7 +225,7 @@ _OF_RANDOM = {"bits of samples": sample_pairs}
 
 
 def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
-    """Test whether a change of one bit of seed, point id, stream or sample gives independent variates; return the verdicts.
+    """Test that changing one bit of seed, point id, stream or sample gives independent random numbers; return results.
 
     `random` states whether the samples of one point should be independent, too.
     """
@@ -237,7 +237,7 @@ def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
 
 
 def judge_mixing(name: str) -> list[Verdict]:
-    """Test a sequence of the package by all tests of this module; return the verdicts."""
+    """Run all tests of this module on a sequence, and return the results."""
     random = sequences.get(name).random
     verdicts = [judge_keys(name), *judge_cells(name, cells_of(name), random)]
     return [*verdicts, judge_far_samples(name, far_samples_of(name))] if random else verdicts

@@ -94,7 +94,7 @@ def summarize(verdicts: list[Verdict]) -> str:
 
 
 def _make_table(title: str | None = None) -> Any:
-    """Return a rich table without columns, in the style of all tables of verdicts."""
+    """Return an empty rich table in the style of all tables of test results."""
     from rich import box
     from rich.table import Table
 
@@ -102,7 +102,7 @@ def _make_table(title: str | None = None) -> Any:
 
 
 def power_table(caught: dict[str, list[Verdict]]) -> Any:
-    """Return a rich table with one row per planted defect (deliberate error in a sampler): the laws that reject it."""
+    """Return a rich table with a row for each deliberately wrong sampler: the tests that reject it."""
     table = _make_table("Deliberately wrong samplers, and the tests that reject them")
     table.add_column("wrong sampler")
     table.add_column("rejected by")
@@ -155,7 +155,7 @@ def _worst_by_name(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
 
 
 def _group_verdicts(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
-    """Group verdicts by distribution, with the case closest to failing first in each group."""
+    """Group test results by distribution, with the case closest to failing first in each group."""
     groups: dict[str, list[Verdict]] = {}
     for v in verdicts:
         groups.setdefault(name_of(v), []).append(v)
@@ -163,7 +163,7 @@ def _group_verdicts(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
 
 
 def name_of(v: Verdict) -> str:
-    """Return the name of the distribution that a verdict judges, without parameters; other names stay whole."""
+    """Return the name of the distribution that a test result is about, without parameters."""
     case = re.fullmatch(r"(\w+)\(.*\)", v.subject)
     return case[1] if case else v.subject
 
@@ -174,7 +174,7 @@ def _distance_to_failure(v: Verdict) -> float:
 
 
 def _format_row(group: list[Verdict]) -> list[str]:
-    """Return the texts of a table row that summarises a group of verdicts."""
+    """Return the texts of a table row that summarises a group of test results."""
     hardest = group[0]
     verdict = "[green]holds[/]" if all(v.passed for v in group) else "[red]BROKEN[/]"
     at = hardest.subject[len(name_of(hardest)) + 1 : -1] if len(group) > 1 and hardest.measured != 0.0 else ""

@@ -38,7 +38,7 @@ _TURN = 2.0 * np.pi
 
 
 def circle(turns: np.ndarray) -> np.ndarray:
-    """Sample points of the unit circle from one variate each (Chizhov2019, section 3.4).
+    """Sample points of the unit circle from one random number each (Chizhov2019, section 3.4).
 
     The source prints two different variates in sine and cosine.
     """
@@ -199,7 +199,7 @@ def _compare_densities() -> dict[str, float]:
 
 
 def judge_routes() -> list[Verdict]:
-    """Test that other methods sample the same distributions, and that equal formulas agree; return the verdicts."""
+    """Test that methods from the literature sample the same distributions as the package; return the results."""
     verdicts = []
     for route in ROUTES:
         w, name = route.draw(variates(route.dimensions)), f"{type(route.to).__name__} by {route.name}"

@@ -68,7 +68,7 @@ def list_tasks(only: str | None = None) -> list[TrialPart]:
 
 
 def subjects(tasks: Iterable[TrialPart]) -> list[Subject]:
-    """Return the samplers, with their twins, of all tasks that judge a distribution or a planted defect."""
+    """Return the samplers that the given tasks test, each with its second implementation."""
     found = [Subject(repr(task.key), task.key, task.key) for task in tasks if task.kind == "case"]
     return found + [defects.subject_of(task.key) for task in tasks if task.kind == "defect"]
 
@@ -95,7 +95,7 @@ def defect_tasks() -> list[TrialPart]:
 
 
 def run(tasks: list[TrialPart], thorough: bool = False) -> Iterator[tuple[TrialPart, list[Verdict]]]:
-    """Run tasks of `warpsample verify` in one process per core; yield each task with its verdicts when it ends.
+    """Run tasks of `warpsample verify` in one process per core; yield each task with its test results when it ends.
 
     A thorough run sweeps all 2^24 variates, not every fourth, or every 16th for a twin that inverts by bisection.
     """

@@ -22,7 +22,7 @@ _AZIMUTH = 2.0 * np.pi
 
 
 def _scaled(density: Callable[[np.ndarray], np.ndarray], factor: float, w: np.ndarray) -> np.ndarray:
-    """Return a density times a factor."""
+    """Return a wrong density: the density of directions w times a factor."""
     return (density(w) * factor).astype(_F)
 
 

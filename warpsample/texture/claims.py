@@ -20,7 +20,7 @@ _LAST_FACE = 0xFFFFFFFF
 
 @dataclass(frozen=True, eq=False)
 class Claims:
-    """Result of assigning texels to faces: points in texels, each with its number and face.
+    """Assignment of texels to faces: points in texels, each with its number and the face that covers it.
 
     Attributes:
         id: (P,) uint64, point numbers in ascending order: (row * width + column) * samples + sample.

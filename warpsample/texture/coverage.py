@@ -111,7 +111,7 @@ def _squared_distance(start: wp.vec2d, end: wp.vec2d, s: wp.float64, p: wp.vec2d
 
 @wp.func
 def find_nearest(t: Triangle, e: wp.vec3d, p: wp.vec2d) -> wp.vec4d:
-    """Return the weights of a, b and c at the triangle's point nearest to p, and the squared distance."""
+    """Return the triangle's point nearest to p, as barycentric weights of a, b and c, and its squared distance from p."""
     if _smallest(e) >= _ZERO:
         sum = e[0] + e[1] + e[2]
         return wp.vec4d(e[0] / sum, e[1] / sum, e[2] / sum, _ZERO)

@@ -35,7 +35,7 @@ class HighMesh:
 
     @classmethod
     def load(cls, path: Path, cage: float, normals: str) -> "HighMesh":
-        """Read the fine mesh and its normals from a file."""
+        """Read the fine mesh and its normals from a file; `cage` is the distance at which projecting rays start."""
         mesh = load_mesh(path)
         given = read_corners(path, "NORMAL") if path.suffix.lower() in (".glb", ".gltf") else None
         return cls(mesh, compute_corner_normals(mesh, given), cage, normals)

@@ -1,4 +1,4 @@
-"""Faces of all objects of a CityJSON file, in world coordinates."""
+"""Reading of the surfaces of all objects of a CityJSON file, in world coordinates."""
 
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -1,4 +1,4 @@
-"""Results as attributes in a CityJSON file, on surfaces and on city objects; everything else stays the same."""
+"""Writing of results into a CityJSON file, as attributes of surfaces and city objects."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from copy import deepcopy
@@ -25,7 +25,7 @@ Results = Mapping[str, np.ndarray]
 
 
 class Editor:
-    """Writer that adds results of surfaces to the JSON documents of the CityJSON file that the surfaces come from."""
+    """Editor of a CityJSON file that adds computed results to its surfaces and city objects."""
 
     geometries: Sequence[Geometry]
     surfaces: CitySurfaces

@@ -34,7 +34,7 @@ _OPTIONS = ("count", "max_distance", "seed", "skip", "workers", "progress")
 
 
 def finds_horizons(quantity: Quantity, options: dict[str, Any]) -> bool:
-    """Return True if a search for the horizon in each azimuth can compute a quantity with the given options.
+    """Return whether a quantity can be computed by a search for the horizon in each azimuth, with the given options.
 
     The quantity must be a sky view, and all options must be those that the search knows.
     """

@@ -133,7 +133,7 @@ def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> 
 
 
 def _data_array_reader(array: xr.DataArray) -> RasterReader:
-    """Return a reader of the heights in an xarray.DataArray, after checks."""
+    """Check an xarray.DataArray of heights, and return a reader of the heights."""
     try:
         dims = array.rio.y_dim, array.rio.x_dim
     except MissingSpatialDimensionError:
@@ -163,7 +163,7 @@ def _data_array_reader(array: xr.DataArray) -> RasterReader:
 
 
 def _array_reader(array: Any, transform: Any, crs: Any) -> RasterReader:
-    """Return a reader of the heights in an array with a transform and a CRS, after checks."""
+    """Check an array of heights with a transform and a CRS, and return a reader of the heights."""
     masked = np.ma.getmask(array)
     values = as_real(np.ma.getdata(array) if masked is not np.ma.nomask else array, "source", "an array of real numbers")
     masked = np.broadcast_to(masked, values.shape)

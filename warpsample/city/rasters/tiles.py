@@ -216,7 +216,7 @@ class RasterRun:
         return Foreground(triangles, tuple(map(len, ground)))
 
     def _build_scenes(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
-        """Return the tile's scene twice: with distant terrain that is too high, and with distant terrain that is too low.
+        """Return two versions of a tile's meshes: with distant terrain that is too high, and with one that is too low.
 
         Without distant terrain there is only one scene.
         """
@@ -243,7 +243,7 @@ class RasterRun:
 
 
 def _average_bounds(found: list[Seen]) -> dict[str, np.ndarray]:
-    """Return the means of the results with too high and with too low distant terrain; half the difference is `far_error`."""
+    """Average two results, computed with too high and with too low distant terrain; half the difference is `far_error`."""
     upper, lower = (vars(seen) for seen in (found[0], found[-1]))
     names = ("value", "standard_error", "half_width")
     means = {name: (upper[name].astype(np.float64) + lower[name]) / 2.0 for name in names}

@@ -37,7 +37,7 @@ class Microfacets(Distribution):
 
     @property
     def maps(self) -> Maps:  # type: ignore[override]
-        """Functions (`wp.func`) of the distribution, for use in kernels."""
+        """Warp functions of the distribution for kernels: map, density and inverse."""
         return self.isotropic if self.alpha_y is None else self.anisotropic
 
     @property
@@ -58,9 +58,9 @@ class Microfacets(Distribution):
         return (float(np.float32(self.alpha)), 0.0, 0.0), (0.0, float(np.float32(self.alpha_y)), 0.0), (0.0, 0.0, 1.0)
 
     def _cdf(self, theta: Any) -> np.ndarray:
-        """Return the cdf of the angle for an isotropic lobe; raise NotImplementedError for another. See `cdf`."""
+        """Return the probability that the angle to +z is at most theta, if the distribution is isotropic. See `cdf`."""
         return self._isotropic_cdf(theta) if self.symmetric else Distribution._cdf(self, theta)
 
     def _isotropic_cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle of the isotropic distribution, without `alpha_y`."""
+        """Return the probability that the angle to +z is at most theta, for the isotropic distribution."""
         return Distribution._cdf(self, theta)

@@ -110,7 +110,7 @@ class Beckmann(Microfacets):
     )
 
     def _isotropic_cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, 1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: 1 - exp(-tan^2 theta / alpha^2)."""
         return -np.expm1(-((np.tan(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) / self.alpha) ** 2))
 
 

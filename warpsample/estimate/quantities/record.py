@@ -86,7 +86,7 @@ class Quantity:
 
     @property
     def sometimes(self) -> list[str]:
-        """Names of the arrays with one row per point that a result may lack (None)."""
+        """Names of the result arrays with one row per point that are None in some results."""
         return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is None]
 
     def arrays_of(self, found: Any) -> dict[str, np.ndarray]:

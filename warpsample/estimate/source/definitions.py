@@ -1,4 +1,4 @@
-"""Lookup of the current definitions of users' Warp functions, which notebooks and reloads may define again.
+"""Lookup of the current definition of a user's Warp function, which notebooks may have defined again.
 
 If a function is defined again with other argument types, Warp keeps both definitions as overloads of one name. A kernel
 keeps the functions and constants of the time when the kernel was built.

@@ -75,7 +75,10 @@ def _inside(
 
 
 def _side(start: np.ndarray, end: np.ndarray, place: np.ndarray) -> np.ndarray:
-    """Return twice the (N,) signed area between an edge and a point; reversing the edge only changes the sign, exactly."""
+    """Return twice the signed area of the triangle of an edge and a point, (N,): the sign is the side of the edge.
+
+    Reversing the edge only changes the sign, exactly.
+    """
     turned = (start[:, 0] > end[:, 0]) | ((start[:, 0] == end[:, 0]) & (start[:, 1] > end[:, 1]))
     a, b = np.where(turned[:, None], end, start), np.where(turned[:, None], start, end)
     cross = (b[:, 0] - a[:, 0]) * (place[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (place[:, 0] - a[:, 0])

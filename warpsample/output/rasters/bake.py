@@ -58,7 +58,7 @@ class RasterJob:
 
     @classmethod
     def of(cls, run: BakeRun) -> "RasterJob":
-        """Build the job from the arguments of a `warpsample bake` command."""
+        """Build the description of the computation from the arguments of a `warpsample bake` command."""
         given = run.options | {name: run.more[name] for name in _RASTER_OPTIONS if name in run.more}
         given |= {} if run.transmittance is None else {"transmittance": run.transmittance}
         options = {ARGUMENTS.get(name, name): _to_plain(name, value) for name, value in given.items()}

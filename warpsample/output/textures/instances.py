@@ -56,7 +56,7 @@ def _joined(known: Picture, other: Picture) -> Picture:
 
 
 def _mean_of(first: Picture, others: Iterator[Picture], gutter: Any) -> Picture:
-    """Average the pictures of all places of a mesh to one picture; errors are averaged, not taken as independent."""
+    """Return the mean of the pictures of all places of a mesh, with the mean of their standard errors."""
     total, count = _sums(first.filled)
     for other in others:
         first = _joined(first, other)

@@ -96,7 +96,7 @@ def _build_caster(glass: bool) -> wp.Function:
 
 @once
 def face_kernel(glass: bool = False) -> wp.Kernel:
-    """Build the kernel that casts the rays of faces, one face per task; with `glass` it writes weights as well."""
+    """Build the kernel that casts rays from faces and stores what they hit; `glass` is for translucent faces."""
     cast_replicate = _build_caster(glass)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)

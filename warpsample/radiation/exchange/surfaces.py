@@ -32,7 +32,7 @@ class Surfaces:
     densities: np.ndarray
 
     def summed(self, values: np.ndarray) -> np.ndarray:
-        """Sum (F,) integers over the faces of each surface; return (N,)."""
+        """Sum integers per face, (F,), over the faces of each surface, and return the (N,) sums."""
         if self.groups is None:
             return values
         return np.bincount(self.groups, values, len(self.areas)).astype(values.dtype)
@@ -93,7 +93,7 @@ def check_groups(groups: Any, mesh: Mesh) -> tuple[np.ndarray | None, tuple[str,
 
 
 def _group_by_part(mesh: Mesh, groups: str) -> tuple[np.ndarray, tuple[str, ...]]:
-    """Return the named part of each face as its group, (F,) int32, and the names.
+    """Group the faces by named part; return (number of each face's part, (F,) int32; names of the parts).
 
     Faces without a part get a group named "".
     """

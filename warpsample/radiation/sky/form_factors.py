@@ -54,7 +54,7 @@ class Patch:
 
 
 def table_of(patches: SkyPatches) -> np.ndarray:
-    """Return the edges of all sky patches with sines and cosines, (K, 20) float64: one row per patch, as in `Patch`."""
+    """Return a table of sky patches for kernels, (K, 20) float64: edges of each patch, with sines and cosines."""
     (low, high), (first, last) = np.radians(patches.altitudes).T, np.radians(patches.azimuths).T
     table = np.zeros((len(patches), _COLUMNS))
     table[:, 0:6] = np.stack([first, last, np.sin(first), np.cos(first), np.sin(last), np.cos(last)], axis=1)

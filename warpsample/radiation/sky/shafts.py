@@ -1,4 +1,4 @@
-"""Shafts around sky patches: pyramids of directions from a point, proven empty or filled by one triangle."""
+"""Tests whether a whole sky patch is visible or blocked, by pyramids of directions around the patch ("shafts")."""
 
 import numpy as np
 import warp as wp

@@ -1,4 +1,4 @@
-"""The call `sky_matrix`: the share of each point's cosine lobe that each sky patch fills."""
+"""The call `sky_matrix`: the cosine-weighted share of each sky patch in the view of each point."""
 
 from math import prod
 from typing import Any

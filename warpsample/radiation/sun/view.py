@@ -1,4 +1,4 @@
-"""Argument of the kernel of `direct_sun`, and its state for one point: recent blockers, counters, working memory."""
+"""Data structures of the kernel of `direct_sun`: its argument, and its state for one point."""
 
 import warp as wp
 

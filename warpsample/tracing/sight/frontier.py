@@ -50,7 +50,7 @@ def limit_of_boxes(limit: wp.float32, n: wp.vec3) -> wp.float32:
 
 @wp.func
 def visible_children(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
-    """Return two masks of a tree node's children: boxes above a point's horizon and within reach, and boxes around o.
+    """Return two masks of a tree node's children: those that rays from the point o may hit, and those that contain o.
 
     A child is above the horizon if its box has a point x with x n of at least `limit`.
     """
@@ -90,7 +90,7 @@ def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
 
 @wp.func
 def _copy_child(node: wp.uint64, child: wp.int32, nodes: wp.uint64, entry: wp.int32):
-    """Copy the box and link of a tree node's child to the list of nodes where the point's rays start their search."""
+    """Copy a child (box and link) of a search-tree node to the list of nodes at which the rays of a point start."""
     source = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
     target = wp.array(ptr=nodes + wp.uint64(entry / WIDTH) * wp.uint64(NODE_BYTES), shape=(_NODE_FLOATS,), dtype=wp.float32)
     lane = entry % WIDTH
@@ -206,7 +206,7 @@ def _find_children_in(node: wp.uint64, plane: HalfSpace):
 
 @wp.func
 def _find_triangle_in(leaf: wp.uint64, plane: HalfSpace, found: wp.bool):
-    """Return (answer, whether to stop): both are True if a triangle of a tree leaf has a corner in a half-space."""
+    """Return True twice if a triangle of a tree leaf has a corner in a half-space: as the answer, and to stop searching."""
     found = triangles_above(leaf, plane.n, plane.limit) != 0
     return found, found
 

@@ -99,7 +99,7 @@ def open_leaf(leaf: wp.uint64, o: wp.vec3, reach: wp.float32, sides: wp.uint64):
 def _classify_ray(
     d: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, sure: wp.float32, outside: wp.float32, behind: wp.float32
 ) -> wp.int32:
-    """Return flags of a ray and a triangle: bit 31 for a possible hit, bit 30 for a certain hit.
+    """Return flags for a ray and a triangle: bit 31 is set if the ray may hit it, bit 30 if it certainly does.
 
     A ray hits the triangle if it passes between the three sides.
     """

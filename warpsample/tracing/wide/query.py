@@ -95,14 +95,14 @@ def _pop_node(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
 
 @wp.func
 def _start_at_one(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
-    """Start a tree traversal at one node; return (node, mask of children hit, child to visit first, stack top)."""
+    """Start the traversal of the search tree at one node; return (node, mask of children hit, nearest child, stack top)."""
     mask, child = boxes_hit(accelerator.start, ray, reach, flip)
     return accelerator.start, mask, child, scratch
 
 
 @wp.func
 def _start_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
-    """Start a tree traversal at the first of several nodes; push the remaining nodes on the stack.
+    """Start the traversal of the search tree at the first of several nodes; the other nodes wait on the stack.
 
     Return the values of `_start_at_one`.
     """
