@@ -57,7 +57,7 @@ def test_numbers_go_where_they_are_of():
             at_faces.to_polydata(**wrong)
     tetrahedron = ws.as_mesh(pv.Tetrahedron())
     both = ws.ambient_occlusion(tetrahedron, ws.face_centers(tetrahedron), 32)
-    with pytest.raises(ValueError, match="want the same number of"):
+    with pytest.raises(ValueError, match="want at= to choose one of the two"):
         both.to_polydata(tetrahedron)
     assert "value" in both.to_polydata(tetrahedron, at="faces").cell_data
 

@@ -121,7 +121,7 @@ def test_points_without_a_number_are_counted(call, tmp_path):
     path = tmp_path / "flawed.off"
     path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")
     _, out, _ = call("bake", path, "-o", tmp_path / "out.csv", "--at", "faces", "--samples", 64)
-    assert out.endswith("points without a number: 1 zero_normal\n")
+    assert out.endswith("points without a value: 1 zero_normal\n")
     assert read(tmp_path / "out.csv")["status"].tolist() == [0, 2]
 
 

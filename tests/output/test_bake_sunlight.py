@@ -146,7 +146,7 @@ def test_points_without_a_normal_have_no_sun_hours(call, athens, tmp_path):
     path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")
     given = ["--quantity", "sun-hours", "--weather", athens, "--period", "06-21T12", "06-21T13", "--at", "faces"]
     _, out, _ = call("bake", path, "-o", output, *given)
-    assert out.endswith("points without a number: 1 zero_normal\n")
+    assert out.endswith("points without a value: 1 zero_normal\n")
     table = np.genfromtxt(output, delimiter=",", names=True)
     assert (table["sun_hours_h"].tolist(), table["status"].tolist()) == ([1.0, 0.0], [0.0, 2.0])
 
