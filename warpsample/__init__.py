@@ -51,6 +51,8 @@ _LOBES = (
     "OffsetDisk",
     "OffsetSphere",
     "PowerCosine",
+    "Reflection",
+    "SphericalTriangle",
     "UniformCone",
     "UniformDisk",
     "UniformHemisphere",

@@ -49,6 +49,7 @@ for count in (1, 3, 64) if FIRST else ():
     ws.sample_directions(normals, count, pdf=True, active=[True, False])
 points = ws.SurfacePoints(np.zeros((2, 3)), normals)
 by_point = (ws.GGX(np.full(2, 0.3)), ws.VisibleGGX(np.full(2, 0.3), view=normals))
+by_point += tuple(ws.Reflection(lobe, view=normals) for lobe in by_point)
 for lobe in by_point if FIRST else ():
     for count in (1, 3, 64):
         announce("by point", lobe, count)
@@ -76,13 +77,18 @@ announce("end")
 """
 
 
+def text_of(case):
+    """Return the text that makes a case and its nested lobes, with the name of the package."""
+    return re.sub(r"(?<![\w.])([A-Z]\w*\()", r"ws.\1", repr(case))
+
+
 @pytest.mark.slow
 def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
     """The compiler's own remarks say so, with a cold cache, in two processes."""
     halves = [VECTORISED[::2], VECTORISED[1::2]]
     children = []
     for i, half in enumerate(halves):
-        cases = "[" + ", ".join(f"({name!r}, ws.{case!r})" for name, case in half) + "]"
+        cases = "[" + ", ".join(f"({name!r}, {text_of(case)})" for name, case in half) + "]"
         script = tmp_path / f"remarks_{i}.py"
         script.write_text(_REMARKS.replace("CASES", cases).replace("FIRST", str(i == 0)))
         environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / f"cache_{i}")}
@@ -174,19 +180,19 @@ class Tilted(Distribution):
 def test_a_parameter_reaches_the_kernels_and_a_new_value_compiles_nothing(normals):
     u = np.zeros((5, 2), np.float32)
     up = np.array([[0.0, 0.0, 1.0]], np.float32)
-    built = len(direction_rows.known)
+    built = len(direction_rows.cache)
     for tilt in (0.25, 0.5):
         distribution = Tilted(tilt)
         assert (distribution.sample(u)[:, 0] == tilt).all()
         assert distribution.pdf(up).tolist() == [tilt]
         assert (distribution.invert(up)[:, 0] == tilt).all()
         assert np.abs(ws.sample_directions(up, 64, distribution=distribution).vectors[0, :, 0] - tilt).max() <= 1e-7
-    assert len(direction_rows.known) == built + 1
+    assert len(direction_rows.cache) == built + 1
 
 
 def test_kernels_are_built_once_for_equal_jobs(normals):
     ws.sample_directions(normals, 32)
-    built = len(direction_rows.known)
+    built = len(direction_rows.cache)
     ws.sample_directions(normals, 64, seed=9)
     ws.sample_directions(normals, 32, distribution=ws.CosineHemisphere("polar"))
-    assert len(direction_rows.known) == built
+    assert len(direction_rows.cache) == built

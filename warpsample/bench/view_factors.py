@@ -9,11 +9,11 @@ import numpy as np
 import typer
 
 from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.reporting.tables import TableView, select_all_workers
 from warpsample.bench.rows import Spread, ToolRow, column, format_digits, optional_column
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import measure_peak_megabytes
 from warpsample.bench.running.turns import run_tools
-from warpsample.bench.tables import TableView, select_all_workers
 from warpsample.bench.tools.blocks import build_mesh
 from warpsample.bench.tools.view_factors import EMBREE, FACTOR_TOOLS, OURS, PAIRS, TRACE, build_trace_alone
 from warpsample.host.engine import check_workers
@@ -79,7 +79,7 @@ def compute_reference_rows(mesh: Mesh, workers: int, rays: int = _REFERENCE_RAYS
 
 
 def build_factors(tool: str, scene: str, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
-    """Build the job that computes all view factors of a mesh with one tool.
+    """Prepare one tool to compute all view factors of a mesh, and return the work to time.
 
     A further "tool" only traces the rays from the judged faces.
     """

@@ -10,12 +10,12 @@ import typer
 
 from warpsample import sequences
 from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Scenes, Track
+from warpsample.bench.reporting.tables import Cell, TableView
 from warpsample.bench.rows import Spread, ToolRow, column, format_digits, optional_column
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import measure_peak_megabytes
 from warpsample.bench.running.turns import keep_last_result, run_tools
 from warpsample.bench.scenes import sample_scene
-from warpsample.bench.tables import Cell, TableView
 from warpsample.bench.tools.occlusion import ESTIMATORS, Estimator, Occlusion
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import ambient_occlusion
@@ -70,7 +70,7 @@ class Many(ToolRow):
 
 
 def build_estimate(tool: str, scene: str, points: int, *, workers: int, target: float, reference: np.ndarray) -> ChildJob:
-    """Build the job that estimates ambient occlusion with one tool, with enough rays for the target RMSE.
+    """Prepare one tool to compute ambient occlusion to a target RMSE, and return the work to time.
 
     The RMSE is that over all points. Two trials find the number of rays.
     """
@@ -100,7 +100,7 @@ def _compute_rmse(values: np.ndarray, right: np.ndarray) -> float:
 
 
 def build_many_points(tool: str, scene: str, points: int, rays: int, workers: int) -> ChildJob:
-    """Build the job that estimates ambient occlusion of many points by warpsample.
+    """Prepare the ambient occlusion of many points by warpsample, and return the work to time.
 
     The job reports the peak memory of its process.
     """

@@ -22,7 +22,7 @@ from warpsample.cluster.job import CHUNK, Job, job_of
 from warpsample.cluster.lock import locked
 from warpsample.cluster.sending import current_client, shared_by_key
 from warpsample.cluster.store import begin, check_store
-from warpsample.cluster.writing import at_work, put, writing
+from warpsample.cluster.writing import at_work, write_chunk, writing
 from warpsample.host.arguments import check_choice, check_flag
 from warpsample.output.run_record import SUMMARY, RunRecord, summarize
 
@@ -68,7 +68,7 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
 
 
 def bake_job(job: Job, store: Path, resume: bool, argument: str, record: RunRecord) -> None:
-    """Create or open the Zarr store of a job, and compute and write the chunks that are missing.
+    """Create or open a Zarr store, and compute and write the chunks that the store does not have yet.
 
     Args:
         job: Job to compute.
@@ -96,7 +96,7 @@ def bake_job(job: Job, store: Path, resume: bool, argument: str, record: RunReco
 
 
 def _run(job: Job, folder: Path, chunks: list[int], heard: Callable[[np.void], None]) -> None:
-    """Compute and write the given chunks with Dask, and call `heard` with the summary of each finished chunk.
+    """Compute and write the chunks with the given numbers, using Dask; call `heard` for each finished chunk.
 
     Tasks are given to Dask in graphs of limited size: one graph of all tasks can take gigabytes.
     """
@@ -112,7 +112,7 @@ def _run(job: Job, folder: Path, chunks: list[int], heard: Callable[[np.void], N
 
 
 def _tasks(job: Job, folder: Path, chunks: list[int]) -> Array:
-    """Build a Dask array whose blocks compute and write the chunks, and return their summaries (dtype SUMMARY).
+    """Build the Dask tasks that compute and write the chunks, as an array; its values are summaries of the chunks.
 
     The tasks' names are unique to this run, because tasks of another run may write into another store.
     """
@@ -131,7 +131,7 @@ def _tasks(job: Job, folder: Path, chunks: list[int]) -> Array:
 def bake_chunk(
     call: Call, target: tuple[str, int], span: range, shared: list[Any], blocks: list[list[np.ndarray]]
 ) -> np.ndarray:
-    """Compute and write the rows of one chunk, and return a summary of shape (1,) and dtype SUMMARY.
+    """Compute the points of one chunk and write the results into the store; return counts and sums of the values.
 
     Args:
         call: Call to compute.
@@ -151,7 +151,7 @@ def bake_chunk(
         arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
         where = {name: array for name in GIVEN_ARRAYS if (array := getattr(points, name, None)) is not None}
         index = span.start // chunk
-        put(folder, index, (index,), (chunk,), where | arrays)
+        write_chunk(folder, index, (index,), (chunk,), where | arrays)
     rays = int(found["rays"].sum(dtype=np.int64)) if "rays" in found else 0
     if "value" not in found or "standard_error" not in found:
         return np.array([(len(span), rays, 0, 0.0, 0.0, np.inf, -np.inf)], SUMMARY)

@@ -1,4 +1,4 @@
-"""Writing of chunks into a store, only while the call that computes the chunks is running.
+"""Writing of chunks into a Zarr store by worker tasks, which stop writing when the call that started them ends.
 
 Each call has a folder with a random name inside its store. Files are written completely in the folder, and then moved to
 their paths. When the call ends, the folder is removed. Tasks that still run, in any process, stop soon and cannot write.
@@ -34,7 +34,7 @@ _at_work: list[Path] = []
 
 @contextmanager
 def writing(store: Path) -> Iterator[Path]:
-    """Create the folder of a writing call for the body of a `with` statement, and remove folders of killed calls.
+    """Create a temporary folder in a store within a `with` statement; tasks may write to the store while it exists.
 
     After the body no task of the call runs in this process, and tasks in other processes can write nothing more.
 
@@ -86,7 +86,7 @@ def store_of(folder: Path) -> Path:
 
 @contextmanager
 def at_work(folder: Path) -> Iterator[None]:
-    """Register the body of a `with` statement as a task of a writing call, so that the call waits for the task to stop.
+    """Mark a task as running within a `with` statement, so that the call that writes the store waits for its end.
 
     Kernels in the body stop between two batches of rays when the call ends.
 
@@ -109,7 +109,9 @@ def _check(folder: Path) -> None:
         raise WriteError(f"{store_of(folder)} cannot be written: the call has ended, or the store was removed meanwhile")
 
 
-def put(folder: Path, index: int, place: tuple[int, ...], sides: tuple[int, ...], arrays: Mapping[str, np.ndarray]) -> None:
+def write_chunk(
+    folder: Path, index: int, place: tuple[int, ...], sides: tuple[int, ...], arrays: Mapping[str, np.ndarray]
+) -> None:
     """Write one chunk of every array into the store, then a record of the chunk's checksums.
 
     Other processes never see a partly written file.
@@ -128,10 +130,10 @@ def put(folder: Path, index: int, place: tuple[int, ...], sides: tuple[int, ...]
     for name, array in arrays.items():
         file = file_of(name, (*place, *[0] * (array.ndim - len(place))))
         files[name] = file, _encode(folder, name, index, array, sides) if len(array) else b""
-    uninterrupted(partial(_put, folder, index, files))
+    uninterrupted(partial(_write_files, folder, index, files))
 
 
-def _put(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
+def _write_files(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
     """Write the encoded files of a chunk, (path in the store, content) by array name, and the record of the chunk."""
     record = {INDEX: index, SUMS: {name: checksum_of(content) for name, (_, content) in files.items()}}
     try:
@@ -154,7 +156,7 @@ def _encode(folder: Path, name: str, index: int, array: np.ndarray, sides: tuple
 
 @lru_cache(maxsize=64)
 def _encoder(_: Path, name: str, dtype: np.dtype, chunk: tuple[int, ...]) -> tuple[Any, dict[str, Any]]:
-    """Return a Zarr array in memory that encodes chunks, and the dictionary that receives the encoded bytes.
+    """Return an in-memory Zarr array that encodes chunks, and the dictionary that receives the encoded bytes.
 
     Keys of the dictionary are paths in the store. Threads share the dictionary, because no two tasks use the same path.
     The first argument is the folder of the writing call; it only makes the cache entry specific to the call.

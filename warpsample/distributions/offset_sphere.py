@@ -76,7 +76,7 @@ def offset_sphere_to_square(w: wp.vec3, rho: wp.float32) -> wp.vec2:
 
 
 def _is_checked(rho: Any) -> bool:
-    """Return whether rho is an array of float32 by point, which `Distribution` has checked and copied."""
+    """Return whether rho is an array with a row per point that has been checked already."""
     return isinstance(rho, np.ndarray) and rho.dtype == np.float32
 
 
@@ -99,20 +99,20 @@ class OffsetSphere(Distribution):
     bounds: ClassVar[Range] = (1e-15, 1e15)
     source = "Chizhov2019, sections 4.3 and 4.4, for ρ = 1; own derivation for other ρ"
     limits = (
-        "for ρ < 1 the density is infinite at the edge sinθ = ρ and is clamped within 5e-7 of the edge; "
-        "for ρ < 1 there is no inverse, because two points u map to the same direction"
+        "for ρ < 1 the density is infinite at the edge sinθ = ρ and is clamped within 5e-7 of the edge. "
+        "For ρ < 1 there is no inverse, because two points u map to the same direction"
     )
     # A narrow cone, values on both sides of the cosine lobe, and almost uniform.
     case_values: ClassVar[Cases] = ((1e-15,), (0.5,), (1.0 - 2.0**-24,), (1.0,), (1.0 + 2.0**-23,), (1.5,), (1e15,))
 
     @property
     def polar(self) -> bool:
-        """True for rho >= 1; below, two points u map to the same direction."""
+        """True if u[0] alone determines the angle to +z, which is the case for rho >= 1."""
         return isinstance(self.rho, Real) and self.rho >= 1.0
 
     @property
     def maps(self) -> Maps:
-        """Functions (`wp.func`) of the distribution, for use in kernels."""
+        """Warp functions of the distribution for kernels: map, density and inverse."""
         ambiguous = bool((self.rho < 1.0).any()) if _is_checked(self.rho) else self.support == "cone"
         invert = None if ambiguous else offset_sphere_to_square
         return Maps(square_to_offset_sphere, square_to_offset_sphere_pdf, invert)
@@ -140,7 +140,7 @@ class OffsetSphere(Distribution):
         return 1e-2 if self.support == "cone" else super().thinnest_tail
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle: the fraction of the sphere that appears within theta of the normal.
+        """Return the probability that the angle to +z is at most theta: the part of the sphere seen within this angle.
 
         See `Distribution.cdf`.
         """

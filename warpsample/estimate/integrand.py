@@ -12,11 +12,11 @@ import warp as wp
 
 from warpsample.estimate.source.content import function_content
 from warpsample.estimate.source.definitions import NUMBERS, latest, names_in, naming_function, returned
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import cpu
 from warpsample.host.device_memory import Loan, at_home
 from warpsample.host.locks import once
-from warpsample.host.neighbours import kind_told
+from warpsample.host.neighbours import describe_type
 
 WANTED = "a wp.func (w: wp.vec3[, lobe: funcs.Lobe[, data: the struct of `data`]]) -> float or wp.vec3, annotated"
 
@@ -39,12 +39,12 @@ class Lobe:
 
 @once
 def density_setter(reads_pdf: bool) -> wp.Function:
-    """Build the Warp function that returns a lobe with the density of a direction, if the integrand reads the density."""
+    """Build the Warp function that sets `Lobe.pdf` to the density of a direction, if the user's integrand reads `pdf`."""
     if reads_pdf:
 
         @wp.func
         def with_pdf(lobe: Lobe, pdf: wp.float32):
-            """Return a copy of the lobe with the field `pdf` set to the density of a direction."""
+            """Return a copy of the integrand's argument `lobe` with the field `pdf` set to the density of a direction."""
             own = lobe
             own.pdf = pdf
             return own
@@ -53,7 +53,7 @@ def density_setter(reads_pdf: bool) -> wp.Function:
 
         @wp.func
         def with_pdf(lobe: Lobe, pdf: wp.float32):
-            """Return the lobe unchanged, for integrands that do not read the density."""
+            """Return the integrand's argument `lobe` unchanged, for integrands that do not read its field `pdf`."""
             return lobe
 
     return with_pdf
@@ -61,7 +61,7 @@ def density_setter(reads_pdf: bool) -> wp.Function:
 
 @wp.struct
 class NoData:
-    """Placeholder data for functions that take no data."""
+    """Empty struct, passed as `data` to integrands without data."""
 
     nothing: wp.int32
 
@@ -94,12 +94,12 @@ class Integrand:
     arrays: tuple[tuple[str, np.ndarray], ...] = ()
 
     def data_for(self, loan: Loan) -> Any:
-        """Return the data as a kernel argument, with the arrays on the kernel's device for as long as the loan lasts."""
+        """Return the integrand's data as a kernel argument, with all arrays copied to the kernel's device if necessary."""
         if not isinstance(self.data, Structure):
             return (self.data if loan.memory.in_place else with_arrays(self.data, loan.clone)).__ctype__()
         data = type(self.data).from_buffer_copy(self.data)
         for name, array in self.arrays:
-            setattr(data, name, loan.put(array))
+            setattr(data, name, loan.lend(array))
         return data
 
 
@@ -114,7 +114,7 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand", d
     """
     data, struct = _own(data, device or cpu())
     if not isinstance(function, wp.Function) or function.func is None:
-        raise TypeError(f"{argument}: got {told(function)}, want {WANTED}")
+        raise TypeError(f"{argument}: got {quote(function)}, want {WANTED}")
     function = latest(function)
     names = list(signature(function.func).parameters)
     missing = [name for name in names if name not in function.input_types]
@@ -145,12 +145,12 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand", d
 
 
 def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
-    """Return (shallow copy of the user's data, its wp.struct), so that the user may set fields while the call runs."""
+    """Return a shallow copy of the user's struct instance, and its wp.struct type."""
     if data is None:
         return None, NoData
     struct = getattr(data, "_cls", None)  # the type that annotates a kernel's argument
     if struct is None or not hasattr(data, "__ctype__"):
-        raise TypeError(f"data: got {told(data)}, want an instance of a wp.struct, or None")
+        raise TypeError(f"data: got {quote(data)}, want an instance of a wp.struct, or None")
     own = data._cls()
     own.assign(data)
     for name, array in _arrays_in(own):
@@ -158,7 +158,7 @@ def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
             wants = "cpu" if device.is_cpu else f"cpu or {device}"
             raise ValueError(f"data: got an array {name} on {array.device}, want it on {wants}")
         if not isinstance(array, wp.array | None) and not at_home(device):
-            raise TypeError(f"data: got {kind_told(array)} as {name}, want a wp.array for {device}")
+            raise TypeError(f"data: got {describe_type(array)} as {name}, want a wp.array for {device}")
     return own, struct
 
 
@@ -191,7 +191,7 @@ def with_arrays(data: Any, take: Callable[[wp.array], wp.array]) -> Any:
 
 
 def _returns_colour(function: wp.Function, argument: str) -> bool:
-    """Return whether a function returns a vec3 rather than a number; raise TypeError if neither.
+    """Return True if a user's integrand returns a vec3, False if it returns a number; raise TypeError otherwise.
 
     A function without a return annotation is called once.
     """

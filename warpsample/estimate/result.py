@@ -13,7 +13,7 @@ from warpsample.estimate.intervals import Interval, interval_of
 from warpsample.estimate.lobes import NONFINITE_VALUE
 from warpsample.host.arguments import check_choice, check_number
 from warpsample.host.extras import missing
-from warpsample.host.neighbours import kind_told
+from warpsample.host.neighbours import describe_type
 from warpsample.host.summary import Summary
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import mesh_of
@@ -42,7 +42,7 @@ class PointStatus(IntEnum):
 
 
 def status_of(points: SurfacePoints) -> np.ndarray:
-    """Return the `PointStatus` (P,) uint8 of points from their normals and positions, by the rules of the kernels."""
+    """Return the status code of each point, (P,) uint8: OK, or the reason why its normal or position is invalid."""
     normal = as_directions(points.normal)
     cases = {
         PointStatus.NONFINITE_NORMAL: ~np.isfinite(normal).all(axis=1),
@@ -68,7 +68,7 @@ def has_value(status: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Skipped:
-    """Amount of work that was skipped without a change to the result.
+    """Counts of points and rays that were skipped without changing the result.
 
     Attributes:
         points: Number of points without a value: inactive, without a normal, or without a finite position.
@@ -114,7 +114,7 @@ class PointResult(Summary):
         return {name: a for name, a in arrays.items() if a.shape[:1] == self.status.shape and a.ndim < 3}
 
     def _coordinates(self) -> dict[str, np.ndarray]:
-        """Return the coordinates of dimensions other than "point" for `to_xarray`; empty by default."""
+        """Return additional coordinates of the result for `to_xarray`, keyed by dimension; none by default."""
         return {}
 
     def to_polydata(self, on: Any, at: Literal["vertices", "faces"] | None = None) -> "PolyData":
@@ -179,7 +179,7 @@ class PointResult(Summary):
             {'point': 9, 'component': 3}
         """
         if not isinstance(points, SurfacePoints):
-            raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints")
+            raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
         if len(points) != len(self.status):
             raise ValueError(f"points: got {len(points)}, want the {len(self.status)} of the numbers")
         try:
@@ -195,7 +195,7 @@ class PointResult(Summary):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ExactResult(PointResult):
-    """Values at P points that involve no random rays, with a standard error of 0.
+    """Exact values at P points, with a standard error of 0.
 
     Attributes:
         value: (P,) or (P, 3) float32; 0 where the status is neither OK nor INVALID_TANGENT.

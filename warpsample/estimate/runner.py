@@ -1,4 +1,4 @@
-"""Kernel launches of a checked call. The arrays of the points are prepared once, for launches with any number of rays."""
+"""Launches of the estimate kernel with different numbers of rays, for points that are prepared once."""
 
 from typing import Any
 
@@ -25,7 +25,7 @@ _MOST_REACH = 2.0**60  # in sizes of the scene: relative to this reach, all dist
 
 
 class Runner:
-    """Estimate prepared on a device, which can be computed repeatedly with different numbers of rays per point."""
+    """Estimator at prepared points: it computes the estimate repeatedly, with different numbers of rays per point."""
 
     plan: Plan
     summed: RaySum
@@ -36,7 +36,10 @@ class Runner:
     data: Any
 
     def __init__(self, plan: Plan, summed: RaySum, loan: Loan) -> None:
-        """Prepare the ray origins of the points and the integrand's data; `loan` must last as long as the runner."""
+        """Prepare the points' ray origins and the integrand's data on the device.
+
+        Keep `loan`, which holds the device memory, open while this object is in use.
+        """
         self.plan, self.summed, self.at, self.options = plan, summed, plan.at, plan.options
         self.traced = plan.at.scene is not None
         self.placement = self._placement() if len(plan.at) else None
@@ -86,32 +89,32 @@ class Runner:
         return placement
 
     def _part(self, loan: Loan, rows: slice, strata: Strata, skip: bool) -> LobesArgs:
-        """Return the kernel's `Lobes` argument for some points, without the seed and the addresses of the results."""
+        """Build the kernel argument for a slice of the points, still without the seed and the result arrays."""
         options = self.options
         part = LobesArgs(
             placement=self.placement,
             first_point=options.first_point + rows.start,
             first_row=rows.start,
-            normals=loan.put(self.at.normal, rows),
-            active=loan.put(options.active, rows),
+            normals=loan.lend(self.at.normal, rows),
+            active=loan.lend(options.active, rows),
             samples_per_stratum=strata.samples_per_stratum,
             bands=strata.bands,
             sectors=strata.sectors,
-            shafts=loan.put(strata.shafts) if strata.shafts.size and skip and options.tracer.skips else 0,
+            shafts=loan.lend(strata.shafts) if strata.shafts.size and skip and options.tracer.skips else 0,
             skip=skip,
             edge=options.sequence.edge_variance(strata.samples_per_stratum),
             falloff=self.summed.falloff or 0.0,
             parameters=self.plan.distribution.kernel_parameters().__ctype__(),
             tables=self.plan.distribution.lend_tables(loan, rows),
-            tangents=loan.put(self.plan.tangent, rows),
+            tangents=loan.lend(self.plan.tangent, rows),
         )
         if self.traced and self.at.scene.has_glass:
             part.glass = self.at.scene.glass(options.workers)
         part.placement.points = rows.stop - rows.start
-        part.placement.ids = loan.put(options.ids, rows)
+        part.placement.ids = loan.lend(options.ids, rows)
         if self.traced:
-            part.placement.origins = loan.put(self.at.position.owner, rows)
-            part.placement.normals = loan.put(self.at.side, rows)
+            part.placement.origins = loan.lend(self.at.position.owner, rows)
+            part.placement.normals = loan.lend(self.at.side, rows)
         return part
 
     def _run(self, loan: Loan, lobes: LobesArgs, chosen: np.ndarray | None) -> None:
@@ -124,7 +127,7 @@ class Runner:
         rows = rows if chosen is None else rows[chosen[rows]]
         if len(rows) == 0:
             return
-        lobes.placement.order = loan.put(rows)
+        lobes.placement.order = loan.lend(rows)
         accelerator = AcceleratorArgs()
         if self.traced:
             accelerator = options.tracer.accelerator(self.at.scene, memory.device, options.workers)

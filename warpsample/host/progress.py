@@ -21,8 +21,8 @@ log.addHandler(logging.NullHandler())
 
 _PATIENCE = 1.0  # seconds before a wait is reported
 
-_seen: ContextVar[bool] = ContextVar("seen", default=False)
-_shown: ContextVar[tuple[Any, Any, bool] | None] = ContextVar("shown", default=None)
+_is_on: ContextVar[bool] = ContextVar("is_on", default=False)
+_display: ContextVar[tuple[Any, Any, bool] | None] = ContextVar("display", default=None)
 _NO_BAR = nullcontext()
 _check: ContextVar[Callable[[], None] | None] = ContextVar("check", default=None)
 
@@ -45,18 +45,21 @@ def _bar(what: str, total: int | None) -> Iterator[None]:
     columns = TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
     disable = not (console.is_terminal or console.is_jupyter)
     with Progress(*columns, console=console, disable=disable, transient=True) as display:
-        token, seen = _shown.set((display, display.add_task(what, total=total), total is not None)), _seen.set(not disable)
+        token, seen = (
+            _display.set((display, display.add_task(what, total=total), total is not None)),
+            _is_on.set(not disable),
+        )
         try:
             yield
         finally:
-            _shown.reset(token)
-            _seen.reset(seen)
+            _display.reset(token)
+            _is_on.reset(seen)
 
 
 @contextmanager
 def awaited(what: str) -> Iterator[None]:
-    """Print a line on stderr if the work within a `with` statement takes more than a second; a bar stays below the line."""
-    if not (_seen.get() or _is_terminal()):
+    """Print a line on stderr if the work within a `with` statement takes more than a second."""
+    if not (_is_on.get() or _is_terminal()):
         yield
         return
     timer = threading.Timer(_PATIENCE, _print_line, [f"warpsample: {what}\n"])
@@ -84,7 +87,7 @@ def _print_line(line: str) -> None:
 
 @contextmanager
 def asking(wanted: Callable[[], None]) -> Iterator[None]:
-    """Call `wanted` after each batch of this thread's calls, within a `with` statement; its error ends the call."""
+    """Call `wanted` regularly while kernels run within a `with` statement; an error from it stops the kernels."""
     token = _check.set(wanted)
     try:
         yield
@@ -93,7 +96,7 @@ def asking(wanted: Callable[[], None]) -> Iterator[None]:
 
 
 def begin(tasks: int, work: int) -> Callable[[int], None] | None:
-    """Return a function that threads call with the number of tasks of a finished batch; None if there is nothing to do."""
+    """Return the function to call after each batch of a kernel's tasks, which moves the progress bar; None without a bar."""
     advance, wanted = _bar_of(tasks, work), _check.get()
     if wanted is None:
         return advance
@@ -107,8 +110,8 @@ def begin(tasks: int, work: int) -> Callable[[int], None] | None:
 
 
 def _bar_of(tasks: int, work: int) -> Callable[[int], None] | None:
-    """Return the function that moves the bar; None without a bar, or for short work."""
-    shown = _shown.get()
+    """Return the function that moves the current progress bar; None without a bar, or for short work."""
+    shown = _display.get()
     if shown is None or work < LEAST_WORK:
         return None
     display, task, together = shown

@@ -1,13 +1,13 @@
-"""Checks and digests of the optical properties of faces: the fractions of light that a face transmits and reflects."""
+"""Checks and hashes of the optical properties of faces: the fractions of light that a face transmits and reflects."""
 
 from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real
-from warpsample.host.known import digest_of
 from warpsample.host.locks import read_only
+from warpsample.host.shared_values import digest_of
 
 _ROUNDED = 2.0**-22  # rounding error of a sum of two float32 fractions
 
@@ -27,7 +27,7 @@ def check_share(value: Any, argument: str, faces: int) -> np.ndarray | None:
     wrong = np.flatnonzero(~((share >= 0.0) & (share <= 1.0)))
     if len(wrong):
         where = f" in face {wrong[0]}" if share.ndim else ""
-        raise ValueError(f"{argument}: got {told(float(share.flat[wrong[0]]))}{where}, want {wants}")
+        raise ValueError(f"{argument}: got {quote(float(share.flat[wrong[0]]))}{where}, want {wants}")
     return read_only(np.broadcast_to(share.astype(np.float32), (faces,)))
 
 
@@ -45,7 +45,7 @@ def check_sum(transmittance: np.ndarray | None, reflectance: np.ndarray | None) 
 
 
 def optics_digest(digest: str, transmittance: np.ndarray | None, reflectance: np.ndarray | None) -> str:
-    """Return the SHA-256 of a mesh's digest and optical properties, or `digest` if there are no optical properties."""
+    """Return a hash of a mesh with optical properties, from the hash `digest` of its vertices and faces."""
     if transmittance is None and reflectance is None:
         return digest
     nothing = np.zeros(0, np.float32)

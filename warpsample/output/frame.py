@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import check_first_point, told
-from warpsample.host.neighbours import as_ndarray, kind_told
+from warpsample.host.arguments import check_first_point, quote
+from warpsample.host.neighbours import as_ndarray, describe_type
 from warpsample.host.tables import frame_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -39,9 +39,9 @@ def to_frame(found: Any, points: SurfacePoints, mesh: Any = None, *, first_point
         ['id', 'area', 'face', 'x', 'y'] 9360.0
     """
     if not isinstance(points, SurfacePoints):
-        raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints")
+        raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
     if not is_dataclass(found) or isinstance(found, type):
-        raise TypeError(f"found: got {told(found)}, want the result of a call over points")
+        raise TypeError(f"found: got {quote(found)}, want the result of a call over points")
     first = check_first_point(first_point, len(points), points.id)
     columns = {"id": np.uint64(first) + np.arange(len(points), dtype=np.uint64) if points.id is None else points.id}
     columns |= {} if mesh is None else _of_faces(points.face, as_mesh(mesh))
@@ -52,7 +52,7 @@ def to_frame(found: Any, points: SurfacePoints, mesh: Any = None, *, first_point
 
 
 def _of_faces(face: np.ndarray | None, mesh: Mesh) -> dict[str, np.ndarray]:
-    """Return the columns with the part and the area of each point's face."""
+    """Return two table columns: the name of the part, and the area, of the face that each point lies on."""
     assert face is not None
     if face.size and face.max() >= len(mesh.faces):
         raise ValueError(f"points: got the face {face.max()}, want faces of the mesh, which has {len(mesh.faces):,}")
@@ -64,7 +64,7 @@ def _of_faces(face: np.ndarray | None, mesh: Mesh) -> dict[str, np.ndarray]:
 
 
 def _numbers(found: Any, count: int) -> dict[str, np.ndarray]:
-    """Return the arrays of a result with a row for each point, as columns."""
+    """Return the arrays of a result that have a row for each point, as table columns keyed by name."""
     arrays = {item.name: getattr(found, item.name) for item in fields(found)}
     arrays = {name: as_ndarray(array, name) for name, array in arrays.items() if hasattr(array, "shape")}
     of_points = {name: array for name, array in arrays.items() if array.shape[:1] == (count,)}

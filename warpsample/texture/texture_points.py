@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from warpsample.host.arguments import check_choice, check_flag, check_integer, told
+from warpsample.host.arguments import check_choice, check_flag, check_integer, quote
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property
 from warpsample.host.options import CallOptions
@@ -61,12 +61,12 @@ class TexturePoints(Summary):
 
     @property
     def texel(self) -> np.ndarray:
-        """(P,) int64, texel of each point: row * width + column."""
+        """Number of each point's texel, row * width + column, (P,) int64."""
         return (self.id // np.uint64(self.samples)).astype(np.int64)
 
     @property
     def covered(self) -> np.ndarray:
-        """(H, W) bool, texels with at least one point, without texels that images fill."""
+        """Mask of the texels with at least one point, (H, W) bool."""
         return self._texel_rows.covered.reshape(self.size[1], self.size[0])
 
     @once_property
@@ -94,7 +94,7 @@ class TexturePoints(Summary):
             43 [[0.0625, 0.9375, 0.0], [0.125, 0.875, 0.0]]
         """
         if not isinstance(rows, slice):
-            raise TypeError(f"rows: got {told(rows)}, want a slice")
+            raise TypeError(f"rows: got {quote(rows)}, want a slice")
         id, face = np.ascontiguousarray(self.id[rows]), np.ascontiguousarray(self.face[rows])
         how = {"samples": self.samples, "memory": self.options.memory, "workers": self.options.workers}
         weights = compute_weights(self.corners, id, face, self.size[0], **how)
@@ -158,7 +158,7 @@ class TexturePoints(Summary):
             made = self._texel_rows.errors(values, flat, self.size[0])
         else:
             raise TypeError(
-                f"errors: got {told(errors)}, want the Estimate with its values: errors of {self.samples} samples need them"
+                f"errors: got {quote(errors)}, want the Estimate with its values: errors of {self.samples} samples need them"
             )
         return self._image(made, own, gutter)
 
@@ -178,7 +178,7 @@ class TexturePoints(Summary):
         return made if rows.ndim == 2 else made[..., 0]
 
     def _charts(self) -> np.ndarray:
-        """Return the (texels,) int32 chart of each texel, -1 without one."""
+        """Return the number of the UV chart of each texel, (texels,) int32; -1 for texels outside all charts."""
         charts = np.full(self.size[0] * self.size[1], -1, np.int32)
         charts[self.texel[::-1]] = label_charts(self.corners)[self.face[::-1]]
         return charts
@@ -259,7 +259,7 @@ def _corner_tangents(mesh: Mesh, uv: np.ndarray, corner_normals: np.ndarray | No
 
 
 def interpolate_tangents(corners: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return (P, 4) float32 tangents of points: the mean of the corners' vectors; the sign is that of the face."""
+    """Interpolate the tangents of face corners at points, (P, 4) float32: unit vector and sign of the bitangent."""
     made = np.empty((len(face), 4), np.float32)
     made[:, :3] = sum(weights[:, k : k + 1] * corners[face, k, :3] for k in range(3))
     made[:, 3] = corners[face, 0, 3]
@@ -276,10 +276,10 @@ def check_size(size: Any, samples: int, argument: str = "size") -> tuple[int, in
     wants = f"a whole number from 1 to {_MOST_SIDE}, or two, width and height"
     both = size if isinstance(size, Sequence) and not isinstance(size, str | bytes) else (size, size)
     if len(both) != 2:
-        raise ValueError(f"{argument}: got {told(size)}, want {wants}")
+        raise ValueError(f"{argument}: got {quote(size)}, want {wants}")
     width, height = (check_integer(side, argument, 1, _MOST_SIDE, wants) for side in both)
     if width * height * samples > MOST_TEXELS:
         raise ValueError(
-            f"{argument}: got {told(size)} with {samples} samples per texel, want at most {MOST_TEXELS:,} samples in all"
+            f"{argument}: got {quote(size)} with {samples} samples per texel, want at most {MOST_TEXELS:,} samples in all"
         )
     return width, height

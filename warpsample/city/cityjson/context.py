@@ -6,7 +6,7 @@ from warnings import warn
 import numpy as np
 
 from warpsample.city.cityjson.units import Units
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.locks import imported
 from warpsample.mesh.mesh import mesh_of
 
@@ -18,7 +18,7 @@ _REACH = 20.0  # margin of the plane in city diagonals; a larger one would reduc
 
 
 def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: Units) -> tuple[np.ndarray, np.ndarray]:
-    """Append the context (surrounding ground or terrain) to the vertices and faces of a city; return both in metres."""
+    """Return vertices and faces, in metres, of a city together with the ground or terrain around the city."""
     if context is None:
         return points, faces
     if isinstance(context, str) and context == GROUND_PLANE:
@@ -34,7 +34,7 @@ def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: U
 
 
 def _check_gap(city: np.ndarray, context: np.ndarray) -> None:
-    """Raise a ValueError if the bounding boxes of context and city are far apart, as after a mix-up of units or maps."""
+    """Raise a ValueError if the surrounding terrain and the city are far apart, as after a mix-up of units or maps."""
     gaps = context.min(axis=0) - city.max(axis=0), city.min(axis=0) - context.max(axis=0)
     distance = float(np.hypot(*np.maximum.reduce([*gaps, np.zeros(3)])[:2]))
     if distance > _FARTHEST:
@@ -48,7 +48,9 @@ def _check_map(grid: Any, units: Units) -> None:
     """Raise a ValueError for a raster on another map, or for a raster without a CRS unless the city is in metres."""
     if grid.crs is None:
         if (units.metres != 1.0).any():
-            raise ValueError(f"context: got a raster without a CRS beside a city in {told(units.name)}, want one with a CRS")
+            raise ValueError(
+                f"context: got a raster without a CRS beside a city in {quote(units.name)}, want one with a CRS"
+            )
     elif units.crs is None:
         message = f"context: got a raster in {grid.crs.name} beside a city without a known reference system"
         warn(f"{message}; the city is taken to be in metres on the same map", stacklevel=6)

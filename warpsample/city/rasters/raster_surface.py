@@ -97,7 +97,7 @@ class RasterSurface(Summary):
         return peaks if peaks.any() else None
 
     def to_raster(self, values: Any, cell: np.ndarray) -> xr.DataArray:
-        """Arrange one number per cell as a georeferenced raster (xarray.DataArray).
+        """Convert one number per cell to a georeferenced raster (xarray.DataArray).
 
         Args:
             values: (P,) numbers.

@@ -8,7 +8,7 @@ import numpy as np
 import pyproj
 from pyproj.exceptions import CRSError, ProjError
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 
 _FOOT, _SURVEY_FOOT = 0.3048, 1200.0 / 3937.0
 _METRES = dict.fromkeys(("m", "metre", "metres", "meter", "meters"), 1.0)
@@ -45,7 +45,7 @@ def crs_of(crs: Any) -> pyproj.CRS | None:
     try:
         found = pyproj.CRS.from_user_input(crs)
     except CRSError as error:
-        raise ValueError(f"source: got {told(crs)} for its CRS, want one that pyproj knows, or None") from error
+        raise ValueError(f"source: got {quote(crs)} for its CRS, want one that pyproj knows, or None") from error
     check_map(found, "source", f"{REPROJECT} or gdalwarp")
     return found
 
@@ -170,7 +170,7 @@ def stretch_of(crs: pyproj.CRS | None, x: float, y: float) -> float:
 
 
 def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return map vectors (2,) of small steps to the north and to the east, and the ground length of the first in metres."""
+    """Return small steps to north and east at (x, y) as map vectors, and the length in metres of the step to the north."""
     try:
         to_map = pyproj.Transformer.from_crs(crs.geodetic_crs.to_2d(), _flat(crs), always_xy=True)
         longitude, latitude = to_map.transform(x, y, direction="INVERSE", errcheck=True)
@@ -184,6 +184,6 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
 
 
 def _flat(crs: pyproj.CRS) -> pyproj.CRS:
-    """Return the horizontal part of a CRS."""
+    """Return the horizontal part of a coordinate reference system, without a vertical axis."""
     flat = crs.sub_crs_list[0] if crs.sub_crs_list else crs
     return flat.source_crs if flat.is_bound else flat

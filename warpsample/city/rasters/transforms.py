@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 from affine import Affine
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 
 _DEGREES = 360.0, 90.0  # largest longitude and latitude
 _STEEP = 50.0
@@ -32,7 +32,7 @@ def affine_of(transform: object) -> Affine:
         return Affine(*(float(number) for number in tuple(transform)[:6]))
     except (TypeError, ValueError):
         raise TypeError(
-            f"source: got {told(transform)} for its transform, want an affine.Affine or its numbers a, b, c, d, e, f"
+            f"source: got {quote(transform)} for its transform, want an affine.Affine or its numbers a, b, c, d, e, f"
         ) from None
 
 
@@ -84,7 +84,7 @@ def _windows(size: int) -> list[slice]:
 
 
 def _impossible_relief(heights: np.ndarray, sides: np.ndarray) -> float:
-    """Return the relief of a window, or of one of its blocks, if it is too much for the sides of the cells; else 0."""
+    """Return the height difference in a window of cells if it is impossibly large for the sizes of the cells, else 0."""
     relief, least = _relief(heights), max(_PEAKS, _STEEP_TERRAIN * np.hypot(*(sides * _BLOCK)))
     if relief > _STEEP * np.hypot(*(sides * heights.shape[::-1])):
         return relief
@@ -96,7 +96,7 @@ def _impossible_relief(heights: np.ndarray, sides: np.ndarray) -> float:
 
 
 def _relief(heights: np.ndarray) -> float:
-    """Return the difference of high and low heights, apart from the highest and lowest 5 %; 0 without heights."""
+    """Return the difference between the 95th and 5th percentile of heights; 0 without heights."""
     known = heights[~np.isnan(heights)]
     return float(np.subtract(*np.percentile(known, _KEPT[::-1]))) if known.size else 0.0
 

@@ -31,24 +31,24 @@ def read(path: Path) -> Named:
         ModuleNotFoundError: usd-core is not installed; the message explains how to install it.
         ValueError: usd-core cannot open the file or a file that it refers to, or a surface is not a mesh, such as a sphere.
     """
-    return joined_parts(_parts(_found(path)))
+    return joined_parts(_parts(_run_usd_stage(path)))
 
 
 def read_corners(path: Path, number: int) -> np.ndarray:
-    """Read (F, 3, 2) float64 texture coordinates at the corners of the faces of `read`, v upward.
+    """Read the texture coordinates of a USD file at all face corners, (F, 3, 2) float64, v upward.
 
     Prims without the set have NaN. Set 0 is the primvar "st", or the first primvar by name. Errors are those of `read`.
     """
-    return joined_corners(part[:3] for part in _parts(_found(path, str(number))))[..., :2]
+    return joined_corners(part[:3] for part in _parts(_run_usd_stage(path, str(number))))[..., :2]
 
 
 def read_up_axis(path: Path) -> str:
     """Read the axis that points up in a USD file, "Y" or "Z", with the errors of `read`."""
-    return _found(path, UP).decode()
+    return _run_usd_stage(path, UP).decode()
 
 
-def _found(path: Path, what: str = "") -> bytes:
-    """Run `usd_stage` on a file in a new process and return its output."""
+def _run_usd_stage(path: Path, what: str = "") -> bytes:
+    """Read a USD file in a separate process, since damaged files crash usd-core; return the process' output."""
     if find_spec("pxr") is None:
         raise missing(f"path: got {path.name!r}, which needs usd-core", "pxr")
     status, found = run_program(_PROGRAM.format(path=sys.path, file=str(path), what=what))
@@ -61,17 +61,17 @@ def _found(path: Path, what: str = "") -> bytes:
 
 
 def _parts(found: bytes) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, str]]:
-    """Yield points, triangles, matrix and name of each mesh in the output of `usd_stage`."""
+    """Yield (points, triangles, matrix, name) of each mesh, parsed from the output of the reading process."""
     at = 0
 
-    def taken(kind: type, rows: int, columns: int) -> np.ndarray:
-        """Return the next array of the output, and advance."""
+    def read_array(kind: type, rows: int, columns: int) -> np.ndarray:
+        """Return the next (rows, columns) array of the output."""
         nonlocal at
         array = np.frombuffer(found, kind, rows * columns, at).reshape(rows, columns)
         at += array.nbytes
         return array
 
     while at < len(found):
-        points, faces, name = taken(np.int64, 1, 3)[0]
-        arrays = taken(np.float64, points, 3), taken(np.int32, faces, 3), taken(np.float64, 4, 4)
-        yield *arrays, taken(np.uint8, 1, name).tobytes().decode()
+        points, faces, name = read_array(np.int64, 1, 3)[0]
+        arrays = read_array(np.float64, points, 3), read_array(np.int32, faces, 3), read_array(np.float64, 4, 4)
+        yield *arrays, read_array(np.uint8, 1, name).tobytes().decode()

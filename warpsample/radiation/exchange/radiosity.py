@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import imported
 
@@ -39,13 +39,13 @@ def radiosity_of(matrix: "csr_array", emission: Any, reflectance: Any) -> np.nda
         leaving = followed(matrix, columns.reshape(rows, math.prod(columns.shape[1:])), share)
     if not np.isfinite(leaving).all():
         raise ValueError(
-            f"emission: got {told(emission)}, want smaller numbers: the sum of all reflections exceeds the range of float64"
+            f"emission: got {quote(emission)}, want smaller numbers: the sum of all reflections exceeds the range of float64"
         )
     return leaving.reshape(columns.shape)
 
 
 def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """Solve J = emitted + share F J, (N, k), by adding reflection after reflection.
+    """Solve J = emitted + share F J for the (N, k) radiosity J, by adding one reflection after the other.
 
     Where that converges slowly, corrections come from solved equations.
 
@@ -75,7 +75,7 @@ def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.
 
 
 def _solve_corrections(matrix: "csr_array", lacking: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """Solve for the (N, k) corrections that remain in the radiosity, to a few digits, by GMRES."""
+    """Return the (N, k) radiosity that is still missing after several reflections, to a few digits, by GMRES."""
     linear = imported("scipy.sparse.linalg")
     operator, gmres = linear.LinearOperator, linear.gmres
     equations = operator(matrix.shape, matvec=lambda leaving: leaving - share * (matrix @ leaving), dtype=np.float64)
@@ -86,5 +86,5 @@ def _check_finite(value: Any, argument: str) -> np.ndarray:
     """Return `value` as a float64 array; raise a ValueError if a number is not finite."""
     array = as_real(value, argument).astype(np.float64)
     if not np.isfinite(array).all():
-        raise ValueError(f"{argument}: got {told(value)}, want finite numbers")
+        raise ValueError(f"{argument}: got {quote(value)}, want finite numbers")
     return array

@@ -17,7 +17,7 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.patches import patches_of
 from warpsample.radiation.reflection.reflections import Reflected, Reflections, reflections_of
 from warpsample.radiation.sky.result import SkySkipped
-from warpsample.radiation.sky.sky_matrix import sky_seen
+from warpsample.radiation.sky.sky_matrix import compute_sky_matrix
 from warpsample.radiation.weather.distant import WeatherLight, direct_light, sum_hours
 from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
@@ -140,14 +140,14 @@ def irradiation(
 
 
 def received(plan: Plan, light: Light, series: bool, reflections: Reflections | None = None) -> Irradiation:
-    """Compute the radiation received by the points of a call's plan, in kWh/m² or for each hour in W/m²."""
+    """Compute the radiation that points receive from sun, sky, ground and faces, in kWh/m² or, for each hour, in W/m²."""
     hours = len(light.hours)
     if series:
         size = _BYTES * len(plan.at) * hours
         check_memory(size, f"{hours:,} hours of {len(plan.at):,} points", "pass fewer points, or a shorter period")
-    sky = sky_seen(plan, light.sky, light.radiance if series else sum_hours(light.radiance))
+    sky = compute_sky_matrix(plan, light.sky, light.radiance if series else sum_hours(light.radiance))
     options = replace(plan.options, seed=seed_for("ground", plan.options.seed))
-    ground = sky_seen(replace(plan, options=options), light.below, np.ones(len(light.below)))
+    ground = compute_sky_matrix(replace(plan, options=options), light.below, np.ones(len(light.below)))
     bright = light.ground if series else sum_hours(light.ground)
     found = {
         "direct": (direct_light(plan.at, plan.options, light, series), light.sun_rows),
@@ -189,7 +189,7 @@ def _add_reflected(found: Irradiation, reflected: Reflected, light: Light) -> Ir
 
 
 def _expand_hours(part: np.ndarray, rows: np.ndarray, hours: int) -> np.ndarray:
-    """Expand columns for some hours to all hours, (P, hours) float32, with 0 in the other hours."""
+    """Copy columns for some hours into an array of all hours, (P, hours) float32, with 0 elsewhere."""
     made = np.zeros((len(part), hours), np.float32)
     made[:, rows] = part
     return made

@@ -13,7 +13,7 @@ _PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm")  # first words of 
 _WORDS = 20  # largest number of words of such a line that is read
 
 
-def files_beside(path: Path | None) -> list[Path]:
+def list_linked_files(path: Path | None) -> list[Path]:
     """Return the paths of the files that a .gltf, .glb or .obj refers to: buffers, materials and pictures.
 
     Returns an empty list for other formats and for files that cannot be read; reading such a file raises the error.
@@ -25,7 +25,7 @@ def files_beside(path: Path | None) -> list[Path]:
     return []
 
 
-def pictures_beside(path: Path) -> list[Path]:
+def list_linked_pictures(path: Path) -> list[Path]:
     """Return the paths of the pictures that a .gltf or .glb refers to; an empty list for files that cannot be read."""
     with suppress(OSError, TypeError, ValueError):
         if path.is_file() and path.suffix.lower() in (".gltf", ".glb"):
@@ -41,12 +41,12 @@ def uris_of(tree: Part, kinds: Iterable[str] = ("images", "buffers")) -> Iterato
 
 
 def _gltf(path: Path) -> Iterator[str]:
-    """Yield the file names in a .gltf or .glb."""
+    """Yield the names of the external files that a .gltf or .glb refers to."""
     return map(unquote, uris_of(_tree(path)))
 
 
 def _tree(path: Path) -> Part:
-    """Return the JSON of a .gltf or .glb."""
+    """Return the JSON of a .gltf or .glb file, as a `Part`."""
     return binary(path)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())
 
 
@@ -63,7 +63,7 @@ def _obj(path: Path) -> Iterator[str]:
 
 
 def _names(line: str) -> list[str]:
-    """Return all candidates for the file name in a line: each word after the first, with everything that follows.
+    """Return all possible file names in a line of an .obj: names may contain spaces and follow options.
 
     Options precede the name, and the name may contain spaces.
     """

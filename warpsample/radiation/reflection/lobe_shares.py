@@ -1,4 +1,4 @@
-"""Rays over cosine lobes, and the share of each lobe that each reflecting patch fills, as sparse matrices."""
+"""Cosine-weighted rays from points, and the share of them that hits each reflecting patch, as sparse matrices."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -22,29 +22,29 @@ _NOTHING, _DISTANT = -1, -2  # codes instead of a patch: no light, and light out
 
 @dataclass(frozen=True, eq=False)
 class Targets:
-    """Sources of light that rays may reach: N reflecting patches, and the light outside the mesh.
+    """Light sources that rays may reach: N reflecting patches of the mesh, and the light outside the mesh.
 
     Attributes:
         patches: N patches of faces.
-        beyond: Function from (M, 3) directions of rays that hit nothing to the (M, columns) sparse light from there; None if
-            this light is not needed.
+        light_outside: Function from (M, 3) directions of rays that hit nothing to the (M, columns) sparse light from
+            outside the mesh; None if this light is not needed.
     """
 
     patches: Patches
-    beyond: "Callable[[np.ndarray], csr_array] | None" = None
+    light_outside: "Callable[[np.ndarray], csr_array] | None" = None
 
 
 @dataclass(frozen=True, eq=False)
 class Shares:
-    """Shares of the points' cosine lobes that each light source fills, in rows of sparse matrices.
+    """Cosine-weighted shares of each light source in the view of each point, as rows of sparse matrices.
 
     Attributes:
         patches: (P, N) shares of the lobes that patches fill; each ray has a separate entry.
-        beyond: (P, columns) means of the light outside the mesh over the lobes; None if not needed.
+        light_outside: (P, columns) means of the light outside the mesh over the lobes; None if not needed.
     """
 
     patches: "csr_array"
-    beyond: "csr_array | None"
+    light_outside: "csr_array | None"
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +69,7 @@ class LobeRays:
         return self.points.position[rays // self.directions.shape[1]]
 
     def leaving(self, normals: np.ndarray) -> np.ndarray:
-        """Return the (P n,) mask of the rays that start towards the front side of their point's face.
+        """Return a mask of the rays that leave the surface: it has a row for each of the P n rays.
 
         The smooth normal of a texel may direct rays behind the face.
         """
@@ -94,7 +94,7 @@ class RayHits:
     share: np.ndarray
 
 
-def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> Shares:
+def trace_shares(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> Shares:
     """Trace cosine-weighted rays and return the share of rays that reaches each light source.
 
     Shares are means over each `together` consecutive points.
@@ -113,15 +113,15 @@ def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | 
 
     found = np.flatnonzero(column >= 0)
     between = rows(found, column[found], len(targets.patches))
-    if targets.beyond is None:
+    if targets.light_outside is None:
         return Shares(between, None)
     away = np.flatnonzero(column == _DISTANT)
     distant = rows(away, np.arange(len(away), dtype=np.int32), len(away))
-    return Shares(between, distant @ targets.beyond(rays.way[hits.ray[away]]))
+    return Shares(between, distant @ targets.light_outside(rays.way[hits.ray[away]]))
 
 
 def _find_first_hits(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
-    """Trace rays and return the first opaque hit of each one."""
+    """Trace rays, and return for each the patch of its first opaque hit and the transmitted share of light."""
     hits = trace(patches.mesh, rays.points, rays.directions, workers=workers)
     face, distance = hits.face.ravel(), hits.distance.ravel()
     column = patches.find_hit(face, rays.way, distance, rays.start)
@@ -131,7 +131,7 @@ def _find_first_hits(patches: Patches, rays: LobeRays, workers: int | None) -> R
 
 
 def _find_hits_along(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
-    """Trace rays and return all hits of each ray until no light is left.
+    """Trace rays through translucent faces, and return all patches along each ray with the share of light left.
 
     Transmitting faces attenuate the light of faces behind them.
     """
@@ -151,7 +151,7 @@ def _find_hits_along(patches: Patches, rays: LobeRays, workers: int | None) -> R
     )
 
 
-def lobes_seen(
+def trace_lobes(
     targets: Targets,
     points: SurfacePoints,
     count: int,
@@ -162,7 +162,7 @@ def lobes_seen(
     together: int = 1,
     workers: int | None = None,
 ) -> Iterator[tuple[slice, Shares]]:
-    """Iterate over blocks of points: (slice of points, share of their cosine lobes that each light source fills).
+    """Cast cosine-weighted rays from points, and yield blocks: (slice of points, share of rays that reaches each source).
 
     Each point has `count` rays; shares are means over each `together` consecutive points.
     """
@@ -174,4 +174,4 @@ def lobes_seen(
         if active is not None:
             drawn["active"] = active[rows].view(np.bool_)
         rays = LobeRays(some, sample_directions(some, count, sequence="fibonacci", **drawn).vectors)
-        yield rows, shares_seen(targets, rays, together, workers)
+        yield rows, trace_shares(targets, rays, together, workers)
