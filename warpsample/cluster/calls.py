@@ -22,7 +22,7 @@ class ChunkKeywords(RayKeywords, total=False):
 
 
 class LazyKeywords(ChunkKeywords, total=False):
-    """Keyword options of lazy functions that cast rays of limited length."""
+    """Keyword options of lazy functions that cast rays, with a largest distance."""
 
     max_distance: float | None
     """Distance from which on hits are ignored, a float in mesh units. Default: None, no limit."""

@@ -1,4 +1,4 @@
-"""Computation of one chunk on a worker: the chunk's points, and the result at the points."""
+"""Computation of one chunk of points on a Dask worker."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields

@@ -1,4 +1,4 @@
-"""Readers of a Zarr store: the attributes of the run, the arrays, and which chunks are complete."""
+"""Reading of a Zarr store: its attributes, its arrays, and which of its chunks are complete."""
 
 import json
 from collections.abc import Iterable

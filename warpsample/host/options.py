@@ -109,7 +109,7 @@ def with_options(keywords: type, defaults: Mapping[str, Any] = DEFAULTS) -> Call
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class CallOptions:
-    """Checked options of a call over points, see `SeedKeywords`, `CastKeywords` and `PointKeywords`.
+    """Checked options that functions over points share: seed, ids, mask of active points, device, threads and progress.
 
     Attributes:
         ids: (P,) uint64, the global ids of all rows; None if they are counted from `first_point`.

@@ -1,4 +1,4 @@
-"""Arguments of a run of `warpsample bake`, and the writers of its files: .ply, .vtp, .glb, .npz, .csv, .mtx and .png."""
+"""Arguments of a `warpsample bake` command, and writers of its output files: .ply, .vtp, .glb, .npz, .csv, .mtx and .png."""
 
 import json
 from collections.abc import Callable, Mapping

@@ -1,4 +1,4 @@
-"""Units of a CityJSON file: factors from its coordinates to metres, by `metadata.referenceSystem`."""
+"""Units of a CityJSON file's coordinates, from its reference system, and factors to metres."""
 
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Computation of a quantity tile by tile, each with a full-resolution margin and pooled columns for the terrain outside.
+"""Computation of a quantity tile by tile; terrain near a tile is traced at full resolution, distant terrain simplified.
 
 Random numbers of a cell depend on its number in the whole raster, row * columns + column. So tiles agree with the whole,
 except for the pooled terrain and for float32 rounding in another mesh.

@@ -163,7 +163,7 @@ class SphericalTriangle(Distribution):
         return tuple(map(tuple, unit.T.tolist()))
 
     def seam(self, u: Any) -> Any:
-        """Return the mask of points u near corner 1. See `Distribution.seam`."""
+        """Return a mask of unit-square points that `invert` cannot recover precisely (near corner 1). See `Distribution.seam`."""
         return u[..., 1] < 0.01
 
 

@@ -49,7 +49,7 @@ class Shares:
 
 @dataclass(frozen=True, eq=False)
 class LobeRays:
-    """n cosine-weighted rays from each of P points about their normals.
+    """Cosine-weighted rays from P points about the points' normals, n from each point.
 
     Attributes:
         points: The P points.
@@ -81,7 +81,7 @@ class LobeRays:
 
 @dataclass(frozen=True, eq=False)
 class RayHits:
-    """Hits of rays, ray by ray: a patch, the light outside the mesh, or nothing.
+    """Hits of rays on light sources: the ray, the patch (or the light outside the mesh), and the share of light.
 
     Attributes:
         ray: (M,) int64, index of the ray, ascending.
