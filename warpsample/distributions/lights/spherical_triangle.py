@@ -163,7 +163,7 @@ class SphericalTriangle(Distribution):
         return tuple(map(tuple, unit.T.tolist()))
 
     def seam(self, u: Any) -> Any:
-        """Return a mask of unit-square points that `invert` cannot recover precisely (near corner 1). See `Distribution.seam`."""
+        """Return a mask of points u near corner 1, which `invert` cannot recover precisely. See `Distribution.seam`."""
         return u[..., 1] < 0.01
 
 
