@@ -96,7 +96,7 @@ def integrate(
     mesh: Any = None,
     **options: Unpack[LazyKeywords],
 ) -> xr.Dataset:
-    """Compute `warpsample.integrate` lazily over Dask.
+    """Compute `warpsample.integrate` lazily with Dask, in chunks of points.
 
     Dask's threads run any function. Other processes import a wp.func by name: the function must be at the top level of a
     module that the workers can import, and `data` cannot be used. `lobe.row` is the row in a chunk, `lobe.point` the id

@@ -56,7 +56,7 @@ class ZarrTiles:
     """
 
     def __init__(self, output: Path, resume: bool, processes: int | None) -> None:
-        """Check the path and the number of processes."""
+        """Check the path of the store and the number of processes, and set both."""
         check_processes(processes)
         self.path = check_store(output, "--output")
         self.resume, self.processes = resume, processes

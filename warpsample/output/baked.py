@@ -111,12 +111,12 @@ class Baked:
 
     @property
     def quantity(self) -> Quantity:
-        """Record of the quantity."""
+        """Description of the computed quantity: its name, unit and options."""
         return quantity_of(self.run.quantity)
 
     @property
     def arrays(self) -> dict[str, np.ndarray]:
-        """Arrays with a row for each point, keyed by name."""
+        """Result arrays with a row for each point, keyed by name."""
         return self.quantity.arrays_of(self.result)
 
     @property

@@ -62,7 +62,7 @@ class TextureJob:
 
     @property
     def rows(self) -> list[slice]:
-        """Slices of the mesh's faces, one for each primitive."""
+        """Ranges of the mesh's faces that show the image, one for each glTF primitive."""
         return [one.faces for one in self.group] or [slice(len(self.points.mesh.faces))]
 
     @property

@@ -117,7 +117,7 @@ class RasterRun:
 
     @property
     def rasters(self) -> dict[str, RasterReader]:
-        """Input rasters, keyed by argument name."""
+        """Readers of all input rasters, keyed by argument name."""
         trees = {} if self.canopy is None else {"canopy": self.canopy.top, "trunk": self.canopy.trunk}
         given = {"source": self.reader, **trees, "far": self.other}
         return {name: raster for name, raster in given.items() if isinstance(raster, RasterReader)}

@@ -82,6 +82,6 @@ def _views(vectors: np.ndarray) -> np.ndarray:
 
 
 def _closed(rows: np.ndarray) -> np.ndarray:
-    """Make an array read-only and return it."""
+    """Make an array read-only, and return the same array."""
     rows.setflags(write=False)
     return rows

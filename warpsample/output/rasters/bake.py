@@ -242,7 +242,7 @@ class BakedRaster:
 
     @property
     def quantity(self) -> Quantity:
-        """Record of the quantity."""
+        """Description of the computed quantity: its name, unit and options."""
         return quantity_of(self.run.quantity)
 
 

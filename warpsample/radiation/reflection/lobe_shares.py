@@ -61,7 +61,7 @@ class LobeRays:
 
     @property
     def way(self) -> np.ndarray:
-        """Directions of all rays, (P n, 3), point by point."""
+        """Directions of all rays as one array, (P n, 3), point by point."""
         return self.directions.reshape(-1, 3)
 
     def start(self, rays: np.ndarray) -> np.ndarray:
