@@ -15,7 +15,7 @@ from warpsample.host.options import PointKeywords, RayKeywords, SeedKeywords
 
 
 class ChunkKeywords(RayKeywords, total=False):
-    """Keyword options of every lazy function over chunks of points."""
+    """Keyword options of all lazy functions, which Dask computes in chunks of points."""
 
     chunk: int
     """Number of points of a task, an integer; results do not depend on it. Default: 65536."""

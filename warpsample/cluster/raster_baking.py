@@ -79,7 +79,7 @@ class ZarrTiles:
                 yield from found
 
     def tiles(self, run: RasterRun) -> Tiles:
-        """Yield the row and column range and the arrays of each tile of the finished store."""
+        """Yield the range of rows and columns and the arrays of each tile in the finished store."""
         return tiles_in(self.path, run)
 
     def about(self) -> dict[str, Any]:
