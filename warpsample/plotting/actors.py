@@ -134,6 +134,11 @@ class Pin:
         self._shaft.mapper.dataset = pv.Line(start, end)
         self._head.mapper.dataset = pv.PolyData(end[None])
 
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide the pin."""
+        self._shaft.SetVisibility(visible)
+        self._head.SetVisibility(visible)
+
 
 class MeshPicker:
     """Mouse picking in a PyVista scene: a double click selects a point of a mesh and its face."""
