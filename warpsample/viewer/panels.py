@@ -10,7 +10,7 @@ from warpsample.plotting.actors import CloudActor, LobeActor, MeshPicker, Pin, S
 from warpsample.plotting.charts import LobeCharts
 from warpsample.plotting.scenes import draw_frame, draw_mesh, draw_normals, look_from
 from warpsample.plotting.style import INK, LOBE, font_file
-from warpsample.texture.shown import ShownOcclusion
+from warpsample.texture.occlusion_picture import OcclusionPicture
 from warpsample.viewer import widgets
 from warpsample.viewer.clouds import Clouds, NearCloud
 from warpsample.viewer.counts import Counts
@@ -67,7 +67,7 @@ class Panels:
         middle: np.ndarray,
         scale: float,
         up: str,
-        occlusion: ShownOcclusion | None,
+        occlusion: OcclusionPicture | None,
     ) -> None:
         """Add the mesh to the window, with normals, empty clouds, pin, caption and mouse picking.
 

@@ -10,7 +10,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.plotting.rendering import MOST_NORMALS, VIEW, describe_counts, limit_counts
-from warpsample.texture.shown import ShownOcclusion
+from warpsample.texture.occlusion_picture import OcclusionPicture
 from warpsample.viewer.choice import Choice, format_distribution
 from warpsample.viewer.clouds import MOST_COUNTED, all_clouds, count_clouds, one_cloud
 from warpsample.viewer.controls import Controls
@@ -51,7 +51,7 @@ class Viewer(Panels):
         up: str = "y",
         size: tuple[int, int] = (1600, 900),
         off_screen: bool = False,
-        occlusion: ShownOcclusion | None = None,
+        occlusion: OcclusionPicture | None = None,
     ):
         """Build the window: menus and sliders, the mesh with clouds of directions, the enlarged cloud, and the charts.
 
