@@ -133,9 +133,10 @@ def test_each_lobe_has_its_own_scale(facing):
 
 def test_options_of_the_command_line():
     """The camera is the viewer unless a view is given; an array has rows of vertices or faces."""
-    made = start.choice("visible_ggx(alpha=@r)", None, "sobol", 64, 0, {"r": ROUGH}.get)
+    made = start.choice("visible_ggx(alpha=@r)", None, "sobol", 64, 0, arrays={"r": ROUGH}.get)
     assert made.camera
     assert format_distribution(made.distribution, made.camera) == "visible_ggx(alpha=0.05 to 0.6, view=camera)"
+    assert start.choice("visible_ggx(alpha=@r, view=@camera)", None, "sobol", 64, 0, arrays={"r": ROUGH}.get) == made
     assert not start.choice("visible_ggx(alpha=0.3, view=(0, 0, 1))", None, "sobol", 64, 0).camera
     with pytest.raises(ValueError, match=r"^distribution: got alpha with 60 rows, want 1,089 \(vertices\) or 2,080"):
         own_lobes.check_rows(made, ws.load_mesh("courtyard"))

@@ -14,6 +14,7 @@ _TEXT, _SMALL = 11, 10
 _MOST_SIGMA = 4.0
 _PIXELS = 512  # of the height of an image, whose rows have different heights
 _AROUND = (0.1, 0.055, 0.095, 0.035)  # labels at the left, below, at the right and above, as shares of the sheet
+_MAPS = ("observed", "expected", "residuals")
 
 MAP_PLACES = {
     "observed": (0.1, 0.45, 0.365, 0.165),
@@ -36,12 +37,13 @@ class MapChart:
 
         Args:
             figure: figure to draw into.
-            places: places of the axes, with the keys of MAP_PLACES.
+            places: places of the axes, with the keys of MAP_PLACES. Maps next to each other share the labels of cos theta,
+                maps above each other those of phi.
             animated: whether the caller draws the artists in `moving`.
         """
         from matplotlib.colors import Normalize, PowerNorm
 
-        self._places = tuple(places.values())
+        self._places, self._beside = tuple(places.values()), places["observed"][1] == places["expected"][1]
         self._axes: dict[str, Axes] = {name: figure.add_axes(place) for name, place in places.items()}
         self._density, sigma = PowerNorm(0.5, 0.0, 1.0), Normalize(-_MOST_SIGMA, _MOST_SIGMA)
         images = []
@@ -65,11 +67,13 @@ class MapChart:
         """Draw titles, labels and colour bars."""
         self._axes["observed"].set_title("density of the directions", loc="left", **words)
         self._axes["expected"].set_title("compared density", loc="left", **words)
-        self._axes["expected"].set_yticklabels([])
-        for name in ("observed", "residuals"):
-            self._axes[name].set_ylabel("cos θ", labelpad=1, **words)
-        for name in ("observed", "expected", "residuals"):
-            self._axes[name].set_xlabel("φ about the normal [degrees]", labelpad=2, **words)
+        for name in _MAPS:
+            if not (self._beside and name == "expected"):
+                self._axes[name].set_ylabel("cos θ", labelpad=1, **words)
+            if self._beside or name == "residuals":
+                self._axes[name].set_xlabel("φ about the normal [degrees]", labelpad=2, **words)
+            else:
+                self._axes[name].set_xticklabels([])
         for (_, image), name, label in ((images[1], "density", "density [1/sr]"), (images[2], "sigma", "residual [σ]")):
             bar = figure.colorbar(image, cax=self._axes[name])
             bar.set_label(label, **words)
@@ -110,6 +114,7 @@ class MapChart:
         """Set the range of cos theta, from 1 down to `low`."""
         ticks = np.linspace(1.0, low, 5 if low < -0.5 else 3)
         digits = max(1, int(np.ceil(-np.log10(1.0 - low))) + 1)
-        for name in ("observed", "expected", "residuals"):
+        for name in _MAPS:
             self._axes[name].set(ylim=(low, 1.0), yticks=ticks)
-            self._axes[name].set_yticklabels([f"{tick:.{digits}f}" if name != "expected" else "" for tick in ticks])
+            labelled = not (self._beside and name == "expected")
+            self._axes[name].set_yticklabels([f"{tick:.{digits}f}" if labelled else "" for tick in ticks])

@@ -61,15 +61,17 @@ def format_distribution(distribution: Distribution, camera: bool = False) -> str
 
     Parameters by point are shown as ranges: "ggx(alpha=0.1 to 0.5)". With `camera`, the view is shown as "camera".
     """
-    names = distribution.parameters or [item.name for item in fields(distribution)]
-    texts = (
-        f"{name}={'camera' if camera and name == 'view' else _format_value(getattr(distribution, name))}" for name in names
-    )
+    names = [item.name for item in fields(distribution)]
+    lobes = [name for name in names if isinstance(getattr(distribution, name), Distribution)]
+    values = {name: getattr(distribution, name) for name in ([*lobes, *distribution.parameters] or names)}
+    texts = (f"{name}={'camera' if camera and name == 'view' else _format_value(v, camera)}" for name, v in values.items())
     return f"{distribution.name}({', '.join(texts)})".replace("()", "")
 
 
-def _format_value(value: Any) -> str:
+def _format_value(value: Any, camera: bool = False) -> str:
     """Format a parameter of a distribution, with three digits per number."""
+    if isinstance(value, Distribution):
+        return format_distribution(value, camera)
     if isinstance(value, np.ndarray):
         return f"{np.nanmin(value):.3g} to {np.nanmax(value):.3g}" if value.ndim == 1 else "by point"
     if isinstance(value, str):

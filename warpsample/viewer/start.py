@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import numpy as np
 import warp as wp
 
 from warpsample import sequences
@@ -20,6 +21,10 @@ from warpsample.viewer.window import Viewer
 LEAST_SIZE = (1200, 675)
 """Smallest width and height of the window in pixels for legible knobs and charts."""
 
+_CAMERA = "camera"
+"""Name of the array that stands for the direction to the camera, in `view=@camera`."""
+_ABOVE = np.array([0.0, 0.0, 1.0])  # until the camera is known
+
 
 def bunny() -> Path:
     """Return the path of the mesh of the Stanford bunny, which the package warp-lang contains."""
@@ -27,13 +32,13 @@ def bunny() -> Path:
 
 
 def choice(
-    distribution: str | None, density: str | None, sequence: str, samples: int, seed: int, arrays: Arrays | None = None
+    distribution: str | None, density: str | None, sequence: str, samples: int, seed: int, *, arrays: Arrays | None = None
 ) -> Choice:
     """Check the options of `warpsample view`, and return the settings of the viewer.
 
     Args:
         distribution: name of the distribution, with parameters. Default: points on the sphere plus the normal, normalised.
-            If the text has no `view`, the camera is the viewer of view-dependent lobes.
+            Without a `view`, and with `view=@camera`, the camera is the viewer of lobes that depend on a view.
         density: name of the distribution to compare with. Default: the cosine lobe for offset spheres and offset balls, the
             distribution itself for others.
         sequence: name of the point sequence.
@@ -47,9 +52,10 @@ def choice(
     sequences.get(sequence)
     check_integer(samples, "--samples", 1, 2**31 - 1)
     check_seed(seed)
-    sampled = OffsetSphere() if distribution is None else as_spatial(distribution, arrays)
-    compared = default_density(sampled) if density is None else _parse_density(density, arrays)
-    camera = not any(re.search(r"\bview\s*=", text or "") for text in (distribution, density))
+    known = None if arrays is None else lambda name: _ABOVE if name == _CAMERA else arrays(name)
+    sampled = OffsetSphere() if distribution is None else as_spatial(distribution, known)
+    compared = default_density(sampled) if density is None else _parse_density(density, known)
+    camera = not any(re.search(rf"\bview\s*=(?!\s*@{_CAMERA}\b)", text or "") for text in (distribution, density))
     return Choice(sampled, None if compared == sampled else compared, sequence, samples, seed, camera)
 
 

@@ -1,11 +1,12 @@
 """Window of the viewer: clouds of directions on a mesh, one enlarged cloud, and charts, which follow knobs and camera."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from textwrap import wrap
 from typing import Any
 
 import numpy as np
 
+from warpsample.distributions.record import Distribution
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
@@ -193,6 +194,8 @@ class Viewer(Panels):
         return "\n".join(piece for line in lines for piece in wrap(line, _MOST_LETTERS))
 
 
-def _kernels_of(distribution: Any) -> tuple[Any, ...]:
-    """Return the properties of a distribution for which kernels are compiled."""
-    return type(distribution), getattr(distribution, "method", None), tuple(distribution.by_point)
+def _kernels_of(distribution: Distribution) -> tuple[Any, ...]:
+    """Return the properties of a distribution, and of lobes in its fields, for which kernels are compiled."""
+    values = [getattr(distribution, item.name) for item in fields(distribution)]
+    nested = (kernel for value in values if isinstance(value, Distribution) for kernel in _kernels_of(value))
+    return type(distribution), getattr(distribution, "method", None), tuple(distribution.by_point), *nested
