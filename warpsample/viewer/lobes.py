@@ -7,6 +7,7 @@ import numpy as np
 
 from warpsample.directions.sample import sample_square
 from warpsample.distributions.record import Distribution
+from warpsample.proof.twins import frames
 from warpsample.statistics.cells import Density, integrate_lobes
 from warpsample.statistics.charts import SPHERE
 from warpsample.viewer.own_lobes import constant_lobes
@@ -17,7 +18,7 @@ SECTORS = 24
 """Number of bins of the angle about the normal."""
 
 _FINE = 8  # points of the density's line in a bin
-_RINGS, _SPOKES = 96, 72
+_EVEN, _UNEVEN = (96, 72), (128, 145)  # rings and spokes of the surface of a lobe with and without symmetry
 _PILOT, _PILOT_BY_POINT = 4096, 256
 _ALMOST_ALL = 0.998
 _TALLEST = 8.0  # times the median density; higher values, as at the edge of an offset sphere, are cut
@@ -69,9 +70,13 @@ def shape_of(claim: Distribution) -> LobeShape:
         ValueError: the lobe is too narrow for float32 directions about a normal.
     """
     pilot = _pilot(claim, 1)[0]
-    high = _covering_angle(claim, pilot)
-    grid = SPHERE.point(np.linspace(0.0, high, _RINGS)[:, None], np.linspace(0.0, 1.0, _SPOKES)).astype(np.float32)
-    pdf, on_grid = claim.pdf(pilot), claim.pdf(grid)
+    high, pdf, frame, (rings, spokes) = _covering_angle(claim, pilot), claim.pdf(pilot), np.eye(3), _EVEN
+    if not claim.symmetric:  # rings about the highest density, where the surface bends most
+        frame, (rings, spokes) = frames(pilot[[pdf.argmax()]].astype(np.float64))[0], _UNEVEN
+        high = np.quantile(SPHERE.polar(pilot @ frame), _ALMOST_ALL)
+    grid = SPHERE.point(np.linspace(0.0, high, rings)[:, None], np.linspace(0.0, 1.0, spokes)) @ frame.T
+    grid = grid.astype(np.float32)
+    on_grid = claim.pdf(grid)
     peak = min(float(max(pdf.max(), on_grid.max())), _TALLEST * float(np.median(pdf)))
     return LobeShape(np.minimum(on_grid / peak, 1.0)[..., None] * grid, peak)
 
