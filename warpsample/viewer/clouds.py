@@ -51,7 +51,7 @@ class Clouds:
 
 @dataclass(frozen=True, eq=False)
 class NearCloud:
-    """Cloud of directions at the pinned point, in the tangent frame of this point.
+    """Point cloud of the directions at the selected point, relative to the point's tangent frame.
 
     Attributes:
         position: (n, 3) float32, positions on the surface of the lobe, at most 1 from the origin.

@@ -117,7 +117,7 @@ class Viewer(Panels):
         return "; ".join((self._describe_directions(choice), *verdicts))
 
     def pick(self, position: np.ndarray, face: int) -> None:
-        """Pin another point of the mesh, (3,) in drawn coordinates, and enlarge the cloud of directions there.
+        """Select another point of the mesh, and show the cloud of directions there enlarged.
 
         A point on a degenerate face changes nothing.
         """
@@ -157,7 +157,7 @@ class Viewer(Panels):
         self._are_charts_old = False
 
     def _pin_point(self, point: int, at: SurfacePoints | None = None) -> None:
-        """Mark a point as the pinned one: `at`, or row `point` of `points`.
+        """Mark the selected point on the mesh: `at`, or row `point` of `points`.
 
         `point` is the global id of the pinned point.
         """
