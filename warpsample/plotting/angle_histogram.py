@@ -44,7 +44,7 @@ class AngleHistogram:
         return is_certainly_wrong(self.test)
 
     def verdict(self) -> str:
-        """Return two lines of text: whether the directions agree with the compared density, and the numbers of the test."""
+        """Return the result of the comparison with the density in two lines of text: a verdict, and the test's numbers."""
         return describe_test(self.test, self.independent, self.claim)
 
 
@@ -54,7 +54,7 @@ def is_certainly_wrong(test: HistogramTest | None) -> bool:
 
 
 def describe_test(test: HistogramTest | None, independent: bool, claim: str) -> str:
-    """Describe a chi-square test in two lines of text: whether directions agree with a density, and the numbers.
+    """Describe a chi-square test of directions against a density in two lines of text: a verdict, and the test's numbers.
 
     Args:
         test: the test; None if there are too few directions.

@@ -37,5 +37,5 @@ class CellMap:
         return is_certainly_wrong(self.test)
 
     def verdict(self) -> str:
-        """Return two lines of text: whether the directions agree with the compared density, and the numbers of the test."""
+        """Return the result of the comparison with the density in two lines of text: a verdict, and the test's numbers."""
         return describe_test(self.test, self.independent, self.claim)

@@ -45,7 +45,7 @@ class LobeCharts:
     """
 
     def __init__(self, size: tuple[int, int], with_map: bool = False):
-        """Arrange the charts on a sheet with a width and height in pixels, with a map of both angles or without."""
+        """Create empty charts on a sheet of the given width and height in pixels, with a map of both angles or without."""
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
 

@@ -33,7 +33,7 @@ class MapChart:
     """
 
     def __init__(self, figure: Any, places: dict[str, tuple[float, ...]] = MAP_PLACES, animated: bool = True):
-        """Add the maps, without data, to a figure.
+        """Create the maps in a figure, without data.
 
         Args:
             figure: figure to draw into.

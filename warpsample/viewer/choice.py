@@ -57,7 +57,7 @@ def default_density(distribution: Distribution) -> Distribution | None:
 
 
 def format_distribution(distribution: Distribution, camera: bool = False) -> str:
-    """Return a distribution as the command line takes it, with numbers of three digits: "ggx(alpha=0.1)".
+    """Return a distribution in the notation of the command line, with numbers of three digits: "ggx(alpha=0.1)".
 
     Parameters by point are shown as ranges: "ggx(alpha=0.1 to 0.5)". With `camera`, the view is shown as "camera".
     """

@@ -1,4 +1,4 @@
-"""Clouds of directions for the viewer: directions at all points, and at the pinned point."""
+"""Sampled directions as point clouds for the viewer, and the counts of their angles."""
 
 from dataclasses import dataclass
 
@@ -22,7 +22,7 @@ MOST_COUNTED = 100
 
 @dataclass(frozen=True, eq=False)
 class Clouds:
-    """Clouds of directions at all points of the mesh.
+    """Point clouds of sampled directions at all points of the mesh.
 
     A direction is drawn as a dot on the surface of the lobe at its point.
 
@@ -67,7 +67,7 @@ class NearCloud:
 
 
 def all_clouds(choice: Choice, points: SurfacePoints, scale: float) -> Clouds:
-    """Sample the clouds of directions at all points.
+    """Sample directions at all points of the mesh.
 
     Args:
         choice: settings, whose parameters by point have a row for each point.
@@ -107,7 +107,7 @@ def count_clouds(choice: Choice, clouds: Clouds) -> Counts | None:
 
 
 def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> NearCloud | None:
-    """Sample the cloud of directions at one point; `first` is the global id of the point.
+    """Sample the directions at the selected point, which has the global id `first`.
 
     Return None if the point has no directions, as for a view from below.
     """
@@ -122,7 +122,7 @@ def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> NearCloud | N
 def _sample_compared(
     choice: Choice, points: SurfacePoints, first: int
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Sample directions at points.
+    """Sample directions at points, and compute the densities that the directions are compared with.
 
     Returns:
         (p,) rows of the points with directions; (p, n, 3) world directions; (p, n, 3) local ones; (p, n) compared densities.

@@ -32,7 +32,7 @@ class Counts:
 def count_directions(
     local: np.ndarray, probabilities: CellProbabilities, independent: bool, claim: str = "the density"
 ) -> Counts:
-    """Count the angles of directions to the normal and about the normal, and compare them with densities.
+    """Build histograms and a map of the directions' polar angle and azimuth, and compare them with densities by chi-square tests.
 
     Args:
         local: (N, 3) unit directions with the normal along +z; of several lobes, the same number of directions for each.
@@ -62,7 +62,7 @@ def count_directions(
 def _build_histogram(
     observed: np.ndarray, masses: np.ndarray, edges: np.ndarray, *, angles: np.ndarray, line: np.ndarray, **names: Any
 ) -> AngleHistogram:
-    """Build the histogram of one angle, from counts, (K,), and probabilities, (L, K), with its chi-square test.
+    """Build the histogram of one angle, with a chi-square test, from counts, (K,), and probabilities, (L, K).
 
     The test includes bins that are outside the chart.
     """

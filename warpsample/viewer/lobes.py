@@ -1,4 +1,4 @@
-"""Shape of a lobe as a surface over the tangent plane, and probabilities of the cells in which directions are counted."""
+"""Shape of a distribution's density for the viewer: a surface, and probabilities of cells of directions."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -30,7 +30,7 @@ _MOST_MISSING = 1e-3  # of the probability: ten times the error of the integral
 
 @dataclass(frozen=True, eq=False)
 class LobeShape:
-    """Shape of a lobe: the density as a surface over the tangent plane.
+    """Density of a distribution as a surface over the tangent plane.
 
     Attributes:
         surface: (I, J, 3) local coordinates: directions with length density / `peak`, at most 1.
@@ -64,7 +64,7 @@ class CellProbabilities:
 
 @lru_cache(maxsize=256)
 def shape_of(claim: Distribution) -> LobeShape:
-    """Compute the shape of the lobe of a distribution with constant parameters.
+    """Compute the surface of the density of a distribution with constant parameters.
 
     Raises:
         ValueError: the lobe is too narrow for float32 directions about a normal.

@@ -1,4 +1,4 @@
-"""Panels of the viewer's window: knobs at the left, mesh and one enlarged cloud in the middle, charts at the right."""
+"""Panels of the viewer's window: menus and sliders, the mesh with directions, one enlarged cloud of directions, and charts."""
 
 from typing import Any
 
@@ -69,7 +69,7 @@ class Panels:
         up: str,
         occlusion: OcclusionPicture | None,
     ) -> None:
-        """Add the mesh to the window, with normals, empty clouds, pin, caption and mouse picking.
+        """Create the panel of the window with the mesh, its normals, and selection of points by mouse.
 
         Args:
             mesh: the mesh.
@@ -91,7 +91,7 @@ class Panels:
         self._camera = self.plotter.camera
 
     def pick(self, position: np.ndarray, face: int) -> None:
-        """React to a double click on a point, (3,), of a face of the mesh."""
+        """Select another point of the mesh: a position, (3,) in drawn coordinates, on a face."""
         raise NotImplementedError
 
     def choose_knobs(self) -> None:
@@ -148,7 +148,7 @@ class Panels:
         self._sheet.show(self.charts.draw(counts.theta, counts.azimuth, disk, counts.cells))
 
     def _add_cloud(self) -> None:
-        """Add the enlarged cloud to the window: points, lobe, tangent frame and texts, still empty."""
+        """Create the panel of the window with the enlarged cloud of directions, still empty."""
         self.plotter.subplot(*_CLOUD)
         self.near_actor, self.lobe_actor = CloudActor(self.plotter, point_size=4, bar=False), LobeActor(self.plotter)
         self._view = Pin(self.plotter, INK)

@@ -1,4 +1,4 @@
-"""Window of the viewer: clouds of directions on a mesh, one enlarged cloud, and charts, which follow knobs and camera."""
+"""Window of the viewer, whose clouds of directions and charts follow the menus, the sliders and the camera."""
 
 from dataclasses import fields, replace
 from textwrap import wrap
@@ -140,7 +140,7 @@ class Viewer(Panels):
         self._are_charts_old = True
 
     def _draw_near(self, choice: Choice) -> None:
-        """Draw the enlarged cloud at the pinned point, and the lobe there."""
+        """Draw the enlarged cloud of directions at the selected point, and its density."""
         drawn = replace(choice, samples=min(choice.samples, _MOST_NEAR))
         self.near = one_cloud(self._lobes_at(drawn, self.chosen), self.chosen, self._chosen_id)
         self.show_near(self.near)
