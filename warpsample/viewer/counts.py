@@ -32,7 +32,7 @@ class Counts:
 def count_directions(
     local: np.ndarray, probabilities: CellProbabilities, independent: bool, claim: str = "the density"
 ) -> Counts:
-    """Build histograms and a map of the directions' polar angle and azimuth, and compare them with densities by chi-square tests.
+    """Build histograms and a map of the directions' polar angle and azimuth, and compare them with densities.
 
     Args:
         local: (N, 3) unit directions with the normal along +z; of several lobes, the same number of directions for each.

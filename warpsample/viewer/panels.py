@@ -1,4 +1,4 @@
-"""Panels of the viewer's window: menus and sliders, the mesh with directions, one enlarged cloud of directions, and charts."""
+"""Panels of the viewer's window: menus and sliders, the mesh, one enlarged cloud of directions, and charts."""
 
 from typing import Any
 
