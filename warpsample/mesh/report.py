@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class MeshReport:
-    """Size and defects of a mesh.
+    """Report on a mesh: numbers of vertices and faces, and counts of defects.
 
     Attributes:
         vertices: Number of vertices.

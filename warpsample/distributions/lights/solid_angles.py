@@ -15,7 +15,7 @@ Rounding moves a float32 direction by at most 5e-8 rad, and rotations to the wor
 
 @wp.func
 def vector_of(x: wp.float32, y: wp.float32, z: wp.float32) -> wp.vec3d:
-    """Return a vector in float64."""
+    """Convert a vector of three numbers to float64."""
     return wp.vec3d(wp.float64(x), wp.float64(y), wp.float64(z))
 
 

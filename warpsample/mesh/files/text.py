@@ -154,12 +154,12 @@ def three(words: list[str]) -> list[float]:
 
 
 def real(word: str | bytes) -> float:
-    """Convert a word of a mesh file to a float."""
+    """Parse a number in a text file as a float."""
     return float(_plain(word))
 
 
 def whole(word: str | bytes) -> int:
-    """Convert a word of a mesh file to an int."""
+    """Parse a whole number in a text file as an int."""
     return int(_plain(word))
 
 
