@@ -142,6 +142,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "python viz/shirley_overlay.py --screenshot shirley_overlay.png",  # these: test_plotting.py
         "python viz/offset_family.py --screenshot offset_family.png",
         "python viz/sequences.py --screenshot sequences.png",
+        "python viz/own_lobes.py --screenshot own_lobes.png",  # test_own_lobes_picture.py
         "python viz/occlusion.py --screenshot occlusion.png",
         "python viz/baked_texture.py --screenshot baked_texture.png",
         "python viz/sun_and_sky.py --screenshot sun_and_sky.png",

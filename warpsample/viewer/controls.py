@@ -9,6 +9,7 @@ import numpy as np
 
 from warpsample import distributions, sequences
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere, Method
+from warpsample.distributions.microfacets.visible_ggx import VisibleGGX
 from warpsample.distributions.record import Distribution
 from warpsample.distributions.scattering.base import ScatteredLight
 from warpsample.viewer.choice import COSINE, OWN, Choice, default_density
@@ -17,25 +18,26 @@ from warpsample.viewer.widgets import ROW, Menu, Slider, fit_texts
 if TYPE_CHECKING:
     import pyvista
 
+NORMALS = VisibleGGX(0.3)
+"""Lobe of normals for the menu's distributions of scattered light."""
+
 _CLAIMS = {OWN: None, COSINE: CosineHemisphere()}
 _MOST_SAMPLES, _MOST_SEED = 4096, 99
 
 
 def spatial_names() -> list[str]:
-    """Return the names of the distributions of 3-D directions that can be drawn on a mesh with default parameters.
-
-    Lobes of other lobes have no default.
-    """
-    kinds = {name: distributions.get(name) for name in distributions.names()}
-    return [name for name, kind in kinds.items() if kind.width == 3 and not issubclass(kind, ScatteredLight)]
+    """Return the names of the distributions of 3-D directions, which can be drawn on a mesh."""
+    return [name for name in distributions.names() if distributions.get(name).width == 3]
 
 
 def make_distribution(name: str) -> Distribution:
     """Build the distribution that a menu entry names, with its first parameter in the middle of the slider's range.
 
-    The middle is the geometric mean of the ends.
+    The middle is the geometric mean of the ends. Scattered light has the normals `NORMALS`.
     """
     kind = distributions.get(name)
+    if issubclass(kind, ScatteredLight):
+        return kind(NORMALS, NORMALS.view)
     low, high = kind.shown or (1.0, 1.0)
     return kind(**{kind.parameters[0]: (low * high) ** 0.5}) if kind.shown else kind()
 
