@@ -41,7 +41,7 @@ def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array
 
 @dataclass(frozen=True)
 class Memory:
-    """Device of a call, with the rule how arrays are passed to kernels there: directly, or copied part by part.
+    """Device of a call, and whether its kernels use the caller's arrays directly or copies, made part by part.
 
     Attributes:
         device: device that runs the kernels.

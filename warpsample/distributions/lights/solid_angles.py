@@ -53,5 +53,5 @@ def half_solid_angles(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray
 
 
 def is_usable(half: np.ndarray) -> np.ndarray:
-    """Return the mask of halves of solid angles that are above `LEAST` and below a hemisphere's."""
+    """Return True where a solid angle, given by its half, is at least `LEAST` and smaller than a hemisphere."""
     return (half >= 0.5 * LEAST) & (half <= np.pi - 0.5 * LEAST)
