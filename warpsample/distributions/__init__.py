@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from warpsample.distributions import microfacets, scattering
+from warpsample.distributions import lights, microfacets, scattering
 from warpsample.distributions.own import Twin, UserDistribution, check_kind, check_twin, is_same_class, user_distributions
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import told
@@ -28,7 +28,7 @@ _ARRAY = re.compile(r"@([\w.-]+)")
 @cache
 def _find_package_distributions() -> dict[str, type[Distribution]]:
     """Import and return the distributions of the package, name -> class; the import takes half as long as `import warp`."""
-    return records_of(sys.modules[__name__]) | records_of(microfacets) | records_of(scattering)
+    return records_of(sys.modules[__name__]) | records_of(microfacets) | records_of(scattering) | records_of(lights)
 
 
 def _find_distributions() -> dict[str, type[Distribution]]:

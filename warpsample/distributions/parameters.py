@@ -27,8 +27,17 @@ in a struct as a whole, which prevents vectorisation.
 
 Parameters: Any = _make_struct()
 
-SIZES: dict[Any, int] = {wp.float32: 1, float: 1, wp.vec3: 3, wp.mat33: 9}
-"""Number of float32 numbers of a parameter, by its type in the signature of a `wp.func`."""
+SIZES: dict[Any, int] = {wp.float32: 1, float: 1, wp.vec3: 3, wp.mat33: 9, wp.uint64: 3}
+"""Number of float32 numbers of a parameter, by its type in the signature of a `wp.func`; an address takes three numbers."""
+
+_ADDRESS_BITS = 22  # of each of the three numbers of an address: float32 holds whole numbers of 24 bits
+_SHIFT = wp.constant(wp.uint64(_ADDRESS_BITS))
+
+
+def split_address(address: int) -> tuple[float, float, float]:
+    """Return the three numbers as which `Parameters` holds an address in memory, the lowest bits first."""
+    mask = (1 << _ADDRESS_BITS) - 1
+    return float(address & mask), float(address >> _ADDRESS_BITS & mask), float(address >> 2 * _ADDRESS_BITS)
 
 
 @wp.func_native(snippet="return (&parameters.scalar)[i];", adj_snippet="(&adj_parameters.scalar)[i] += adj_ret;")
@@ -107,7 +116,15 @@ def parameter_types(func: wp.Function) -> list[Any]:
 @once
 def _reader(kind: Any, i: int) -> wp.Function:
     """Build the wp.func that returns the parameter of a type whose first number is number i."""
-    if SIZES[kind] == 1:
+    if kind is wp.uint64:
+
+        @wp.func
+        def read(p: Parameters):
+            """Return an address, see `split_address`."""
+            high = (wp.uint64(number_at(p, i + 2)) << _SHIFT) | wp.uint64(number_at(p, i + 1))
+            return (high << _SHIFT) | wp.uint64(number_at(p, i))
+
+    elif SIZES[kind] == 1:
 
         @wp.func
         def read(p: Parameters):
@@ -139,7 +156,7 @@ def _reader(kind: Any, i: int) -> wp.Function:
 def bind_parameters(func: wp.Function, argument: type, count: int) -> wp.Function:
     """Build the wp.func (x: argument, Parameters) that calls `func` with its `count` parameters, at most four.
 
-    The parameters are float32, vec3 or mat33, as in the signature of `func`.
+    The parameters are float32, vec3, mat33 or addresses (uint64), as in the signature of `func`.
     """
     types = parameter_types(func)[:count]
     starts = np.cumsum([0, *(SIZES[kind] for kind in types)]).tolist()

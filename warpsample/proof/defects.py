@@ -23,6 +23,7 @@ from warpsample.proof.verify import LAWS, Law, Verdict, judge
 from warpsample.proof.wrong import WrongSampler
 from warpsample.proof.wrong_lobes import WRONG_LOBES
 from warpsample.proof.wrong_microfacets import WRONG_MICROFACETS
+from warpsample.proof.wrong_pictures import WRONG_PICTURES
 from warpsample.sequences.hashing import run_words
 from warpsample.statistics.charts import DISK
 
@@ -181,6 +182,7 @@ def _samples_in_one_word() -> np.ndarray:
 _SAMPLERS = (
     WRONG_LOBES
     | WRONG_MICROFACETS
+    | WRONG_PICTURES
     | {
         "sphere scaled by 0.98": WrongSampler(_RIGHT, sample=partial(_scaled_sphere, 0.98)),
         "sphere scaled by 0.99999": WrongSampler(_RIGHT, sample=partial(_scaled_sphere, 0.99999)),

@@ -131,8 +131,11 @@ class Parameterised:
         """Places of the parameters by point in the arguments of kernels; empty if all parameters are constants."""
         return layout_of(self.kernel_values()) if self.by_point else ()
 
-    def kernel_parameters(self) -> Any:
+    def kernel_parameters(self, loan: Loan | None = None) -> Any:  # noqa: ARG002  (distributions with a table use the loan)
         """Return the parameters as the struct that kernels take as an argument; parameters by point are 0 there.
+
+        Args:
+            loan: memory on the kernels' device, for distributions with a table. Default: None, the CPU.
 
         Returns:
             a `Parameters` struct of float32; new values do not recompile a kernel.
