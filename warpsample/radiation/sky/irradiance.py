@@ -17,14 +17,14 @@ from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, RaySum, plan_of
 from warpsample.estimate.result import Estimate, PointStatus, has_status
 from warpsample.estimate.source.definitions import naming_function
-from warpsample.estimate.weights import seen_in
-from warpsample.host.arguments import told
+from warpsample.estimate.weights import build_environment_integrand
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real, as_unit
 from warpsample.host.locks import imported
 from warpsample.host.options import RayKeywords, with_options
 from warpsample.host.picture import read_picture
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.reflection.lobes_seen import Targets
+from warpsample.radiation.reflection.lobe_shares import Targets
 from warpsample.radiation.reflection.patches import Patches, patches_of
 from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, cached_reflections, reflections_of
 from warpsample.tracing.placed_points import PlacedPoints
@@ -104,7 +104,7 @@ def irradiance(
     plan = plan_of(at, count, **options)
     axis, patches = as_unit(up, "up"), patches_of(at.mesh, refine)
     if patches is not None and plan.tolerance is not None:
-        raise ValueError(f"tolerance: got {told(plan.tolerance)} for a mesh with a reflectance, want None")
+        raise ValueError(f"tolerance: got {quote(plan.tolerance)} for a mesh with a reflectance, want None")
     if isinstance(radiance, wp.Function):
         with naming_function("radiance"):
             integrand = integrand_of(radiance, argument="radiance", device=plan.options.memory.device)
@@ -123,12 +123,12 @@ class _RadianceLight:
     Attributes:
         summed: sum over rays that gives the irradiance.
         size: number of colours, 1 or 3.
-        known_by: text that identifies the light in the cache of reflected light; None: the function identifies it.
+        cache_key: text that identifies the light in the cache of reflected light; None: the function identifies it.
     """
 
     summed: RaySum
     size: int
-    known_by: str | None = None
+    cache_key: str | None = None
 
     def at(self, plan: Plan) -> Irradiance:
         """Compute the irradiance of the points of a call's plan from this light, without reflections."""
@@ -145,25 +145,27 @@ class _RadianceLight:
         """
         csr_array = imported("scipy.sparse").csr_array
 
-        def beyond(directions: np.ndarray) -> "csr_array":
+        def light_outside(directions: np.ndarray) -> "csr_array":
             radiance = along(self.summed.integrand, directions, workers)[:, : self.size]
             number, columns = np.where(np.isfinite(radiance), radiance, np.float32(0.0)).ravel(), np.arange(self.size)
             ends = np.arange(0, len(number) + 1, self.size)
             return csr_array((number, np.tile(columns, len(radiance)), ends), shape=radiance.shape)
 
-        return Targets(patches, beyond)
+        return Targets(patches, light_outside)
 
     def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
         """Return the irradiance of reflecting patches by this light, from the rays of the patches."""
-        return pi * probes.beyond.toarray()[:, columns]
+        return pi * probes.light_outside.toarray()[:, columns]
 
 
 def _picture_light(picture: np.ndarray, up: tuple[float, ...]) -> _RadianceLight:
     """Build the distant light of a picture, (H, W) or (H, W, 3); `up` is the direction of row 0."""
     pixels = picture if picture.ndim == 3 else picture[..., None]
     pixels = np.ascontiguousarray(np.broadcast_to(pixels, (*picture.shape[:2], 3)))
-    known_by = f"{sha256(pixels.tobytes()).hexdigest()} {pixels.shape} {up}"
-    return _RadianceLight(RaySum(seen_in(pixels, up), unit=pi, result=Irradiance), picture[0, 0].size, known_by)
+    cache_key = f"{sha256(pixels.tobytes()).hexdigest()} {pixels.shape} {up}"
+    return _RadianceLight(
+        RaySum(build_environment_integrand(pixels, up), unit=pi, result=Irradiance), picture[0, 0].size, cache_key
+    )
 
 
 def _compute_reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> Reflected:
@@ -173,7 +175,7 @@ def _compute_reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> R
     """
     if len(plan.at) == 0:
         return Reflected(*np.zeros((2, 0, light.size)), 0)
-    light_of = light.known_by or light.summed.integrand.function
+    light_of = light.cache_key or light.summed.integrand.function
     key = light_of, light.size, patches.cuts.tobytes(), plan.count, plan.options.seed
     found = cached_reflections(patches.mesh, key, lambda: reflections_of(patches, light, plan.count, plan.options))
     return found.at(plan.at.points, plan.count, plan.options)
