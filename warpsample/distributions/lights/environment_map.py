@@ -125,7 +125,17 @@ class EnvironmentMap(Distribution):
         return found
 
     def shares(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return cumulative shares of the rows, (H + 1,) float64 from 0 to 1, and of each row's pixels, (H, W + 1)."""
+        """Return the shares of the light that rows and pixels have, as they are drawn.
+
+        Returns:
+            cumulative shares of the rows, (H + 1,) float64 from 0 to 1; cumulative shares of the pixels within each row,
+            (H, W + 1) float64.
+
+        Example:
+            >>> rows, pixels = ws.EnvironmentMap(np.array([[1.0, 3.0], [0.0, 4.0]])).shares()
+            >>> print(rows, pixels[0])
+            [0.  0.5 1. ] [0.   0.25 1.  ]
+        """
         return read_shares(self.table_array)
 
     @property
