@@ -158,8 +158,23 @@ class EnvironmentMap(Distribution):
         """Address of the picture's table, for kernels on the CPU; valid while this distribution exists."""
         return int(self.table_array.ctypes.data)
 
+    def kernel_values(self) -> tuple[Any, ...]:
+        """Return the address of the table as the numbers that kernels take; see `Distribution`."""
+        return (split_address(self.table),)
+
     def kernel_parameters(self, loan: Loan | None = None) -> Any:
-        """Return the address of the table as kernels take it; see `Distribution`."""
+        """Return the parameters as a kernel argument: the address of the table on the kernels' device.
+
+        Args:
+            loan: memory on the kernels' device. Default: None, the CPU.
+
+        Returns:
+            a `Parameters` struct, see `Distribution`.
+
+        Example:
+            >>> print(ws.EnvironmentMap(np.ones((2, 4))).kernel_parameters().scalar >= 0.0)
+            True
+        """
         return pack_parameters((split_address(self.table if loan is None else _put(loan, self.table_array)),))
 
     def __getstate__(self) -> dict[str, Any]:
