@@ -260,7 +260,7 @@ def build_about_drawn(draw: wp.Function, tangents: bool) -> wp.Function:
 
 @once
 def about_normal_of(about: wp.Function) -> wp.Function:
-    """Build the wp.func of a tangent frame that calls a sampling function of the normal and ignores the tangent."""
+    """Build the wp.func (frame, u, Parameters) that samples about the frame's normal by `about` and ignores the tangent."""
 
     @wp.func
     def about_frame(frame: wp.mat33, u: wp.vec2, parameters: Parameters):

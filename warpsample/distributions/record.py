@@ -110,7 +110,7 @@ class Distribution(Parameterised):
 
     @property
     def thinnest_tail(self) -> float:
-        """Smallest tail probability that float32 directions resolve, for statistical tests."""
+        """Smallest probability of extreme angles that statistical tests of float32 directions can examine."""
         return 1e-5
 
     def cdf(self, theta: Any) -> np.ndarray:
