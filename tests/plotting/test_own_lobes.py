@@ -8,7 +8,7 @@ from significance import ALPHA
 
 import warpsample as ws
 from warpsample.proof.twins import frames
-from warpsample.viewer import clouds, lobes, own_lobes, start, window
+from warpsample.viewer import clouds, controls, lobes, own_lobes, start, window
 from warpsample.viewer.choice import Choice, format_distribution
 from warpsample.viewer.counts import count_directions
 
@@ -140,6 +140,14 @@ def test_options_of_the_command_line():
     assert not start.choice("visible_ggx(alpha=0.3, view=(0, 0, 1))", None, "sobol", 64, 0).camera
     with pytest.raises(ValueError, match=r"^distribution: got alpha with 60 rows, want 1,089 \(vertices\) or 2,080"):
         own_lobes.check_rows(made, ws.load_mesh("courtyard"))
+
+
+def test_the_menu_has_all_that_can_be_made_without_arrays():
+    made = {name: controls.make_distribution(name) for name in controls.spatial_names()}
+    assert {"reflection", "visible_ggx", "ggx", "uniform_sphere"} <= set(made)
+    assert not {"environment_map", "spherical_triangle", "uniform_disk"} & set(made)
+    with pytest.raises(ValueError, match=r"^distribution: got EnvironmentMap.*, which ignores the normals"):
+        start.choice("environment_map(picture=@sky)", None, "sobol", 64, 0, arrays={"sky": np.ones((4, 8))}.get)
 
 
 @pytest.fixture(scope="module")

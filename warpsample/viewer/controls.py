@@ -1,7 +1,7 @@
 """Menus and sliders that change the settings of the viewer."""
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import MISSING, fields, replace
 from math import exp, log, log2
 from typing import TYPE_CHECKING, Any, get_args
 
@@ -26,8 +26,15 @@ _MOST_SAMPLES, _MOST_SEED = 4096, 99
 
 
 def spatial_names() -> list[str]:
-    """Return the names of the distributions of 3-D directions, which can be drawn on a mesh."""
-    return [name for name in distributions.names() if distributions.get(name).width == 3]
+    """Return the names of the distributions of 3-D directions that can be drawn on a mesh with default parameters."""
+    return [name for name in distributions.names() if _has_defaults(distributions.get(name))]
+
+
+def _has_defaults(kind: type[Distribution]) -> bool:
+    """Return whether `make_distribution` can build a distribution of a class: one about the normal, without an array."""
+    required = {item.name for item in fields(kind) if item.default is MISSING}
+    from_slider = set(kind.parameters[:1]) if kind.shown else set()
+    return kind.width == 3 and not kind.in_world and (issubclass(kind, ScatteredLight) or required <= from_slider)
 
 
 def make_distribution(name: str) -> Distribution:

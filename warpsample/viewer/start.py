@@ -47,7 +47,8 @@ def choice(
         arrays: function that returns the array of a name such as "@roughness", with a row for each vertex or face.
 
     Raises:
-        TypeError, ValueError: a name is unknown, or a value has a wrong type or is out of range.
+        TypeError, ValueError: a name is unknown, a value has a wrong type or is out of range, or the directions do not
+            depend on the normal.
     """
     sequences.get(sequence)
     check_integer(samples, "--samples", 1, 2**31 - 1)
@@ -55,6 +56,9 @@ def choice(
     known = None if arrays is None else lambda name: _ABOVE if name == _CAMERA else arrays(name)
     sampled = OffsetSphere() if distribution is None else as_spatial(distribution, known)
     compared = default_density(sampled) if density is None else _parse_density(density, known)
+    for argument, each in (("distribution", sampled), ("density", compared)):
+        if each is not None and each.in_world:
+            raise ValueError(f"{argument}: got {each!r}, which ignores the normals, want a distribution about the normal")
     camera = not any(re.search(rf"\bview\s*=(?!\s*@{_CAMERA}\b)", text or "") for text in (distribution, density))
     return Choice(sampled, None if compared == sampled else compared, sequence, samples, seed, camera)
 
