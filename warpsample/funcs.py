@@ -23,6 +23,11 @@ from warpsample.distributions.cosine_hemisphere import (
     square_to_cosine_hemisphere_offset,
     square_to_cosine_hemisphere_pdf,
 )
+from warpsample.distributions.lights.spherical_rectangle import (
+    spherical_rectangle_to_square,
+    square_to_spherical_rectangle,
+    square_to_spherical_rectangle_pdf,
+)
 from warpsample.distributions.lights.spherical_triangle import (
     spherical_triangle_to_square,
     square_to_spherical_triangle,
@@ -143,6 +148,7 @@ __all__ = [
     "power_cosine_to_square",
     "r2",
     "sobol",
+    "spherical_rectangle_to_square",
     "spherical_triangle_to_square",
     "square_to_anisotropic_beckmann",
     "square_to_anisotropic_beckmann_pdf",
@@ -175,6 +181,8 @@ __all__ = [
     "square_to_offset_sphere_pdf",
     "square_to_power_cosine",
     "square_to_power_cosine_pdf",
+    "square_to_spherical_rectangle",
+    "square_to_spherical_rectangle_pdf",
     "square_to_spherical_triangle",
     "square_to_spherical_triangle_pdf",
     "square_to_uniform_cone",

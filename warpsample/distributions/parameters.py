@@ -119,7 +119,8 @@ def _reader(kind: Any, i: int) -> wp.Function:
         @wp.func
         def read(p: Parameters):
             """Return a vector."""
-            return wp.vec3(number_at(p, i), number_at(p, i + 1), number_at(p, i + 2))
+            # The sums with 0 stop LLVM from joining the loads of two vectors, which would prevent vectorisation.
+            return wp.vec3(number_at(p, i) + 0.0, number_at(p, i + 1) + 0.0, number_at(p, i + 2) + 0.0)
 
     else:
 
