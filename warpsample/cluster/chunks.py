@@ -31,7 +31,7 @@ BY_POINT = "distribution."
 
 @dataclass(frozen=True)
 class Call:
-    """Function name and options of a call over chunks, small enough to send with every Dask task.
+    """Description of a function call over chunks of points, small enough to send with every Dask task.
 
     Attributes:
         name: Name of the call, a key of FUNCTIONS.
@@ -58,7 +58,7 @@ class Call:
 
 
 def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray]) -> SurfacePoints | None:
-    """Build the SurfacePoints of one chunk; return None if the function takes no SurfacePoints.
+    """Return the surface points of one chunk, sampled or given; None if the function takes arrays instead of points.
 
     Args:
         call: The call.
@@ -81,7 +81,7 @@ def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray
 def numbers_in(
     call: Call, span: range, shared: list[Any], given: list[np.ndarray], rows: list[np.ndarray]
 ) -> dict[str, Any]:
-    """Compute one chunk of a job, and return the arrays of the result, keyed by name.
+    """Compute the function for one chunk of points; return the result's arrays, keyed by name.
 
     The points are made in the same task: a task of their own takes longer.
     """
@@ -89,7 +89,7 @@ def numbers_in(
 
 
 def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[Any], rows: list[Any]) -> dict[str, Any]:
-    """Compute a `Call` for the points of one chunk, and return the arrays of the result, keyed by name.
+    """Compute the function of a `Call` for the given points; return the result's arrays, keyed by name.
 
     One thread computes, unless the option `workers` is set: Dask runs one task on each thread of a worker.
 
@@ -115,7 +115,7 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
 
 
 def _with_rows(arguments: dict[str, Any], rows: dict[str, Any]) -> dict[str, Any]:
-    """Return the arguments with one row for each point; rows of parameters become parts of the distribution."""
+    """Return the chunk's arguments with one row per point; parameters of the distribution are put into a copy of it."""
     tables = {name.removeprefix(BY_POINT): array for name, array in rows.items() if name.startswith(BY_POINT)}
     found = {name: array for name, array in rows.items() if not name.startswith(BY_POINT)}
     distribution = arguments.get("distribution")

@@ -23,7 +23,7 @@ _OF_XARRAY = ("coordinates",)  # attributes for xarray, not part of the run
 
 
 def about_of(path: Path, argument: str) -> dict[str, Any]:
-    """Read the attributes that describe the run of a store: arguments, digests and versions.
+    """Read the attributes of a store that describe how it was computed: arguments, hashes of inputs, and versions.
 
     Args:
         path: Path of the store.
@@ -37,7 +37,7 @@ def about_of(path: Path, argument: str) -> dict[str, Any]:
 
 
 def file_of(name: str, place: Iterable[int]) -> str:
-    """Return the path, relative to the store, of the chunk of an array at an index along each dimension."""
+    """Return the path, relative to the store, of the file with one chunk of an array."""
     return "/".join([name, "c", *map(str, place)])
 
 

@@ -13,7 +13,7 @@ from warpsample.output.run_record import RunRecord
 
 
 def bake_run(run: BakeRun) -> str:
-    """Compute a run of `warpsample bake`, and write the results into the Zarr store `run.output`.
+    """Compute the quantity of a `warpsample bake` command, and write the results into a Zarr store.
 
     Returns:
         a report for the terminal, in lines.

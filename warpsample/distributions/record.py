@@ -1,4 +1,4 @@
-"""Base class of all distributions: properties for tests and tables, and methods that apply the maps to arrays."""
+"""Base class of all distributions, with methods to sample directions, evaluate densities and invert the map."""
 
 from dataclasses import dataclass
 from math import pi
@@ -141,11 +141,11 @@ class Distribution(Parameterised):
         return self._cdf(np.clip(as_real(theta, "theta").astype(np.float64), 0.0 if self.width == 3 else -pi, pi))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf at float64 angles, clipped to [0, pi], or to [-pi, pi] for a `width` of 2."""
+        """Return the cumulative distribution function at float64 angles that are already clipped to the valid range."""
         raise NotImplementedError(f"{self!r}: there is no cdf of the angle, as the density depends on the azimuth, too")
 
     def seam(self, u: np.ndarray) -> np.ndarray:
-        """Return the mask of points u that `invert` cannot recover precisely: by default the pole, which has no azimuth.
+        """Return a mask of unit-square points that `invert` cannot recover precisely, by default those mapped to the pole.
 
         Args:
             u: (..., 2) float, in [0, 1).
@@ -224,7 +224,7 @@ class Distribution(Parameterised):
         return self._apply(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 
     def about(self, tangents: bool = False) -> wp.Function:
-        """Return the function that samples directions about any normal, for kernels; only for directions in space.
+        """Return the wp.func that samples directions about any normal or, with `tangents`, in any tangent frame.
 
         Args:
             tangents: whether the first argument of the function is a frame, a mat33 with the normal as its last column, in
@@ -246,7 +246,7 @@ class Distribution(Parameterised):
         return build(bind_parameters(maps.sample, wp.vec2, count), bind_parameters(maps.pdf, wp.vec3, count))
 
     def _apply(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
-        """Apply a wp.func of the distribution to each vector of `width` components; return an array like x."""
+        """Apply a wp.func of the distribution (map, density or inverse) to each vector in x; return an array like x."""
         source = as_vectors(x, width, argument)
         if self.by_point:
             self._check_rows_of(source, argument)
@@ -264,14 +264,14 @@ class Distribution(Parameterised):
             raise ValueError(f"{argument}: got shape {(*source.shape, source.width)}, want {wants}")
 
     def _apply_constant(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
-        """Apply a function of (vector, Parameters) with constant parameters."""
+        """Apply a function of (vector, parameters) to each vector in `source`, with the same parameters for all."""
         block = FLAT_BLOCK if source.device.is_cpu else 1
         inputs = [source.count, block, source.address, target.address, self.kernel_parameters()]
         kernel = elementwise(bound, source.width, target.width)
         run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
 
     def _apply_by_point(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
-        """Apply a function of (vector, Parameters) with parameters by point."""
+        """Apply a function of (vector, parameters) to each vector in `source`, with the parameters of the vector's point."""
         block, count = FLAT_BLOCK if source.device.is_cpu else 1, source.count // source.shape[0]
         kernel = elementwise_by_point(bound, source.width, target.width, self.layout, block)
         with Memory.of(None, source.owner).loan() as loan:

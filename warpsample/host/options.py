@@ -1,4 +1,4 @@
-"""Options that calls share: their types, texts and defaults, once, and the record of the checked ones."""
+"""Types, descriptions, defaults and checks of the options that many functions of the package share."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -80,7 +80,7 @@ class RayKeywords(EstimateKeywords, PointKeywords, total=False):
 
 
 def with_options(keywords: type, defaults: Mapping[str, Any] = DEFAULTS) -> Callable[[Call], Call]:
-    """Decorate a function of `**options` to raise a TypeError for others than its signature shows.
+    """Decorate a function with `**options` so that unknown options raise a TypeError and its signature lists all.
 
     Args:
         keywords: TypedDict of the options.
@@ -129,7 +129,7 @@ class CallOptions:
     def of(
         cls, points: int, *, seed: Any = 0, first_point: Any = 0, ids: Any = None, active: Any = None, **how: Any
     ) -> "CallOptions":
-        """Check the options of a call over `points` points; `ids` are those of SurfacePoints, `how` is as for `replace`."""
+        """Check the options of a call over `points` points, and return a `CallOptions`; `how` is as for `replace`."""
         return cls(
             seed=check_seed(seed),
             first_point=check_first_point(first_point, points, ids),
@@ -139,7 +139,7 @@ class CallOptions:
         )
 
     def replace(self: Options, **how: Any) -> Options:
-        """Check `device`, `workers` and `progress`, and return a copy with them.
+        """Check new values of `device`, `workers` and `progress`, and return a copy with the new values.
 
         A wp.array `given` to the call, as the argument of the name `argument`, is computed with on its own device.
         """
@@ -154,7 +154,7 @@ def _ways(
     given: Array | None = None,
     argument: str = "",
 ) -> dict[str, Any]:
-    """Check the options `device`, `workers` and `progress` of a call, and return them as fields of `CallOptions`."""
+    """Check the options `device`, `workers` and `progress`, and return the corresponding fields of `CallOptions`."""
     return {
         "memory": Memory.of(device, given, argument),
         "workers": check_workers(workers),

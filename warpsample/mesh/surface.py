@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SurfacePoints(Summary):
-    """Points on a surface with their normals, one per row, at which directions are sampled and numbers are computed.
+    """Points on a surface with normals, where directions are sampled and quantities are computed.
 
     Arrays of other libraries (Warp, PyTorch, JAX, CuPy) are converted to NumPy, without a copy if they are in the CPU's
     memory. Directions, hits and results at the points are NumPy arrays, too.

@@ -22,7 +22,7 @@ def _normalize(v: np.ndarray) -> np.ndarray:
 
 
 def _even_in_area(lobe: SphericalTriangle, u: np.ndarray) -> np.ndarray:
-    """Return directions to points that are uniform in the area of a triangle."""
+    """Return wrong directions to a triangle: to points that are uniform by area instead of by solid angle."""
     a, b, c = np.array(lobe.corners)
     x, y = u.astype(np.float64).T[..., None]
     side = np.sqrt(y)
@@ -35,7 +35,7 @@ def _angle_of(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
 
 
 def _by_girard(lobe: SphericalTriangle, w: np.ndarray) -> np.ndarray:
-    """Return the density of a triangle with the area as the sum of three angles minus pi, in float32."""
+    """Return the density of directions to a triangle with float32 rounding errors, by Girard's formula for its area."""
     a, b, c = _normalize(np.array(lobe.corners, _F))
     area = _angle_of(a, b, c) + _angle_of(b, c, a) + _angle_of(c, a, b) - _F(np.pi)
     return np.where(lobe.pdf(w) > 0.0, 1.0 / area, 0.0).astype(_F)

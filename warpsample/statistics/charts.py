@@ -1,4 +1,4 @@
-"""Polar coordinates on the sphere, the disk and the plane, so that one test serves all three measures."""
+"""Polar coordinates of directions on the sphere, points of the disk, and directions in the plane, for tests of samplers."""
 
 from dataclasses import dataclass, field
 from typing import Any, Protocol
@@ -26,12 +26,12 @@ class Sampler(Protocol):
         """Return the sampler's probability density at directions."""
 
     def cdf(self, theta: Any) -> np.ndarray:
-        """Return the cumulative distribution function of the angle to the normal, or of the chart's coordinate a."""
+        """Return the cumulative distribution function of the angle to the normal."""
 
 
 @dataclass(frozen=True)
 class Chart:
-    """Polar coordinates (a, phi) of a direction.
+    """Polar coordinates (a, phi) for directions on the sphere, points of the disk, or directions in the plane.
 
     They are the angle to the normal and the azimuth, the radius and the azimuth, or a signed angle alone.
 
@@ -76,14 +76,14 @@ class Chart:
         return np.stack([np.sin(a) * x, np.sin(a) * y, np.cos(a)], axis=-1)
 
     def element(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
-        """Return the density of the measure with respect to da dphi, at a and phi as a fraction of 2 pi."""
+        """Return the solid angle (or area) per da dphi at polar coordinates (a, phi); phi is in units of 2 pi."""
         a, _ = np.broadcast_arrays(a, turns)
         return np.ones_like(a) if self.azimuths == 1.0 else a if self is DISK else np.sin(a)
 
 
 @dataclass(frozen=True)
 class StretchedSphere(Chart):
-    """Polar coordinates (a, phi) of the unit vector o for the direction w = M o / abs(M o), for lobes that M makes round.
+    """Polar coordinates for distributions that are stretched by a matrix M: angles of o, for directions w along M o.
 
     Attributes:
         matrix: matrix M, with a determinant other than 0.
@@ -100,21 +100,24 @@ class StretchedSphere(Chart):
         return super().azimuth(self._unstretched(w))
 
     def point(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
-        """Return the directions, float64, at coordinates a and phi, phi as a fraction of 2 pi; both are broadcast."""
+        """Return the directions, float64, at polar coordinates a and phi, with phi in units of 2 pi."""
         stretched = self._stretched(a, turns)
         return stretched / np.sqrt(np.square(stretched).sum(axis=-1, keepdims=True))
 
     def element(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
-        """Return the solid angle per da dphi: that of the sphere, times the stretch of M, abs(det M) / abs(M o)^3."""
+        """Return the solid angle per da dphi at polar coordinates (a, phi), with phi in units of 2 pi.
+
+        It is that of the sphere, times the stretch of M, abs(det M) / abs(M o)^3.
+        """
         length = np.sqrt(np.square(self._stretched(a, turns)).sum(axis=-1))
         return np.sin(a) * abs(float(np.linalg.det(np.array(self.matrix)))) / (length * np.square(length))
 
     def _stretched(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
-        """Return the vectors M o at coordinates a and phi."""
+        """Return the stretched vectors M o at polar coordinates a and phi."""
         return super().point(a, turns) @ np.array(self.matrix).T
 
     def _unstretched(self, w: np.ndarray) -> np.ndarray:
-        """Return vectors along o for directions w, with the sign of o."""
+        """Return vectors along o, before stretching by M, for directions w."""
         return w.astype(np.float64) @ np.linalg.inv(np.array(self.matrix)).T
 
 
@@ -156,7 +159,7 @@ _CHARTS = {"per steradian": SPHERE, "per unit area": DISK, "per radian": PLANE}
 
 
 def chart_of(sampler: Sampler) -> Chart:
-    """Return the chart for the measure of a sampler's density and, if it has one, for its stretch and its support."""
+    """Return the polar coordinates to test a sampler with: for sphere, disk or plane, stretched if necessary."""
     if sampler.stretch is None:
         return _CHARTS[sampler.measure]
     kind = StretchedSquare if sampler.support == "rectangle" else StretchedSphere

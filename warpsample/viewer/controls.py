@@ -24,7 +24,7 @@ def spatial_names() -> list[str]:
 
 
 def make_distribution(name: str) -> Distribution:
-    """Build the distribution that a menu entry names, with its first parameter in the middle of the slider.
+    """Build the distribution that a menu entry names, with its first parameter in the middle of the slider's range.
 
     The middle is the geometric mean of the ends.
     """
@@ -50,7 +50,7 @@ class Controls:
     """Menus and sliders of the viewer; each change calls a function with the new settings."""
 
     def __init__(self, plotter: "pyvista.Plotter", choice: Choice, changed: Callable[[Choice], None]):
-        """Add the menus and sliders to the plotter's current renderer, which is at the left of the window."""
+        """Create the menus and sliders in the left panel of the window."""
         self.choice, self._changed, self._plotter = choice, changed, plotter
         top, self.menus = 1.0 - 1.5 * ROW, {}
         for name, title, entries, choose in (

@@ -262,7 +262,7 @@ def _compute_tiles(quantity: Quantity, source: Any, options: dict[str, Any], *, 
 def run_of(
     quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str
 ) -> tuple[RasterRun, dict[str, Any]]:
-    """Check the arguments of a call of `warpsample.rasters`; return the run, and the options as attributes of a Dataset.
+    """Check the arguments of a call of `warpsample.rasters`; return (computation to run, attributes of the Dataset).
 
     Raises:
         TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.

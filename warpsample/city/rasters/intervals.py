@@ -1,4 +1,4 @@
-"""Confidence intervals of rasters: half widths at 95 %, and intervals of other levels computed from half widths."""
+"""Confidence intervals of results on rasters: half widths at 95 %, and conversion to other levels."""
 
 from typing import Any
 

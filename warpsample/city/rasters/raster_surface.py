@@ -87,7 +87,7 @@ class RasterSurface(Summary):
         return SurfacePoints(self.grid.centres(cells), normal, id=cells.astype(np.uint64), raised=raised), cells
 
     def to_raster(self, values: Any, cell: np.ndarray) -> xr.DataArray:
-        """Arrange one number per cell as a georeferenced raster (xarray.DataArray).
+        """Convert one number per cell to a georeferenced raster (xarray.DataArray).
 
         Args:
             values: (P,) numbers.

@@ -160,7 +160,7 @@ def stretch_of(crs: pyproj.CRS | None, x: float, y: float) -> float:
 
 
 def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return map vectors (2,) of small steps to the north and to the east, and the ground length of the first in metres."""
+    """Return small steps to north and east at (x, y) as map vectors, and the length in metres of the step to the north."""
     try:
         to_map = pyproj.Transformer.from_crs(crs.geodetic_crs.to_2d(), _flat(crs), always_xy=True)
         longitude, latitude = to_map.transform(x, y, direction="INVERSE", errcheck=True)
@@ -174,6 +174,6 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
 
 
 def _flat(crs: pyproj.CRS) -> pyproj.CRS:
-    """Return the horizontal part of a CRS."""
+    """Return the horizontal part of a coordinate reference system, without a vertical axis."""
     flat = crs.sub_crs_list[0] if crs.sub_crs_list else crs
     return flat.source_crs if flat.is_bound else flat

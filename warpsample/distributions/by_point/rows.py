@@ -1,4 +1,4 @@
-"""Checks of parameters that are given by point: arrays with one row for each point, copied as float32.
+"""Checks of distribution parameters that are arrays with one row per point.
 
 A row that cannot be used becomes NaN, which kernels turn into a status. Arrays are checked in parts, without large copies.
 """
@@ -17,14 +17,14 @@ _WANTS = {0: "a number, or (P,) numbers, one for each point", 1: "a vector, or (
 
 
 def is_array(value: Any) -> bool:
-    """Return whether a value is an array of some library or a list, and so may have one row for each point."""
+    """Return whether a parameter is an array or a list, and so may have one row for each point."""
     if isinstance(value, Real | str | tuple):
         return False
     return (isinstance(value, list) and bool(value)) or any(hasattr(value, name) for name in _EXPORTS)
 
 
 def as_rows(value: Any, argument: str, dimensions: int) -> np.ndarray | None:
-    """Return an array with one row for each point, or None for a constant of `dimensions` dimensions.
+    """Return a parameter as an array if it has one row for each point, or None if it is a constant.
 
     Raises:
         TypeError: the value is an array, but not of real numbers.
@@ -40,7 +40,7 @@ def as_rows(value: Any, argument: str, dimensions: int) -> np.ndarray | None:
 
 
 def copy_rows(array: np.ndarray, low: float = -np.inf, high: float = np.inf) -> np.ndarray:
-    """Return a read-only C-contiguous float32 copy, with NaN in each row that has a number outside [low, high].
+    """Return a read-only float32 copy of an array, with NaN in each row that has a number outside [low, high].
 
     Infinite numbers are outside. The limits are rounded to float32, as the numbers are.
     """
@@ -55,7 +55,7 @@ def copy_rows(array: np.ndarray, low: float = -np.inf, high: float = np.inf) -> 
 
 
 def copy_views(array: np.ndarray) -> np.ndarray:
-    """Return (P, 3) views as a read-only float32 copy of length 1, with NaN where `as_view` refuses a vector.
+    """Return a read-only float32 copy of (P, 3) view directions, scaled to length 1; invalid directions become NaN.
 
     A row has the same bits as `as_view` of the vector, rounded to float32.
     """
@@ -66,7 +66,7 @@ def copy_views(array: np.ndarray) -> np.ndarray:
 
 
 def _views(vectors: np.ndarray) -> np.ndarray:
-    """Return unit vectors as float32; NaN for vectors that are zero, not finite, or below the surface."""
+    """Return view directions scaled to unit length, float32; NaN for zero, infinite or downward vectors."""
     largest = np.abs(vectors).max(axis=1)
     good = (largest > 0.0) & (largest < np.inf)
     vectors[~good] = np.nan

@@ -25,7 +25,7 @@ _TINY = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def slope_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4d:
-    """Return (a, alpha sin v, cos phi, sin phi) for a view at the angle v to +z and the azimuth phi, with a = cot v / alpha.
+    """Return numbers that describe the view relative to the roughness: (cot v / alpha, alpha sin v, cos phi, sin phi).
 
     Normals with a slope below -a along the view, in units of alpha, face away. A view along +z has no azimuth; the gradient
     with respect to the view's x and y is 0 there.
@@ -136,7 +136,7 @@ def square_to_visible_beckmann_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3)
 
 @wp.func
 def _density(w: wp.vec3, across: wp.float64, square: wp.float64, v: wp.vec4d, facing: wp.float32) -> wp.float32:
-    """Return the density of w with the squared slope `across` / w.z^2, for the product `square` of the roughnesses.
+    """Return the density of a visible Beckmann normal w with the squared slope `across` / w.z^2.
 
     v is the view by `slope_view`, and `facing` the cosine of normal and view.
     """

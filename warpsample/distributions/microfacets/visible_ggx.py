@@ -39,7 +39,7 @@ def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
 
 @wp.func
 def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
-    """Return the cosine v.m of normal m and view v, but at least the rounding error of v.m where v.m is close to 0.
+    """Return the cosine between normal m and view v, but not less than its own rounding error.
 
     Below minus the rounding error of the three products, the value and the gradient are 0.
     """
@@ -88,7 +88,7 @@ def square_to_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> w
 
 @wp.func
 def _density(w: wp.vec3, alpha: wp.float32, view: wp.vec3, facing: wp.float32) -> wp.float32:
-    """Return the density of w for the cosine `facing` of normal and view; w and view may be contracted and stretched."""
+    """Return the density of a visible GGX normal w, given the cosine `facing` between normal and view."""
     across = fma(w[0], w[0], w[1] * w[1])
     ratio = alpha / fma(alpha * w[2], alpha * w[2], across)
     length = wp.sqrt(fma(alpha * alpha, fma(view[0], view[0], view[1] * view[1]), view[2] * view[2]))
@@ -162,7 +162,7 @@ class VisibleNormals(Microfacets):
             object.__setattr__(self, "view", as_view(self.view, "view"))
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:
-        """Normalise views by point; see `Distribution`."""
+        """Return a read-only copy of a parameter with a row per point; view directions are normalised."""
         return copy_views(rows) if name == "view" else super()._copy_rows(name, rows)
 
 
@@ -203,13 +203,13 @@ class VisibleGGX(VisibleNormals):
     )
 
     def __post_init__(self) -> None:
-        """Check the parameters; a lobe without `alpha_y` has the bound of other distributions."""
+        """Check the parameters, and set the error bound `worst_angle` for the isotropic case."""
         super().__post_init__()
         if self.alpha_y is None:
             object.__setattr__(self, "worst_angle", Distribution.worst_angle)
 
     def seam(self, u: Any) -> Any:
-        """Return the mask of points u near the poles of the spherical cap. See `Distribution.seam`."""
+        """Return a mask of unit-square points that `invert` cannot recover precisely. See `Distribution.seam`."""
         return abs(u[..., 0] - 0.5) > 0.44
 
 

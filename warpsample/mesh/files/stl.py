@@ -38,7 +38,7 @@ def read(path: Path) -> Named:
 
 
 def _text(path: Path) -> tuple[np.ndarray, list[int], list[str]]:
-    """Read a text file: (N, 3) corners, and the number of facets and the name of each solid."""
+    """Read a text .stl; return the (N, 3) corners of all facets, and the number of facets and name of each solid."""
     positions, seen = array("d"), Counter(dict.fromkeys(_WORDS, 0))
     starts, names = [], []
     for number, words in numbered(path):

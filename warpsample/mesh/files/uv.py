@@ -33,7 +33,7 @@ def _usd(path: Path, number: int) -> np.ndarray:
 
 
 def _downward(uv: np.ndarray) -> np.ndarray:
-    """Replace v by 1 - v."""
+    """Return texture coordinates with v replaced by 1 - v, to convert between v upward and v downward."""
     scale, shift = _UPWARD
     return uv * scale + shift
 

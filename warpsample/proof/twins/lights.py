@@ -1,4 +1,4 @@
-"""Twins of the distributions of directions towards lights."""
+"""Second implementations of the distributions of directions towards lights."""
 
 from typing import Any
 

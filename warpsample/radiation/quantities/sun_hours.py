@@ -74,7 +74,7 @@ def sun_hours(
 def _prepare(
     mesh: Mesh, _total: int, *, weather: Any, period: Any, up: Any, north: Any, seed: int, workers: int | None
 ) -> Numbers:
-    """Read the weather file once; return a function of points that counts their sun hours."""
+    """Read the weather file, and return a function that counts the sun hours of surface points."""
     found = read_weather(weather, period)
     suns = sun_directions(found.chosen(found.sun_altitude > 0.0), sky_patches(up=up, north=north).frame)
 

@@ -1,4 +1,4 @@
-"""Rays over cosine lobes, and the share of each lobe that each reflecting patch fills, as sparse matrices."""
+"""Cosine-weighted rays from points, and the share of them that hits each reflecting patch, as sparse matrices."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ _NOTHING, _DISTANT = -1, -2  # codes instead of a patch: no light, and light out
 
 @dataclass(frozen=True, eq=False)
 class Targets:
-    """Sources of light that rays may reach: N reflecting patches, and the light outside the mesh.
+    """Light sources that rays may reach: N reflecting patches of the mesh, and the light outside the mesh.
 
     Attributes:
         patches: N patches of faces.
@@ -36,7 +36,7 @@ class Targets:
 
 @dataclass(frozen=True, eq=False)
 class Shares:
-    """Shares of the points' cosine lobes that each light source fills, in rows of sparse matrices.
+    """Cosine-weighted shares of each light source in the view of each point, as rows of sparse matrices.
 
     Attributes:
         patches: (P, N) shares of the lobes that patches fill; each ray has a separate entry.
@@ -69,7 +69,7 @@ class LobeRays:
         return self.points.position[rays // self.directions.shape[1]]
 
     def leaving(self, normals: np.ndarray) -> np.ndarray:
-        """Return the (P n,) mask of the rays that start towards the front side of their point's face.
+        """Return a mask of the rays that leave the surface: it has a row for each of the P n rays.
 
         The smooth normal of a texel may direct rays behind the face.
         """
@@ -121,7 +121,7 @@ def trace_shares(targets: Targets, rays: LobeRays, together: int, workers: int |
 
 
 def _find_first_hits(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
-    """Trace rays and return the first opaque hit of each one."""
+    """Trace rays, and return for each the patch of its first opaque hit and the transmitted share of light."""
     hits = trace(patches.mesh, rays.points, rays.directions, workers=workers)
     face, distance = hits.face.ravel(), hits.distance.ravel()
     column = patches.find_hit(face, rays.way, distance, rays.start)
@@ -131,7 +131,7 @@ def _find_first_hits(patches: Patches, rays: LobeRays, workers: int | None) -> R
 
 
 def _find_hits_along(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
-    """Trace rays and return all hits of each ray until no light is left.
+    """Trace rays through translucent faces, and return all patches along each ray with the share of light left.
 
     Transmitting faces attenuate the light of faces behind them.
     """
@@ -162,7 +162,7 @@ def trace_lobes(
     together: int = 1,
     workers: int | None = None,
 ) -> Iterator[tuple[slice, Shares]]:
-    """Iterate over blocks of points: (slice of points, share of their cosine lobes that each light source fills).
+    """Cast cosine-weighted rays from points, and yield blocks: (slice of points, share of rays that reaches each source).
 
     Each point has `count` rays; shares are means over each `together` consecutive points.
     """

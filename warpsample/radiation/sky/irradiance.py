@@ -131,7 +131,7 @@ class _RadianceLight:
     cache_key: str | None = None
 
     def at(self, plan: Plan) -> Irradiance:
-        """Compute the irradiance of the points of a call's plan from this light, without reflections."""
+        """Compute the irradiance at the points of a call from this light, without reflections."""
         found = estimate(plan, self.summed)
         if self.size == self.summed.integrand.channels:
             return found
@@ -139,7 +139,7 @@ class _RadianceLight:
         return replace(found, **{name: getattr(found, name)[:, 0] for name in numbers})
 
     def targets(self, patches: Patches, workers: int) -> Targets:
-        """Return the light sources for rays of patches: the patches, and this light where rays hit nothing.
+        """Return the light sources that rays of reflecting patches may reach: the patches, and this light outside the mesh.
 
         A radiance that is not finite counts as 0.
         """
@@ -159,7 +159,7 @@ class _RadianceLight:
 
 
 def _picture_light(picture: np.ndarray, up: tuple[float, ...]) -> _RadianceLight:
-    """Build the distant light of a picture, (H, W) or (H, W, 3); `up` is the direction of row 0."""
+    """Build a distant light from a picture of the sphere, (H, W) or (H, W, 3), whose top row is in the direction `up`."""
     pixels = picture if picture.ndim == 3 else picture[..., None]
     pixels = np.ascontiguousarray(np.broadcast_to(pixels, (*picture.shape[:2], 3)))
     cache_key = f"{sha256(pixels.tobytes()).hexdigest()} {pixels.shape} {up}"
@@ -169,7 +169,7 @@ def _picture_light(picture: np.ndarray, up: tuple[float, ...]) -> _RadianceLight
 
 
 def _compute_reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> Reflected:
-    """Compute the light that the points of a call receive from reflecting patches.
+    """Compute the irradiance at the points of a call by light that reflecting patches reflect.
 
     The radiosity of the patches is cached on the mesh.
     """
@@ -204,7 +204,7 @@ def _add_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
 
 
 def _read_picture(radiance: Any) -> np.ndarray:
-    """Read the picture of `radiance`, an array or a path, as (H, W) or (H, W, 3) float32.
+    """Return the picture in the argument `radiance`, an array or a path, as (H, W) or (H, W, 3) float32.
 
     Raises:
         TypeError, ValueError: another shape, or numbers outside 0 to 1e37.

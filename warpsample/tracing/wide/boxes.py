@@ -32,7 +32,7 @@ _LINE = 64
 
 @dataclass(frozen=True, eq=False)
 class WideTree:
-    """Search tree with 16 children per node: a topology, and the contents of nodes and leaves.
+    """Search tree with 16 children per node, over the triangles of a mesh.
 
     Attributes:
         topology: links to the nodes' children, and the leaves' faces.
