@@ -51,6 +51,7 @@ _LOBES = (
     "OffsetDisk",
     "OffsetSphere",
     "PowerCosine",
+    "Reflection",
     "SphericalRectangle",
     "SphericalTriangle",
     "UniformCone",

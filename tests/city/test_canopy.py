@@ -217,13 +217,13 @@ def test_crowns_of_another_map_are_refused(canopy, message):
         rasters.surface(source, canopy=canopy)
 
 
-def test_crowns_without_height_are_told():
+def test_crowns_without_height_are_reported():
     with pytest.warns(UserWarning, match=r"^trunk: got undersides at or above the tops of 2 crowns, which are left out$"):
         made = with_crowns(np.zeros((3, 3)), np.eye(3) * 5.0, trunk=(np.diag([5.0, 1.0, 9.0]), NORTH_UP, None))
     assert len(made.canopy_mesh.faces) - len(made.mesh.faces) == 12
 
 
-def test_crowns_without_a_trunk_height_are_told():
+def test_crowns_without_a_trunk_height_are_reported():
     with pytest.warns(UserWarning, match=r"^trunk: got no height for 1 crowns, which then reach down to the ground$"):
         with_crowns(np.zeros((3, 3)), np.eye(3) * 5.0, trunk=(np.diag([1.0, np.nan, 1.0]), NORTH_UP, None))
 

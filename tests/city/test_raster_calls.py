@@ -142,7 +142,7 @@ def test_wrong_options_are_named_before_anything_is_read():
 
 
 @pytest.mark.parametrize("line", ["from warpsample import rasters", "import warpsample.rasters as rasters"])
-def test_what_is_missing_is_told_with_the_extra(child_environment, line):
+def test_what_is_missing_is_reported_with_the_extra(child_environment, line):
     code = f"import sys; sys.modules['rioxarray'] = None; {line}; print(type(rasters).__name__); rasters.sky_view_factor"
     done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=False)
     assert done.stdout == "module\n"
@@ -150,7 +150,7 @@ def test_what_is_missing_is_told_with_the_extra(child_environment, line):
     assert done.stderr.splitlines()[-1] == wanted
 
 
-def test_the_calls_are_told_and_others_are_not_there():
+def test_the_calls_are_reported_and_others_are_not_there():
     assert set(rasters.__all__) <= set(dir(rasters))
     with pytest.raises(AttributeError, match="no attribute 'hillshade'"):
         rasters.hillshade  # noqa: B018

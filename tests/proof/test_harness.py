@@ -13,6 +13,7 @@ from warpsample.proof.twins.sequences import expected
 from warpsample.proof.wrong_lights import WRONG_LIGHTS
 from warpsample.proof.wrong_lobes import WRONG_LOBES
 from warpsample.proof.wrong_microfacets import WRONG_MICROFACETS
+from warpsample.proof.wrong_scattered import WRONG_SCATTERED
 from warpsample.statistics.charts import SPHERE, chart_of
 from warpsample.statistics.histogram import histogram_test, joined_test
 
@@ -64,6 +65,11 @@ CAUGHT_BY = {
     "visible GGX with alpha clamped at 1e-3": {"direction", "cells"},
     "visible Beckmann with swapped roughnesses": {"direction", "cells", "mean stretch"},
     "visible Beckmann with the density of alpha": {"density", "cells", "mean stretch"},
+    "reflection by 1/(2 v·h)": {"density", "mass", "mean stretch"},
+    "reflection with v·h by z": {"density", "mass", "mean stretch"},
+    "reflection mirrored up": {"direction", "cells"},
+    "reflection with a signed cosine": {"finite", "density", "mass"},
+    "reflection without −h": {"density", "mass"},
     "triangle sampled by area": {"direction", "cells", "mean stretch"},
     "triangle below 3e-4 sr sampled by area": {"direction", "cells", "mean stretch"},
     "solid angle of a triangle by Girard": {"density"},
@@ -103,7 +109,7 @@ LONG += (
 )  # of many points, as one more
 LONG += tuple(  # of masses in cells of two dimensions; a few of them are quick enough
     name
-    for name in (*WRONG_LOBES, *WRONG_MICROFACETS, *WRONG_LIGHTS)
+    for name in (*WRONG_LOBES, *WRONG_MICROFACETS, *WRONG_SCATTERED, *WRONG_LIGHTS)
     if "Henyey" not in name and name not in ("GGX with an unstretched azimuth", "cosine transformed by the inverse")
 )
 

@@ -27,6 +27,9 @@ in a struct as a whole, which prevents vectorisation.
 
 Parameters: Any = _make_struct()
 
+MOST_NUMBERS = len(_FIELDS)
+"""Largest number of float32 numbers of all parameters of a distribution, with those of nested lobes."""
+
 SIZES: dict[Any, int] = {wp.float32: 1, float: 1, wp.vec3: 3, wp.mat33: 9}
 """Number of float32 numbers of a parameter, by its type in the signature of a `wp.func`."""
 
@@ -105,7 +108,7 @@ def parameter_types(func: wp.Function) -> list[Any]:
 
 
 @once
-def _reader(kind: Any, i: int) -> wp.Function:
+def read_parameter(kind: Any, i: int) -> wp.Function:
     """Build the wp.func that reads one parameter (number, vector or matrix) that starts at the i-th number."""
     if SIZES[kind] == 1:
 
@@ -137,14 +140,17 @@ def _reader(kind: Any, i: int) -> wp.Function:
 
 
 @once
-def bind_parameters(func: wp.Function, argument: type, count: int) -> wp.Function:
+def bind_parameters(func: wp.Function, argument: type, count: int, start: int = 0) -> wp.Function:
     """Build the wp.func (x, Parameters) that calls `func` with x and the parameters that `func` expects, at most four.
 
-    The parameters are float32, vec3 or mat33, as in the signature of `func`.
+    The parameters are float32, vec3 or mat33, as in the signature of `func`. Their numbers begin with number `start` of the
+    struct. A function that takes the struct `Parameters` already is returned unchanged.
     """
     types = parameter_types(func)[:count]
-    starts = np.cumsum([0, *(SIZES[kind] for kind in types)]).tolist()
-    reads = [_reader(kind, start) for kind, start in zip(types, starts, strict=False)]
+    if parameter_types(func) == [Parameters]:
+        return func
+    starts = np.cumsum([start, *(SIZES[kind] for kind in types)]).tolist()
+    reads = [read_parameter(kind, first) for kind, first in zip(types, starts, strict=False)]
     first, second, third, fourth = (*reads, None, None, None, None)[:4]
     if count == 0:
 
@@ -213,8 +219,32 @@ def build_about_frame(sample: wp.Function, pdf: wp.Function) -> wp.Function:
 
 
 @once
+def build_about_drawn(draw: wp.Function, tangents: bool) -> wp.Function:
+    """Build the wp.func of `build_about`, or with `tangents` of `build_about_frame`, from a function `Maps.draw`."""
+    if tangents:
+
+        @wp.func
+        def about(frame: wp.mat33, u: wp.vec2, parameters: Parameters):
+            """Draw a direction about +z with its density and rotate it by the frame."""
+            drawn = draw(u, parameters)
+            d = to_world(frame, wp.vec3(drawn[0], drawn[1], drawn[2]))
+            return wp.vec4(d[0], d[1], d[2], drawn[3])
+
+    else:
+
+        @wp.func
+        def about(n: wp.vec3, u: wp.vec2, parameters: Parameters):
+            """Draw a direction about +z with its density and rotate it to the normal."""
+            drawn = draw(u, parameters)
+            d = to_world(frame_about(n), wp.vec3(drawn[0], drawn[1], drawn[2]))
+            return wp.vec4(d[0], d[1], d[2], drawn[3])
+
+    return about
+
+
+@once
 def about_normal_of(about: wp.Function) -> wp.Function:
-    """Build the wp.func of a tangent frame that calls a sampling function of the normal and ignores the tangent."""
+    """Build the wp.func (frame, u, Parameters) that samples about the frame's normal by `about` and ignores the tangent."""
 
     @wp.func
     def about_frame(frame: wp.mat33, u: wp.vec2, parameters: Parameters):

@@ -46,7 +46,7 @@ class Runner:
         self.data = summed.integrand.data_for(loan)
 
     def result(self, seed: int, count: int, chosen: np.ndarray | None = None, skip: bool | None = None) -> Estimate:
-        """Compute the estimate with `count` rays per point.
+        """Compute the estimate with `count` rays per point, and return values and standard errors.
 
         Args:
             seed: Random seed of the rays.

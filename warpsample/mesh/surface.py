@@ -80,7 +80,7 @@ class SurfacePoints(Summary):
             object.__setattr__(self, name, array)
 
     def __len__(self) -> int:
-        """Return the number of points."""
+        """Return the number of surface points."""
         return len(self.position)
 
     def take(self, rows: Any) -> "SurfacePoints":

@@ -159,7 +159,7 @@ class RunRecord:
         return [*lines, took]
 
     def _values(self, known: int) -> str:
-        """Return the mean and the range of the values as text."""
+        """Return the mean and the range of all computed values as text."""
         unit = f" {self.unit}" if self.unit else ""
         mean, low, high = float(self.sums["sum"]) / known, float(self.sums["low"]), float(self.sums["high"])
         return f"mean {mean:.4f}{unit}, from {low:.4g} to {high:.4g}"

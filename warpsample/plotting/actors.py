@@ -111,7 +111,7 @@ class Sheet:
         plotter.add_actor(self._actor, pickable=False)
 
     def show(self, pixels: np.ndarray) -> None:
-        """Replace the picture by pixels, (H, W, 3) uint8."""
+        """Show another picture, given by its pixels, (H, W, 3) uint8."""
         import pyvista as pv
 
         self._actor.SetTexture(pv.Texture(pixels))

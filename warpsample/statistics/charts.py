@@ -16,6 +16,7 @@ class Sampler(Protocol):
     symmetric: bool
     support: str
     stretch: tuple[tuple[float, ...], ...] | None
+    mirror: tuple[float, ...] | None
     largest_angle: float
     thinnest_tail: float
 
@@ -121,8 +122,48 @@ class StretchedSphere(Chart):
         return w.astype(np.float64) @ np.linalg.inv(np.array(self.matrix)).T
 
 
+@dataclass(frozen=True)
+class Mirror(Chart):
+    """Coordinates of the normal m, with z above 0 in its own chart, for the direction w = 2 (v.m) m - v.
+
+    Attributes:
+        normals: chart of the normals.
+        view: unit vector v.
+    """
+
+    normals: Chart
+    view: tuple[float, ...]
+
+    def polar(self, w: np.ndarray) -> np.ndarray:
+        """Return the coordinate a of the normals of directions, float64; NaN for a NaN."""
+        a = self.normals.polar(self._half(w))
+        return np.where(a > np.pi / 2.0, np.pi - a, a)
+
+    def azimuth(self, w: np.ndarray) -> np.ndarray:
+        """Return the coordinate phi of the normals of directions as a fraction of 2 pi, in [0, 1], float64."""
+        half = self._half(w)
+        turned = self.normals.polar(half) > np.pi / 2.0
+        return self.normals.azimuth(np.where(turned[..., None], -half, half))
+
+    def point(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
+        """Return the directions, float64, for coordinates of normals, phi as a fraction of 2 pi; both are broadcast."""
+        m = self.normals.point(a, turns)
+        return 2.0 * (m @ np.array(self.view))[..., None] * m - self.view
+
+    def element(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
+        """Return the solid angle of directions per da dphi: that of the normals times 4 abs(v.m)."""
+        cosine = self.normals.point(a, turns) @ np.array(self.view)
+        return self.normals.element(a, turns) * 4.0 * np.abs(cosine)
+
+    def _half(self, w: np.ndarray) -> np.ndarray:
+        """Return vectors along the normals, v + w."""
+        return w.astype(np.float64) + self.view
+
+
 class StretchedSquare(StretchedSphere):
-    """Coordinates (a, phi) of o = (sin a b.x, sin a b.y, cos a) for directions M o / abs(M o), with b on a square's rim.
+    """Coordinates (a, phi) for directions to a parallelogram: o = (sin a b.x, sin a b.y, cos a), with b on a square's rim.
+
+    The directions are M o / abs(M o).
 
     The square has the corners (±1, ±1), and b goes round the rim evenly in phi. Up to a = pi/4 lie the directions to the
     parallelogram of the points M (x, y, 1) with x and y from -1 to 1.
@@ -146,7 +187,7 @@ class StretchedSquare(StretchedSphere):
         return super().element(a, turns) * 4.0 / np.pi
 
     def _stretched(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
-        """Return the vectors M o at coordinates a and phi."""
+        """Return the stretched vectors M o at coordinates (a, phi) on a square's rim."""
         a, turns = np.broadcast_arrays(a, turns)
         rim = [1.0 - np.clip(8.0 * np.abs((turns - start) % 1.0 - 0.5) - 1.0, 0.0, 2.0) for start in (0.5, 0.75)]
         return np.stack([*(np.sin(a) * b for b in rim), np.cos(a)], axis=-1) @ np.array(self.matrix).T
@@ -159,12 +200,13 @@ _CHARTS = {"per steradian": SPHERE, "per unit area": DISK, "per radian": PLANE}
 
 
 def chart_of(sampler: Sampler) -> Chart:
-    """Return the polar coordinates to test a sampler with: for sphere, disk or plane, stretched if necessary."""
-    if sampler.stretch is None:
-        return _CHARTS[sampler.measure]
-    kind = StretchedSquare if sampler.support == "rectangle" else StretchedSphere
-    cornered = sampler.support in ("rectangle", "triangle")
-    return kind(0.0, np.pi, 2.0 * np.pi, sampler.stretch, cornered=cornered)
+    """Return the polar coordinates to test a sampler with: for sphere, disk or plane, stretched or mirrored if necessary."""
+    chart = _CHARTS[sampler.measure]
+    if sampler.stretch is not None:
+        kind = StretchedSquare if sampler.support == "rectangle" else StretchedSphere
+        cornered = sampler.support in ("rectangle", "triangle")
+        chart = kind(0.0, np.pi, 2.0 * np.pi, sampler.stretch, cornered=cornered)
+    return chart if sampler.mirror is None else Mirror(0.0, np.pi / 2.0, 2.0 * np.pi, normals=chart, view=sampler.mirror)
 
 
 def support_of(sampler: Sampler) -> tuple[float, float]:

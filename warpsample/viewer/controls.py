@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 from warpsample import distributions, sequences
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere, Method
 from warpsample.distributions.record import Distribution
+from warpsample.distributions.scattering.base import ScatteredLight
 from warpsample.viewer.choice import COSINE, OWN, Choice, default_density
 from warpsample.viewer.widgets import ROW, Menu, Slider, fit_texts
 
@@ -19,8 +20,12 @@ _MOST_SAMPLES, _MOST_SEED = 4096, 99
 
 
 def spatial_names() -> list[str]:
-    """Return the names of the distributions of 3-D directions, which can be drawn on a mesh."""
-    return [name for name in distributions.names() if distributions.get(name).width == 3]
+    """Return the names of the distributions of 3-D directions that can be drawn on a mesh with default parameters.
+
+    Lobes of other lobes have no default.
+    """
+    kinds = {name: distributions.get(name) for name in distributions.names()}
+    return [name for name, kind in kinds.items() if kind.width == 3 and not issubclass(kind, ScatteredLight)]
 
 
 def make_distribution(name: str) -> Distribution:

@@ -215,7 +215,7 @@ def files_read(path: str) -> list[Path]:
 
 @contextmanager
 def _open_raster(path: str) -> Iterator[Any]:
-    """Open a file with rasterio.
+    """Open a raster file with rasterio within a `with` statement.
 
     Raises:
         FileNotFoundError: The file does not exist.

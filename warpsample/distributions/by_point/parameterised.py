@@ -7,7 +7,14 @@ import numpy as np
 from typing_extensions import Self
 
 from warpsample.distributions.by_point.rows import as_rows, copy_rows, is_array
-from warpsample.distributions.by_point.tables import Layout, layout_of, lend_tables, tables_in, without_tables
+from warpsample.distributions.by_point.tables import (
+    Layout,
+    count_numbers,
+    layout_of,
+    lend_tables,
+    tables_in,
+    without_tables,
+)
 from warpsample.distributions.parameters import SIZES, pack_parameters, parameter_types
 from warpsample.host.arguments import check_number
 from warpsample.host.device_memory import Loan
@@ -20,7 +27,11 @@ _DIMENSIONS = {1: 0, 3: 1, 9: 2}
 
 
 class Parameterised:
-    """Base of the frozen dataclasses whose fields are parameters of a distribution; see `Distribution`."""
+    """Base of the frozen dataclasses whose fields are parameters of a distribution; see `Distribution`.
+
+    A field may hold another distribution, a nested lobe. Kernels take the parameters of nested lobes before those of
+    `parameters`, and the names of the nested parameters by point have the name of the field first: "lobe.alpha".
+    """
 
     parameters: ClassVar[tuple[str, ...]] = ()
     bounds: ClassVar[Range] = None
@@ -89,9 +100,15 @@ class Parameterised:
         return tuple(digest_of(value) if isinstance(value, np.ndarray) else value for value in values)
 
     @property
+    def nested(self) -> dict[str, "Parameterised"]:
+        """Nested lobes, by the name of the field that holds the lobe; empty for most distributions."""
+        return {item.name: v for item in fields(self) if isinstance(v := getattr(self, item.name), Parameterised)}
+
+    @property
     def by_point(self) -> dict[str, np.ndarray]:
         """Parameters with one row for each point, by name: (P,) or (P, 3) float32; empty if all are constants."""
-        return {item.name: v for item in fields(self) if isinstance(v := getattr(self, item.name), np.ndarray)}
+        inner = {f"{at}.{name}": table for at, lobe in self.nested.items() for name, table in lobe.by_point.items()}
+        return inner | {item.name: v for item in fields(self) if isinstance(v := getattr(self, item.name), np.ndarray)}
 
     def take(self, rows: Any) -> Self:
         """Return the distribution for a selection of the points: parameters with a row per point keep the given rows.
@@ -118,13 +135,23 @@ class Parameterised:
             return self
         copy = object.__new__(type(self))
         copy.__dict__.update(self.__dict__)
+        for at, lobe in self.nested.items():
+            inner = {name.removeprefix(f"{at}."): t for name, t in tables.items() if name.startswith(f"{at}.")}
+            object.__setattr__(copy, at, lobe.with_tables(inner))
         for name, table in tables.items():
-            object.__setattr__(copy, name, np.ascontiguousarray(table, np.float32))
+            if "." not in name:
+                object.__setattr__(copy, name, np.ascontiguousarray(table, np.float32))
         return copy
 
     def kernel_values(self) -> tuple[Any, ...]:
         """Return the values of all parameters in the order of the kernels' arguments."""
-        return tuple(getattr(self, name) for name in self.parameters)
+        inner = (value for lobe in self.nested.values() for value in lobe.kernel_values())
+        return (*inner, *(getattr(self, name) for name in self.parameters))
+
+    @property
+    def size(self) -> int:
+        """Number of float32 numbers that the parameters take in the struct `Parameters`, with those of nested lobes."""
+        return count_numbers(self.kernel_values())
 
     @property
     def layout(self) -> Layout:

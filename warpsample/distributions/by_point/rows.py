@@ -54,25 +54,27 @@ def copy_rows(array: np.ndarray, low: float = -np.inf, high: float = np.inf) -> 
     return _closed(rows)
 
 
-def copy_views(array: np.ndarray) -> np.ndarray:
+def copy_views(array: np.ndarray, below: bool = False) -> np.ndarray:
     """Return a read-only float32 copy of (P, 3) view directions, scaled to length 1; invalid directions become NaN.
 
-    A row has the same bits as `as_view` of the vector, rounded to float32.
+    A row has the same bits as `as_view` of the vector, rounded to float32. With `below`, views may come from below the
+    surface.
     """
     rows = np.empty(array.shape, np.float32)
     for start in range(0, len(rows), _PART):
-        rows[start : start + _PART] = _views(array[start : start + _PART].astype(np.float64))
+        rows[start : start + _PART] = _views(array[start : start + _PART].astype(np.float64), below)
     return _closed(rows)
 
 
-def _views(vectors: np.ndarray) -> np.ndarray:
+def _views(vectors: np.ndarray, below: bool) -> np.ndarray:
     """Return view directions scaled to unit length, float32; NaN for zero, infinite or downward vectors."""
     largest = np.abs(vectors).max(axis=1)
     good = (largest > 0.0) & (largest < np.inf)
     vectors[~good] = np.nan
     scaled = np.ldexp(vectors, -np.frexp(np.where(good, largest, 1.0))[1][:, None])
     unit = scaled / np.sqrt(np.square(scaled).sum(axis=1, keepdims=True))
-    unit[unit[:, 2] < 0.0] = np.nan
+    if not below:
+        unit[unit[:, 2] < 0.0] = np.nan
     rows = unit.astype(np.float32)
     # `as_view` has a more precise length, which matters only next to the middle between two float32 numbers.
     doubtful = ((unit * (1.0 - _CLOSE)).astype(np.float32) != (unit * (1.0 + _CLOSE)).astype(np.float32)).any(axis=1)
@@ -82,6 +84,6 @@ def _views(vectors: np.ndarray) -> np.ndarray:
 
 
 def _closed(rows: np.ndarray) -> np.ndarray:
-    """Make an array read-only and return it."""
+    """Make an array read-only, and return the same array."""
     rows.setflags(write=False)
     return rows

@@ -47,12 +47,22 @@ def tables_in(values: tuple[Any, ...]) -> list[np.ndarray]:
     return [value for value in values if isinstance(value, np.ndarray)]
 
 
+def count_numbers(values: tuple[Any, ...]) -> int:
+    """Return the number of float32 numbers that the values of parameters take in the struct `Parameters`."""
+    return sum(_width(value) for value in values)
+
+
+def _width(value: Any) -> int:
+    """Return the number of float32 numbers of a parameter: of each row of a table, or of a constant."""
+    return int(np.prod(value.shape[1:])) if isinstance(value, np.ndarray) else np.size(value)
+
+
 def layout_of(values: tuple[Any, ...]) -> Layout:
     """Return a `Column` for each number that differs from point to point, given the values of all parameters."""
     columns, number, table = [], 0, 0
     for value in values:
         by_point = isinstance(value, np.ndarray)
-        width = int(np.prod(value.shape[1:])) if by_point else np.size(value)
+        width = _width(value)
         if by_point:
             columns += [Column(number + c, table, width, c) for c in range(width)]
             table += 1
@@ -62,7 +72,7 @@ def layout_of(values: tuple[Any, ...]) -> Layout:
 
 def without_tables(values: tuple[Any, ...]) -> tuple[Any, ...]:
     """Return the values of parameters with zeros in place of arrays with a row per point."""
-    return tuple(tuple([0.0] * int(np.prod(v.shape[1:]))) if isinstance(v, np.ndarray) else v for v in values)
+    return tuple(tuple([0.0] * _width(v)) if isinstance(v, np.ndarray) else v for v in values)
 
 
 def lend_tables(loan: Loan, tables: list[np.ndarray], rows: slice) -> int:

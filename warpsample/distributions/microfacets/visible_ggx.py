@@ -87,6 +87,12 @@ def square_to_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> w
 
 
 @wp.func
+def visible_ggx_per_cosine(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.float32:
+    """Return the density of the visible GGX normal m = w, divided by v.m for the view v; 0 below the surface."""
+    return _density(w, alpha, view, 1.0)
+
+
+@wp.func
 def _density(w: wp.vec3, alpha: wp.float32, view: wp.vec3, facing: wp.float32) -> wp.float32:
     """Return the density of a visible GGX normal w, given the cosine `facing` between normal and view."""
     across = fma(w[0], w[0], w[1] * w[1])
@@ -133,6 +139,13 @@ def square_to_anisotropic_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, alpha_y
     """
     m = mean_and_stretch(alpha, alpha_y)
     return _density(contracted(w, m), m[0], stretched(view, m), blurred_facing(w, view))
+
+
+@wp.func
+def anisotropic_visible_ggx_per_cosine(w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32, view: wp.vec3) -> wp.float32:
+    """Return the density of the anisotropic visible GGX normal m = w, divided by v.m for the view v; 0 below the surface."""
+    m = mean_and_stretch(alpha, alpha_y)
+    return _density(contracted(w, m), m[0], stretched(view, m), 1.0)
 
 
 @wp.func
@@ -197,9 +210,14 @@ class VisibleGGX(VisibleNormals):
         (0.01, (0.6, 0.0, 0.8), 0.5),
         (1e-3, (0.6, 0.8, 0.0), 1e-2),
     )
-    isotropic: ClassVar[Maps] = Maps(square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square)
+    isotropic: ClassVar[Maps] = Maps(
+        square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square, per_cosine=visible_ggx_per_cosine
+    )
     anisotropic: ClassVar[Maps] = Maps(
-        square_to_anisotropic_visible_ggx, square_to_anisotropic_visible_ggx_pdf, anisotropic_visible_ggx_to_square
+        square_to_anisotropic_visible_ggx,
+        square_to_anisotropic_visible_ggx_pdf,
+        anisotropic_visible_ggx_to_square,
+        per_cosine=anisotropic_visible_ggx_per_cosine,
     )
 
     def __post_init__(self) -> None:

@@ -8,12 +8,10 @@ import numpy as np
 
 from warpsample.distributions.own import Twin, user_distributions
 from warpsample.distributions.record import Distribution
-from warpsample.proof.twins import lights, microfacets, shapes
+from warpsample.proof.twins import lights, microfacets, scattered, shapes
 from warpsample.proof.twins.angles import frames, polar_angle, spherical
 
 __all__ = ["check_twin", "density", "directions", "frames", "names", "polar_angle", "spherical"]
-
-_TWINS = {**shapes.TWINS, **microfacets.TWINS, **lights.TWINS}
 
 
 def check_twin(distribution: Distribution) -> Twin:
@@ -42,6 +40,9 @@ def directions(distribution: Distribution, u: np.ndarray) -> np.ndarray:
 def density(distribution: Distribution, w: np.ndarray) -> np.ndarray:
     """Compute the exact density of `distribution.pdf(w)` in float64, for float64 w in the support, of about unit length."""
     return check_twin(distribution)[1](distribution, w)
+
+
+_TWINS = {**shapes.TWINS, **microfacets.TWINS, **lights.TWINS, **scattered.twins_of(directions, density)}
 
 
 def names() -> set[str]:

@@ -6,7 +6,7 @@ import numpy as np
 
 
 def _normalize(v: np.ndarray) -> np.ndarray:
-    """Scale vectors to unit length."""
+    """Return vectors scaled to unit length."""
     return v / np.sqrt(np.square(v).sum(axis=-1, keepdims=True))
 
 

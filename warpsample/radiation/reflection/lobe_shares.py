@@ -49,7 +49,7 @@ class Shares:
 
 @dataclass(frozen=True, eq=False)
 class LobeRays:
-    """n cosine-weighted rays from each of P points about their normals.
+    """Cosine-weighted rays from P points about the points' normals, n from each point.
 
     Attributes:
         points: The P points.
@@ -61,7 +61,7 @@ class LobeRays:
 
     @property
     def way(self) -> np.ndarray:
-        """Directions of all rays, (P n, 3), point by point."""
+        """Directions of all rays as one array, (P n, 3), point by point."""
         return self.directions.reshape(-1, 3)
 
     def start(self, rays: np.ndarray) -> np.ndarray:
@@ -81,7 +81,7 @@ class LobeRays:
 
 @dataclass(frozen=True, eq=False)
 class RayHits:
-    """Hits of rays, ray by ray: a patch, the light outside the mesh, or nothing.
+    """Hits of rays on light sources: the ray, the patch (or the light outside the mesh), and the share of light.
 
     Attributes:
         ray: (M,) int64, index of the ray, ascending.
