@@ -1,4 +1,4 @@
-"""References in NumPy for lobes of scattered light, built from those of the lobes of normals."""
+"""Second implementations of lobes of scattered light, built from those of the lobes of normals."""
 
 from collections.abc import Callable
 from typing import Any
@@ -11,7 +11,7 @@ Function = Callable[[Any, np.ndarray], np.ndarray]
 
 
 def twins_of(directions: Function, density: Function) -> dict[str, tuple[Function, Function]]:
-    """Build the NumPy references (map, density) of lobes of scattered light, keyed by the lobe's name.
+    """Build the second implementations (map, density) of lobes of scattered light, keyed by the lobe's name.
 
     Args:
         directions: map of the twin of any distribution.
