@@ -214,6 +214,8 @@ class Reflection(ScatteredLight):
     def __post_init__(self) -> None:
         """Check the parameters, and set the bounds of errors to those for the lobe of normals."""
         super().__post_init__()
+        if self.lobe.in_world:
+            raise ValueError(f"lobe: got {self.lobe!r}, whose directions are in world coordinates, want a lobe of normals")
         object.__setattr__(self, "worst_angle", 2.0 * self.lobe.worst_angle + 2e-7)
         if "beckmann" not in self.lobe.name:
             object.__setattr__(self, "worst_pdf", Distribution.worst_pdf)
