@@ -53,6 +53,7 @@ _LOBES = (
     "OffsetSphere",
     "PowerCosine",
     "Reflection",
+    "SphericalRectangle",
     "SphericalTriangle",
     "UniformCone",
     "UniformDisk",

@@ -31,6 +31,11 @@ from warpsample.distributions.lights.pixel_draws import (
     square_to_environment_map,
     square_to_environment_map_pdf,
 )
+from warpsample.distributions.lights.spherical_rectangle import (
+    spherical_rectangle_to_square,
+    square_to_spherical_rectangle,
+    square_to_spherical_rectangle_pdf,
+)
 from warpsample.distributions.lights.spherical_triangle import (
     spherical_triangle_to_square,
     square_to_spherical_triangle,
@@ -166,6 +171,7 @@ __all__ = [
     "r2",
     "reflection_to_normal",
     "sobol",
+    "spherical_rectangle_to_square",
     "spherical_triangle_to_square",
     "square_to_anisotropic_beckmann",
     "square_to_anisotropic_beckmann_pdf",
@@ -200,6 +206,8 @@ __all__ = [
     "square_to_offset_sphere_pdf",
     "square_to_power_cosine",
     "square_to_power_cosine_pdf",
+    "square_to_spherical_rectangle",
+    "square_to_spherical_rectangle_pdf",
     "square_to_spherical_triangle",
     "square_to_spherical_triangle_pdf",
     "square_to_uniform_cone",

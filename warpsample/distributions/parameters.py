@@ -139,7 +139,8 @@ def read_parameter(kind: Any, i: int) -> wp.Function:
         @wp.func
         def read(p: Parameters):
             """Return the parameter, a vector of three numbers."""
-            return wp.vec3(number_at(p, i), number_at(p, i + 1), number_at(p, i + 2))
+            # The sums with 0 stop LLVM from joining the loads of two vectors, which would prevent vectorisation.
+            return wp.vec3(number_at(p, i) + 0.0, number_at(p, i + 1) + 0.0, number_at(p, i + 2) + 0.0)
 
     else:
 
