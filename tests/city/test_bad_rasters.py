@@ -45,13 +45,20 @@ def array_of(values=HEIGHTS, **coordinates):
         ("degrees.tif", ValueError, r"source: got coordinates in degree of WGS 84, want lengths"),
         ((HEIGHTS, UTM, "EPSG:4979"), ValueError, "source: got coordinates in degree"),
         ((HEIGHTS, UTM, "EPSG:4978"), ValueError, "source: got coordinates of WGS 84, want a map with two horizontal axes"),
+        (array_of().assign_attrs(positive="Down"), ValueError, r"source: got positive='down', want heights .*negate them"),
+        (
+            array_of().assign_attrs(standard_name="sea_floor_depth_below_geoid"),
+            ValueError,
+            "source: got standard_name='sea_floor_depth_below_geoid', want heights",
+        ),
+        ("depths.tif", ValueError, r"source: got positive='down', want heights \(positive up\)"),
         (
             (HEIGHTS, UTM, "EPSG:5703"),
             ValueError,
             "source: got coordinates of NAVD88 height, want a map with two horizontal axes",
         ),
-        ((HEIGHTS, UTM, "EPSG:32633+5715"), ValueError, "source: got depths, by WGS 84 / UTM zone 33N [+] MSL depth"),
-        ((HEIGHTS, UTM, "nothing"), ValueError, "source: got 'nothing' for its CRS, want one that pyproj knows"),
+        ((HEIGHTS, UTM, "EPSG:32633+5715"), ValueError, "source: got depths .CRS WGS 84 / UTM zone 33N [+] MSL depth"),
+        ((HEIGHTS, UTM, "nothing"), ValueError, "source: got 'nothing' for its CRS, want a CRS that pyproj knows"),
         ("text.vrt", ValueError, r"source: got 'text\.vrt' with the nodata value 'x', want a number$"),
         ((HEIGHTS[0], UTM, None), ValueError, r"source: got an array of shape \(4,\), want \(rows, columns\)"),
         ((np.stack([HEIGHTS, HEIGHTS]), UTM, None), ValueError, r"shape \(2, 3, 4\), want \(rows, columns\)"),
@@ -61,12 +68,12 @@ def array_of(values=HEIGHTS, **coordinates):
         (
             (np.empty((0, 5)), UTM, None),
             ValueError,
-            r"source: got an array of shape \(0, 5\), want .*, one of each at least",
+            r"source: got an array of shape \(0, 5\), want .*, at least one of each",
         ),
         ((HEIGHTS, None, None), TypeError, "source: got None for its transform, want an affine"),
         ((HEIGHTS, (1.0, 0.0, 0.0), None), TypeError, r"source: got \(1\.0, 0\.0, 0\.0\) for its transform"),
-        ((HEIGHTS, Affine(1.0, 2.0, 0.0, 2.0, 4.0, 0.0), None), ValueError, "want one whose cells have an area"),
-        ((HEIGHTS, Affine(np.nan, 0.0, 0.0, 0.0, -1.0, 0.0), None), ValueError, "want one whose cells have an area"),
+        ((HEIGHTS, Affine(1.0, 2.0, 0.0, 2.0, 4.0, 0.0), None), ValueError, "want a transform whose cells have an area"),
+        ((HEIGHTS, Affine(np.nan, 0.0, 0.0, 0.0, -1.0, 0.0), None), ValueError, "want a transform whose cells have an area"),
         ((HEIGHTS, (1.0, 0.0, "x", 0.0, 1.0, 0.0), None), TypeError, r"source: got \(1\.0, 0\.0, 'x', .* for its transform"),
         (
             (HEIGHTS, Affine(1.0, 0.0, 2e15, 0.0, -1.0, 0.0), None),
@@ -74,7 +81,7 @@ def array_of(values=HEIGHTS, **coordinates):
             r"up to 2e\+15 of cells 1 long, want",
         ),
         (xr.DataArray(HEIGHTS, dims=("lat", "lon")), ValueError, r"dimensions \('lat', 'lon'\), want y and x"),
-        (xr.DataArray(np.zeros((2, 3, 4)), dims=("time", "y", "x")), ValueError, "want y and x alone: one band"),
+        (xr.DataArray(np.zeros((2, 3, 4)), dims=("time", "y", "x")), ValueError, "want y and x alone; select one band"),
         (array_of(x=[0.0, 1.0, 2.0, 4.0], y=[2.0, 1.0, 0.0]), ValueError, "coordinates 'x' that are not evenly spaced"),
         (array_of(x=list("abcd"), y=[2.0, 1.0, 0.0]), TypeError, "coordinates 'x' of dtype <U1, want real numbers"),
         (
@@ -105,6 +112,9 @@ def test_bad_rasters_are_refused_in_a_sentence(tmp_path, monkeypatch, source, ki
         (tmp_path / source).write_bytes((tmp_path / source).read_bytes()[:200_000])
     if name == "rgb.tif":
         write_tif(source, np.stack([HEIGHTS] * 3))
+    if name == "depths.tif":
+        with rasterio.open(write_tif(source, HEIGHTS), "r+") as file:
+            file.update_tags(1, positive="down")
     if name == "degrees.tif":
         write_tif(source, HEIGHTS, crs="EPSG:4326", transform=Affine(1e-4, 0.0, 15.0, 0.0, -1e-4, 46.0))
     if name == "nowhere.tif":
@@ -115,6 +125,14 @@ def test_bad_rasters_are_refused_in_a_sentence(tmp_path, monkeypatch, source, ki
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    "attributes", [{"positive": "up"}, {"standard_name": "height"}, {"standard_name": "depth", "positive": "up"}]
+)
+def test_heights_whose_attributes_state_the_direction_are_read(attributes):
+    array = array_of(y=[7.5, 5.0, 2.5], x=[0.0, 2.5, 5.0, 7.5]).rio.write_crs("EPSG:3794").assign_attrs(attributes)
+    assert np.array_equal(rasters.surface(array).grid.height, HEIGHTS)
+
+
 def test_a_model_and_a_receiver_that_are_none_are_refused():
     with pytest.raises(ValueError, match="model: got 'mesh', want one of joined, block, tin"):
         rasters.surface((HEIGHTS, UTM, None), model="mesh")
@@ -122,7 +140,7 @@ def test_a_model_and_a_receiver_that_are_none_are_refused():
         rasters.surface((HEIGHTS, UTM, None)).points("tilted")
     with pytest.raises(ValueError, match="source: got 1 x 4 cells without a block of 2 x 2 cells with heights"):
         rasters.surface((HEIGHTS[:1], UTM, None), model="tin")
-    with pytest.raises(ValueError, match=r"values: got shape \(3,\), want \(12,\), a number for each cell"):
+    with pytest.raises(ValueError, match=r"values: got shape \(3,\), want \(12,\), one value for each cell"):
         rasters.surface((HEIGHTS, UTM, None)).to_raster(np.zeros(3), np.arange(12))
 
 

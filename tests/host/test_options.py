@@ -64,11 +64,11 @@ def test_a_shared_option_has_the_same_text_in_each_docstring(call):
 @pytest.mark.parametrize("call", SHOWING, ids=lambda call: f"{call.__module__}.{call.__name__}")
 def test_help_shows_each_option_with_its_type_and_default(call):
     parameters = inspect.signature(call).parameters.values()
-    told, given = arguments(call), [p for p in parameters if p.default is not p.empty]
+    described, given = arguments(call), [p for p in parameters if p.default is not p.empty]
     assert {"seed", "workers"} <= {p.name for p in given}
     assert all(p.kind is not p.VAR_KEYWORD and p.annotation is not p.empty for p in parameters)
     for parameter in given:
-        assert f"Default: {written(parameter.default)}" in told[parameter.name], parameter.name
+        assert f"Default: {written(parameter.default)}" in described[parameter.name], parameter.name
 
 
 def test_defaults_are_those_of_the_checks():
@@ -87,7 +87,9 @@ def test_a_decorated_function_refuses_other_options():
 
     assert call(1, seed=2) == (1, {"seed": 2})
     assert str(inspect.signature(call)).startswith("(mesh, *, sequence: str = 'fibonacci', seed: int = 0, first_point")
-    with pytest.raises(TypeError, match=r"^cores: got it for call, want one of mesh, sequence, seed, .*, progress$"):
+    with pytest.raises(
+        TypeError, match=r"^cores: got an argument that call does not take, want one of mesh, sequence, seed, .*, progress$"
+    ):
         call(1, cores=2)
 
 
@@ -95,7 +97,9 @@ def test_a_decorated_function_refuses_other_options():
     ("call", "name"), [(ws.sky_matrix, "tracer"), (ws.irradiation, "tolerance"), (ws.bent_normals, "up")]
 )
 def test_an_option_of_another_call_is_refused(call, name):
-    with pytest.raises(TypeError, match=f"^{name}: got it for {call.__name__}, want one of mesh, points, "):
+    with pytest.raises(
+        TypeError, match=f"^{name}: got an argument that {call.__name__} does not take, want one of mesh, points, "
+    ):
         call(None, None, **{name: 1})
 
 

@@ -35,7 +35,7 @@ def integrate(
     max_distance: float | None = None,
     **options: Unpack[RayKeywords],
 ) -> Estimate:
-    """Compute the mean of a function over the directions of a lobe about each normal, without storing directions.
+    """Compute the mean of a function over random directions about each normal, without storing the directions.
 
     The mean is the expectation under the distribution's density, not divided by it: over the cosine lobe, pi times the mean
     of a radiance is the irradiance. The first call with a function compiles for about 8 s with a mesh, 4 s without.
@@ -85,7 +85,7 @@ def integrate(
     plan = plan_of(at, count, distribution=distribution, tangents=True, **options)
     summed = RaySum(integrand_of(integrand, data, device=plan.options.memory.device), reach=reach_of(max_distance))
     if mesh is None and max_distance is not None:
-        raise ValueError(f"max_distance: got {quote(max_distance)} without a mesh, want it with one")
+        raise ValueError(f"max_distance: got {quote(max_distance)} without a mesh, want a mesh, too, or no max_distance")
     first = _first_of(plan)
     with naming_function("integrand"):
         found = estimate(first, summed)
@@ -98,7 +98,7 @@ def _without_mesh(points: Any) -> PlacedPoints:
     if not isinstance(points, SurfacePoints):
         given = Triples.of(points, "points", "(P, 3)")
         if len(given.shape) != 1:
-            raise ValueError(f"points: got shape {(*given.shape, 3)}, want (P, 3)")
+            raise ValueError(f"points: got shape {(*given.shape, 3)}, want (P, 3), one row for each of P points")
         normals = as_directions(given.owner)
         points = SurfacePoints(np.zeros(normals.shape, np.float32), normals)
     return PlacedPoints(points, None)

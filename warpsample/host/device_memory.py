@@ -25,7 +25,7 @@ def at_home(device: wp.Device) -> bool:
 
 
 def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array[Any]":
-    """Return an uninitialised wp.array on a device.
+    """Allocate a wp.array on a device, without setting its values.
 
     Raises:
         MemoryError: the device has too little free memory.
@@ -35,13 +35,14 @@ def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array
     except RuntimeError as error:
         size = prod(shape) * wp.types.type_size_in_bytes(dtype)
         raise MemoryError(
-            f"arrays of the call need {size:,} bytes more than {device} has free; free some of it first"
+            f"arrays of the call need {size:,} bytes more than {device} has free; free memory there, or compute fewer "
+            "points at once"
         ) from error
 
 
 @dataclass(frozen=True)
 class Memory:
-    """Device of a call, with the rule how arrays are passed to kernels there: directly, or copied part by part.
+    """Device of a call, and whether its kernels use the caller's arrays directly or copies, made part by part.
 
     Attributes:
         device: device that runs the kernels.
@@ -68,7 +69,7 @@ class Memory:
         default = given.device if of_warp else cpu()
         target = check_device(device, default)
         if of_warp and target != default:
-            raise ValueError(f"device: got {target}, want {default}, where the {argument} are")
+            raise ValueError(f"device: got {target}, want {default}, the device of the {argument}")
         return cls(target, of_warp or at_home(target))
 
     def fits(self, size: int) -> bool:
@@ -102,7 +103,7 @@ class Loan:
         self._results: list[tuple[np.ndarray, wp.array]] = []
 
     def __enter__(self) -> "Loan":
-        """Return this Loan at the start of a `with` statement."""
+        """Enter the `with` statement, and return this object."""
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
@@ -147,7 +148,7 @@ class Loan:
         return there
 
     def _copy(self, array: np.ndarray) -> wp.array:
-        """Return a copy of a NumPy array on the device."""
+        """Copy a NumPy array to the device, and return the wp.array."""
         there = allocate(array.shape, wp.dtype_from_numpy(array.dtype), self.memory.device)
         there.assign(array)
         return there

@@ -20,20 +20,20 @@ _SHORTEST, _LONGEST = 8, 32767  # pixels of a line of an .hdr that may be encode
 _LONGEST_RUN = 127
 
 
-def read_picture(path: str | PathLike[str]) -> np.ndarray:
+def read_picture(path: str | PathLike[str], argument: str = "radiance") -> np.ndarray:
     """Read a picture from an .hdr file, (H, W, 3) float32, or from an .npy file; row 0 is the top.
 
-    No pickle is loaded.
+    No pickle is loaded; `argument` names the path in errors.
 
     Raises:
         TypeError, FileNotFoundError: as `check_file`.
         ValueError: the suffix is another one, or the file is truncated, damaged or of another format.
     """
-    path = check_file(path, "radiance", "an .hdr or .npy file")
+    path = check_file(path, argument, "an .hdr or .npy file")
     readers = {".hdr": _read_hdr, ".npy": read_array}
     if path.suffix.lower() not in readers:
-        raise ValueError(f"radiance: got {path.name!r}, want a file that ends in .hdr or .npy")
-    with naming_file("radiance", path, "a picture"):
+        raise ValueError(f"{argument}: got {path.name!r}, want a file that ends in .hdr or .npy")
+    with naming_file(argument, path, "a picture"):
         return readers[path.suffix.lower()](path)
 
 
@@ -77,7 +77,7 @@ def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:
     if not (_SHORTEST <= width <= _LONGEST and start[:2] == b"\2\2" and start[2] < 128):
         return _plain_line(data[at : at + 4 * width], width), at + 4 * width
     if start[2:] != width.to_bytes(2, "big"):
-        raise ValueError(f"a line has {int.from_bytes(start[2:], 'big'):,} pixels, not {width:,}")
+        raise ValueError(f"a line has {int.from_bytes(start[2:], 'big'):,} pixels instead of {width:,}")
     planes, at = bytearray(), at + 4
     for channel in range(1, 5):
         while len(planes) < channel * width and at < len(data):
@@ -96,5 +96,5 @@ def _plain_line(data: bytes, width: int) -> np.ndarray:
         raise ValueError("it ends within a line")
     line = np.frombuffer(data, np.uint8).reshape(width, 4)
     if (line[:, :3] == 1).all(axis=1).any():
-        raise ValueError("its runs are of the old kind, pixel by pixel")
+        raise ValueError("it uses the old run-length encoding, want the new one, line by line")
     return line

@@ -16,7 +16,7 @@ _ROUND = Reflection(HenyeyGreenstein(0.3), _VIEW)
 
 
 def _normal(w: np.ndarray) -> np.ndarray:
-    """Return the unit normals along v + w, in float64."""
+    """Return the (..., 3) unit normals that reflect the view to the directions w, in float64."""
     half = w.astype(np.float64) + _VIEW
     return half / np.maximum(np.linalg.norm(half, axis=-1, keepdims=True), 1e-30)
 

@@ -24,6 +24,19 @@ def half_width_of(found: Any) -> np.ndarray:
     return half_width_of_normal(found.standard_error)
 
 
+def standard_error_of(found: Any) -> np.ndarray:
+    """Return the standard error at each point of a result, (P,) float32: at least the half width over 2.26, as for horizons.
+
+    The standard error of an estimate is 0 where the rays of each stratum agree, as below a crown with a small gap. It stays
+    0 only at points without a value, and at points without rays that are proven to see the whole sky.
+    """
+    if not isinstance(found, Estimate):
+        return found.standard_error
+    least = (half_width_of(found) / half_width_of_normal(np.float32(1.0))).astype(np.float32)
+    is_open = (found.rays == 0) & (found.value == 1.0)
+    return np.where(is_open, found.standard_error, np.maximum(found.standard_error, least))
+
+
 def half_width_of_normal(standard_error: np.ndarray) -> np.ndarray:
     """Return half the width of the 95 % confidence interval for each standard error of a sum of many terms, float32."""
     return interval_of(np.float32(0.0), standard_error, _DEGREES, _LEVEL).upper
@@ -60,7 +73,7 @@ def interval(dataset: xr.Dataset, level: float = _LEVEL) -> xr.Dataset:
     if not isinstance(dataset, xr.Dataset):
         raise TypeError(f"dataset: got {describe_type(dataset)}, want an xarray.Dataset of warpsample.rasters")
     if not {"value", "half_width"} <= set(dataset):
-        raise ValueError(f"dataset: got one of {', '.join(map(str, dataset)) or 'nothing'}, want value and half_width")
+        raise ValueError(f"dataset: got a dataset of {', '.join(map(str, dataset)) or 'nothing'}, want value and half_width")
     level = check_number(level, "level", 0.01, 0.9999)
     one, wanted = (float(interval_of(np.float64(0.0), 1.0, _DEGREES, at).upper) for at in (_LEVEL, level))
     half = dataset.half_width * np.float32(wanted / one) + dataset.get("far_error", np.float32(0.0))

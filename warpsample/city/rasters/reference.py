@@ -1,6 +1,7 @@
 """Information from a coordinate reference system (CRS) of a raster or of CityJSON: units, true north, and map distortion."""
 
 import re
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,7 @@ _METRES |= {
     "sft": _SURVEY_FOOT,
 }
 _ANGLE = re.compile(r"(arc|deg|grad|rad)[a-z_ -]*|°|(grid_)?(latitude|longitude)")  # units and standard names of netCDF
+_DEPTH = re.compile(r"(^|_)depth(_|$)")  # in standard names of netCDF, as sea_floor_depth_below_geoid
 _PART = re.compile(r"[?&]\d+=([^?&]+)")  # of an address of several systems: crs-compound?1=...&2=...
 _EPSG = re.compile(r"EPSG(?:/|::|:)(?:[^/:]*[/:])?(\d+)/?$", re.IGNORECASE)
 _SAME = 1.0  # m: versions of a datum differ by less, other maps by more
@@ -43,7 +45,9 @@ def crs_of(crs: Any) -> pyproj.CRS | None:
     try:
         found = pyproj.CRS.from_user_input(crs)
     except CRSError as error:
-        raise ValueError(f"source: got {quote(crs)} for its CRS, want one that pyproj knows, or None") from error
+        raise ValueError(
+            f"source: got {quote(crs)} for its CRS, want a CRS that pyproj knows, such as 'EPSG:3794', or None"
+        ) from error
     check_map(found, "source", f"{REPROJECT} or gdalwarp")
     return found
 
@@ -57,7 +61,9 @@ def check_map(crs: pyproj.CRS, argument: str, mend: str) -> None:
     if crs.is_geocentric or crs.type_name == "Vertical CRS":
         raise ValueError(f"{argument}: got coordinates of {crs.name}, want a map with two horizontal axes")
     if any(axis.direction == "down" for axis in crs.axis_info):
-        raise ValueError(f"{argument}: got depths, by {crs.name}, want heights: multiply by -1, with an upward CRS")
+        raise ValueError(
+            f"{argument}: got depths (CRS {crs.name}), want heights; multiply the depths by -1, and use a CRS of heights"
+        )
 
 
 def crs_by_address(text: str) -> pyproj.CRS:
@@ -116,6 +122,14 @@ def check_unit(unit: str, crs: pyproj.CRS | None, what: str) -> None:
         raise ValueError(f"source: got {what} in {unit!r}, want the unit of the CRS, {metres:g} m")
 
 
+def check_upward(attributes: Mapping[str, Any]) -> None:
+    """Raise a ValueError if the attributes of an array or a band, as netCDF names them, state depths in place of heights."""
+    positive, name = (str(attributes.get(key, "")).strip().lower() for key in ("positive", "standard_name"))
+    if positive == "down" or (_DEPTH.search(name) and positive != "up"):
+        got = f"standard_name={name!r}" if positive != "down" else "positive='down'"
+        raise ValueError(f"source: got {got}, want heights (positive up); negate them, and correct the attribute")
+
+
 def height_metres_of(crs: pyproj.CRS | None, unit: str) -> float | None:
     """Return the length in metres of the unit of heights, or None if the unit is unknown.
 
@@ -141,7 +155,7 @@ def true_north(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float
     north, east, _ = _steps(crs, x, y)
     if east[0] * north[1] < east[1] * north[0]:
         raise ValueError(
-            f"source: got a map, {crs.name}, on which east is to the left of north, want one that does not mirror the "
+            f"source: got a map, {crs.name}, on which east is to the left of north, want a map that does not mirror the "
             f"ground; {REPROJECT}"
         )
     length = float(np.hypot(*north))
@@ -168,7 +182,9 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
         around = [longitude, longitude, longitude - _STEP, longitude + _STEP], [south, north, latitude, latitude]
         places = np.array(to_map.transform(*around, errcheck=True))
     except ProjError as error:
-        raise ValueError(f"source: got a raster about {x:g}, {y:g}, which is nowhere on Earth by {crs.name}") from error
+        raise ValueError(
+            f"source: got a raster about {x:g}, {y:g}, which is not on Earth in {crs.name}; check the CRS and the transform"
+        ) from error
     metres = crs.get_geod().line_length([longitude, longitude], [south, north])
     return places[:, 1] - places[:, 0], places[:, 3] - places[:, 2], metres
 

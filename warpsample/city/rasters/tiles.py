@@ -1,4 +1,4 @@
-"""Computation of a quantity tile by tile, each with a full-resolution margin and pooled columns for the terrain outside.
+"""Computation of a quantity tile by tile; terrain near a tile is traced at full resolution, distant terrain simplified.
 
 Random numbers of a cell depend on its number in the whole raster, row * columns + column. So tiles agree with the whole,
 except for the pooled terrain and for float32 rounding in another mesh.
@@ -90,7 +90,9 @@ class RasterRun:
         shares = check_transmittance(transmittance)
         check_dates(quantity, shares)
         if margin is not None and tile is None:
-            raise ValueError(f"margin: got {quote(margin)} without tile, want tile, too")
+            raise ValueError(
+                f"margin: got {quote(margin)} without tile, want tile, the number of cells along each side of a tile, too"
+            )
         tile = None if tile is None else check_integer(tile, "tile", 1, 2**31 - 1)
         margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
         reader, other = ground_of(source), None
@@ -117,7 +119,7 @@ class RasterRun:
 
     @property
     def rasters(self) -> dict[str, RasterReader]:
-        """Input rasters, keyed by argument name."""
+        """Readers of all input rasters, keyed by argument name."""
         trees = {} if self.canopy is None else {"canopy": self.canopy.top, "trunk": self.canopy.trunk}
         given = {"source": self.reader, **trees, "far": self.other}
         return {name: raster for name, raster in given.items() if isinstance(raster, RasterReader)}

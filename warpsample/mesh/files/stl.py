@@ -19,7 +19,9 @@ _WORDS = {"solid", "facet", "outer", "vertex", "endloop", "endfacet", "endsolid"
 
 
 def read(path: Path) -> Named:
-    """Read vertices and faces; corners with equal coordinates become one vertex. Solids of a text file become named parts.
+    """Read vertices, faces and named parts of an .stl file; corners with equal coordinates become one vertex.
+
+    Solids of a text file become named parts.
 
     Raises:
         ValueError: A size other than the header declares, unknown words, or facets, loops or solids without an end.
@@ -44,7 +46,7 @@ def _text(path: Path) -> tuple[np.ndarray, list[int], list[str]]:
     for number, words in numbered(path):
         word = words[0].lower()
         if word not in _WORDS:
-            raise ValueError(f"line {number} begins with {words[0][:20]!r}, which is not known")
+            raise ValueError(f"line {number} begins with {words[0][:20]!r}, which is not a keyword of STL")
         seen[word] += 1
         if word == "solid":
             starts.append(seen["facet"])

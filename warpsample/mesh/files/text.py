@@ -49,7 +49,7 @@ def read_obj(path: Path) -> Named:
             elif words[0] in given:
                 given[words[0]] = " ".join(words[1:])
             elif words[0] not in _NO_SURFACE:
-                raise ValueError(f"it begins with {words[0][:20]!r}, which is not known")
+                raise ValueError(f"it begins with {words[0][:20]!r}, which is not a known keyword")
     except ValueError as error:
         raise ValueError(f"line {number}: {error}") from None
     vertices, faces = _cut(positions, lengths, corners)
@@ -91,7 +91,10 @@ def _texture_corners(words: list[str], coordinates: int) -> list[int]:
 
 
 def _used(part: np.ndarray, names: list[str]) -> tuple[np.ndarray | None, list[str]]:
-    """Return part numbers and names without the parts that have no faces; (None, []) if no part has a name."""
+    """Return the part number of each face and the parts' names, without parts that have no faces.
+
+    If no part has a name, return (None, []).
+    """
     if len(names) == 1:
         return None, []
     used, part = np.unique(part, return_inverse=True)
@@ -149,24 +152,24 @@ def numbered(path: Path, joins: bool = False) -> Iterator[tuple[int, list[str]]]
 def three(words: list[str]) -> list[float]:
     """Parse the three coordinates of a vertex from the words of a line; further numbers are ignored."""
     if len(words) < 3:
-        raise ValueError(f"a vertex has {len(words)} numbers, not 3")
+        raise ValueError(f"a vertex has {len(words)} numbers instead of 3")
     return [real(word) for word in words[:3]]
 
 
 def real(word: str | bytes) -> float:
-    """Convert a word of a mesh file to a float."""
+    """Parse a number in a text file as a float."""
     return float(_plain(word))
 
 
 def whole(word: str | bytes) -> int:
-    """Convert a word of a mesh file to an int."""
+    """Parse a whole number in a text file as an int."""
     return int(_plain(word))
 
 
 def _plain(word: str | bytes) -> str | bytes:
     """Return a word unchanged; raise a ValueError if it is a number only to Python, for example 1_0.
 
-    Such formats are 1_0 for 10, and digits of other scripts.
+    Digits of other scripts raise the error, too.
     """
     if {"_", "\\"} & set(ascii(word)):
         raise ValueError(f"{ascii(word)[:60]} is not a number")

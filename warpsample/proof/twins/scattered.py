@@ -1,4 +1,4 @@
-"""Twins of lobes of scattered light, from the twins of their lobes of normals."""
+"""Second implementations of lobes of scattered light, built from those of the lobes of normals."""
 
 from collections.abc import Callable
 from typing import Any
@@ -11,7 +11,7 @@ Function = Callable[[Any, np.ndarray], np.ndarray]
 
 
 def twins_of(directions: Function, density: Function) -> dict[str, tuple[Function, Function]]:
-    """Build the twins (map, density) of lobes of scattered light, keyed by name.
+    """Build the second implementations (map, density) of lobes of scattered light, keyed by the lobe's name.
 
     Args:
         directions: map of the twin of any distribution.
@@ -19,13 +19,13 @@ def twins_of(directions: Function, density: Function) -> dict[str, tuple[Functio
     """
 
     def reflected(d: Any, u: np.ndarray) -> np.ndarray:
-        """Return the mirrored view: the view rotated by half a turn about the normal."""
+        """Return the reflected directions: the view rotated by half a turn about each normal."""
         m, v = directions(d.lobe, u), d.view_of_kernels
         along = (m @ v)[..., None] * m
         return along - (v - along)
 
     def reflected_density(d: Any, w: np.ndarray) -> np.ndarray:
-        """Return the density of both normals times the change of solid angle (Walter2007, equation 14)."""
+        """Return the density of w: that of both normals times the change of solid angle (Walter2007, equation 14)."""
         half = w + d.view_of_kernels
         length = np.sqrt(np.einsum("...i,...i", half, half))
         m, cosine = half / length[..., None], 0.5 * length
@@ -35,7 +35,7 @@ def twins_of(directions: Function, density: Function) -> dict[str, tuple[Functio
 
 
 def _normals(density: Function, d: Any, m: np.ndarray, cosine: np.ndarray) -> np.ndarray:
-    """Return the density of normals m at a cosine m.v, 0 on the other side of a surface whose normals are seen."""
+    """Return the density of the normals m that reflect the view v, from m and the cosine m.v, in float64."""
     lobe = d.lobe
     if not hasattr(lobe, "view"):
         return _inside(lobe, m, density(lobe, m))
@@ -47,6 +47,6 @@ def _normals(density: Function, d: Any, m: np.ndarray, cosine: np.ndarray) -> np
 
 
 def _inside(lobe: Any, m: np.ndarray, value: np.ndarray) -> np.ndarray:
-    """Return densities, with 0 below the surface for lobes of the upper hemisphere."""
+    """Return the densities `value`, with 0 for normals m below the surface if the lobe covers the upper hemisphere only."""
     upper = lobe.support == "hemisphere" and lobe.name != "linearly_transformed_cosine"
     return np.where(m[..., 2] >= 0.0, value, 0.0) if upper else value

@@ -48,7 +48,7 @@ class Closure:
     yields: np.ndarray
 
     def step(self, gap: np.ndarray) -> np.ndarray:
-        """Return the change of the scaling parameters u that increases the row sums by `gap`, to first order."""
+        """Return how to change the scale parameters u so that the row sums increase by `gap`: one Newton step."""
         slopes = self.exchange.copy()
         slopes.data *= self.give
         diagonal = slopes.sum(axis=1) + self.yields * self.lost * self.less
@@ -81,7 +81,7 @@ def closure_of(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densitie
             return best
         step = found.step(gap)
         shifts += step / max(1.0, np.max(np.abs(step) / own))
-    warnings.warn(f"view_factors: rows add up to 1 only within {worst:.1g}; pass a larger count", stacklevel=5)
+    warnings.warn(f"view_factors: rows add up to 1 only within {worst:.1g}; pass a larger count of rays", stacklevel=5)
     return best
 
 

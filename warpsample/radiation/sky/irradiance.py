@@ -104,7 +104,10 @@ def irradiance(
     plan = plan_of(at, count, **options)
     axis, patches = as_unit(up, "up"), patches_of(at.mesh, refine)
     if patches is not None and plan.tolerance is not None:
-        raise ValueError(f"tolerance: got {quote(plan.tolerance)} for a mesh with a reflectance, want None")
+        raise ValueError(
+            f"tolerance: got {quote(plan.tolerance)} for a mesh with a reflectance, want None; count alone sets the "
+            "number of rays"
+        )
     if isinstance(radiance, wp.Function):
         with naming_function("radiance"):
             integrand = integrand_of(radiance, argument="radiance", device=plan.options.memory.device)
@@ -184,7 +187,7 @@ def _compute_reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> R
 def _add_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
     """Add reflected light to the irradiance from distant light, and combine the errors.
 
-    Its degrees of freedom are those of Welch and Satterthwaite.
+    The degrees of freedom of the sum are those of Welch and Satterthwaite.
     """
     good = has_status(found.status, PointStatus.OK)
     more, error = (np.where(good[:, None], a, 0.0).reshape(found.value.shape) for a in (reflected.value, reflected.error))
