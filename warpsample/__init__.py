@@ -52,6 +52,7 @@ _LOBES = (
     "OffsetSphere",
     "PowerCosine",
     "Reflection",
+    "RoughDielectric",
     "SphericalTriangle",
     "UniformCone",
     "UniformDisk",

@@ -53,6 +53,7 @@ class Distribution(Parameterised):
             in cells of the normals that reflect v to the directions.
         stretch: 3 x 3 matrix M, such that the lobe is round about +z in the coordinates o of directions M o / abs(M o); None
             for the coordinates themselves. The laws count directions in cells of o.
+        jumps: angles to +z in radians, besides `largest_angle`, at which the density jumps or bends.
         polar: whether u[0] is the cdf of the angle and u[1] the azimuth in turns.
         source: source of the formulas.
         worst_unit_length: bound of abs(abs(w) - 1) for `sample`, over all u.
@@ -77,6 +78,7 @@ class Distribution(Parameterised):
     symmetric: ClassVar[bool] = True
     stretch: ClassVar[tuple[tuple[float, ...], ...] | None] = None
     mirror: ClassVar[tuple[float, ...] | None] = None
+    jumps: ClassVar[tuple[float, ...]] = ()
     polar: ClassVar[bool] = True
     source: ClassVar[str]
     worst_unit_length: ClassVar[float] = 2e-7

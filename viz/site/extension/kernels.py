@@ -22,6 +22,8 @@ _ARGUMENTS = {
     "alpha_y": "0.3",
     "g": "0.5",
     "matrix": "wp.identity(n=3, dtype=wp.float32)",
+    "eta": "1.5",
+    "cosine": "0.5",
     "m": "wp.vec3(0.0, 0.6, 0.8)",
     "view": "wp.vec3(0.6, 0.0, 0.8)",
     "seed": "wp.uint64(0)",
