@@ -29,6 +29,16 @@ from warpsample.distributions.cosine_hemisphere import (
     square_to_cosine_hemisphere_offset,
     square_to_cosine_hemisphere_pdf,
 )
+from warpsample.distributions.lights.pixel_draws import (
+    environment_map_to_square,
+    square_to_environment_map,
+    square_to_environment_map_pdf,
+)
+from warpsample.distributions.lights.spherical_rectangle import (
+    spherical_rectangle_to_square,
+    square_to_spherical_rectangle,
+    square_to_spherical_rectangle_pdf,
+)
 from warpsample.distributions.lights.spherical_triangle import (
     spherical_triangle_to_square,
     square_to_spherical_triangle,
@@ -151,6 +161,7 @@ __all__ = [
     "beckmann_to_square",
     "cosine_hemisphere_to_square",
     "cosine_hemisphere_to_square_concentric",
+    "environment_map_to_square",
     "fibonacci",
     "frame_about",
     "frame_along",
@@ -174,6 +185,7 @@ __all__ = [
     "reflection_to_normal",
     "refraction_to_normal",
     "sobol",
+    "spherical_rectangle_to_square",
     "spherical_triangle_to_square",
     "square_to_anisotropic_beckmann",
     "square_to_anisotropic_beckmann_pdf",
@@ -190,6 +202,8 @@ __all__ = [
     "square_to_cosine_hemisphere_inversion",
     "square_to_cosine_hemisphere_offset",
     "square_to_cosine_hemisphere_pdf",
+    "square_to_environment_map",
+    "square_to_environment_map_pdf",
     "square_to_ggx",
     "square_to_ggx_pdf",
     "square_to_henyey_greenstein",
@@ -206,6 +220,8 @@ __all__ = [
     "square_to_offset_sphere_pdf",
     "square_to_power_cosine",
     "square_to_power_cosine_pdf",
+    "square_to_spherical_rectangle",
+    "square_to_spherical_rectangle_pdf",
     "square_to_spherical_triangle",
     "square_to_spherical_triangle_pdf",
     "square_to_uniform_cone",

@@ -49,13 +49,13 @@ def dataset_of(job: Job) -> xr.Dataset:
     tasks, shared = shared_by_key(job)
     blocks = blocks_of(job)
     for i in range(job.count):
-        given, rows = ([blocks[name][i] for name in names] for names in (job.given, job.rows))
+        given, rows = ([blocks[name][i] for name in names] for names in (job.point_arrays, job.rows))
         start = i * job.chunk
         chunk = (job.call, range(start, start + job.rows_of(i)), shared, given)
         tasks[work, i] = (numbers_in, *chunk, rows)
         if job.call.at:
             tasks["points-" + work, i] = (points_in, *chunk)
-    base = HighLevelGraph.from_collections(work, Tasks(tasks), dependencies=[*job.given.values(), *job.rows.values()])
+    base = HighLevelGraph.from_collections(work, Tasks(tasks), dependencies=[*job.point_arrays.values(), *job.rows.values()])
     numbers_of = {name: _array(job, base, work, (getitem, (work,), name), kind) for name, kind in job.gives.items()}
     coordinates = {name: kind for name, kind in point_arrays_of(job).items() if name not in job.gives}
     where = {name: _array(job, base, work, (getattr, ("points-" + work,), name), kind) for name, kind in coordinates.items()}
@@ -64,13 +64,13 @@ def dataset_of(job: Job) -> xr.Dataset:
 
 def blocks_of(job: Job) -> dict[str, list[Any]]:
     """Return the Dask keys of the chunks of each input array, as lists keyed by array name."""
-    return {name: list(flatten(array.__dask_keys__())) for name, array in (job.given | job.rows).items()}
+    return {name: list(flatten(array.__dask_keys__())) for name, array in (job.point_arrays | job.rows).items()}
 
 
 def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
     """Return (dtype, shape of a row) of each array of the points ("position", "normal", ...), keyed by name."""
-    if job.given:
-        return {name: (array.dtype, GIVEN_ARRAYS[name][1]) for name, array in job.given.items()}
+    if job.point_arrays:
+        return {name: (array.dtype, GIVEN_ARRAYS[name][1]) for name, array in job.point_arrays.items()}
     return POINT_ARRAYS if job.call.at else {}
 
 

@@ -120,11 +120,11 @@ def _tasks(job: Job, folder: Path, chunks: list[int]) -> Array:
     tasks, shared = shared_by_key(job)
     blocks = blocks_of(job)
     for number, i in enumerate(chunks):
-        own = [[blocks[key][i] for key in keys] for keys in (job.given, job.rows)]
+        own = [[blocks[key][i] for key in keys] for keys in (job.point_arrays, job.rows)]
         start = i * job.chunk
         span = range(start, start + job.rows_of(i))
         tasks[name, number] = (bake_chunk, job.call, (str(folder), job.chunk), span, shared, own)
-    graph = HighLevelGraph.from_collections(name, tasks, dependencies=[*job.given.values(), *job.rows.values()])
+    graph = HighLevelGraph.from_collections(name, tasks, dependencies=[*job.point_arrays.values(), *job.rows.values()])
     return Array(graph, name, ((1,) * len(chunks),), dtype=SUMMARY)
 
 

@@ -1,4 +1,4 @@
-"""Computation of one chunk on a worker: the chunk's points, and the result at the points."""
+"""Computation of one chunk of points on a Dask worker."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
@@ -41,7 +41,7 @@ class Call:
         at: Name of the argument that is a SurfacePoints; None if no argument is.
         place: Placement of the points: "area" (uniform by area), "faces", "vertices", or "given" by the caller; "" if
             `at` is None.
-        given: Names of the SurfacePoints' fields that the caller gives.
+        point_fields: Names of the SurfacePoints' fields that the caller gives.
         seed: Seed of points that are uniform by area.
         first_point: Global id of the first point of the first chunk.
     """
@@ -52,7 +52,7 @@ class Call:
     rows: tuple[str, ...]
     at: str | None
     place: str
-    given: tuple[str, ...]
+    point_fields: tuple[str, ...]
     seed: int
     first_point: int
 
@@ -64,10 +64,10 @@ def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray
         call: The call.
         span: Row numbers of the chunk.
         shared: Values of `call.shared`; the first is the mesh.
-        given: Arrays of the points' fields in `call.given`, for the chunk's rows. If empty, the points are sampled here.
+        given: Arrays of the points' fields in `call.point_fields`, for the chunk's rows. If empty, points are sampled here.
     """
     if given or not call.at:
-        return SurfacePoints(**dict(zip(call.given, given, strict=True))) if given else None
+        return SurfacePoints(**dict(zip(call.point_fields, given, strict=True))) if given else None
     mesh = shared[0]
     if call.place == "area":
         return sample_surface(mesh, len(span), seed=call.seed, first_point=call.first_point + span.start, workers=1)
@@ -108,7 +108,7 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
     if call.name == "sample_directions":
         arguments.pop("mesh", None)  # only used to make the points
     arguments["workers"] = 1 if arguments.get("workers") is None else arguments["workers"]
-    if "first_point" in arguments and "id" not in call.given:
+    if "first_point" in arguments and "id" not in call.point_fields:
         arguments["first_point"] = call.first_point + start
     found = FUNCTIONS[call.name](**arguments)
     return {item.name: getattr(found, item.name) for item in fields(found)}

@@ -1,4 +1,4 @@
-"""Results of tasks from the workers of a Client, in order of completion, and diagnosis of workers that fail."""
+"""Collection of results from the workers of a Dask Client, and errors that explain why workers fail."""
 
 import time
 from collections.abc import Callable, Iterator

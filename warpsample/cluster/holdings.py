@@ -1,4 +1,4 @@
-"""Readers of a Zarr store: the attributes of the run, the arrays, and which chunks are complete."""
+"""Reading of a Zarr store: its attributes, its arrays, and which of its chunks are complete."""
 
 import json
 from collections.abc import Iterable
@@ -84,7 +84,7 @@ def arrays_of(path: Path, names: Iterable[str], argument: str) -> dict[str, Any]
 
 
 def _array(group: Any, name: str, got: str) -> Any:
-    """Return an array of a Zarr group.
+    """Return the named array of a Zarr group, or raise an error if there is none.
 
     Raises:
         ValueError: if the array is missing or cannot be read.
@@ -129,7 +129,7 @@ def _is_whole(path: Path, arrays: dict[str, Any], chunk: int) -> bool:
 
 
 def _read_bytes(file: Path) -> bytes:
-    """Read the bytes of a regular file.
+    """Return the content of a regular file, as bytes.
 
     Raises:
         FileNotFoundError: if the path is not a regular file; reading from a pipe would block.

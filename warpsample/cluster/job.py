@@ -53,7 +53,7 @@ class Job:
     Attributes:
         call: Function name and small options, sent with every task.
         shared: Large arguments, by name.
-        given: Dask arrays of the points' fields by name, split into the chunks; empty if workers make the points.
+        point_arrays: Dask arrays of the points' fields by name, split into the chunks; empty if workers make the points.
         rows: Dask arrays of the arguments with a row per point by name, split into the chunks.
         total: Number of rows of all chunks.
         chunk: Number of rows per chunk; the last chunk may have fewer.
@@ -63,7 +63,7 @@ class Job:
 
     call: Call
     shared: dict[str, Any]
-    given: dict[str, Array]
+    point_arrays: dict[str, Array]
     rows: dict[str, Array]
     total: int
     chunk: int
@@ -94,7 +94,9 @@ class Job:
     @property
     def token(self) -> str:
         """Hash of the call, used in the names of the job's Dask tasks; equal calls have equal hashes."""
-        return str(tokenize(self.call, self.about, [array.name for array in (*self.given.values(), *self.rows.values())]))
+        return str(
+            tokenize(self.call, self.about, [array.name for array in (*self.point_arrays.values(), *self.rows.values())])
+        )
 
 
 def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk: Any, on: Any = None) -> Job:

@@ -56,7 +56,7 @@ class ZarrTiles:
     """
 
     def __init__(self, output: Path, resume: bool, processes: int | None) -> None:
-        """Check the path and the number of processes."""
+        """Check the path of the store and the number of processes, and set both."""
         check_processes(processes)
         self.path = check_store(output, "--output")
         self.resume, self.processes = resume, processes
@@ -79,7 +79,7 @@ class ZarrTiles:
                 yield from found
 
     def tiles(self, run: RasterRun) -> Tiles:
-        """Yield the row and column range and the arrays of each tile of the finished store."""
+        """Yield the range of rows and columns and the arrays of each tile in the finished store."""
         return tiles_in(self.path, run)
 
     def about(self) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""`warpsample bake` of a mesh into a store: check of the command's options, progress bar and report."""
+"""The command `warpsample bake` for a mesh with a Zarr store as output."""
 
 from warpsample.cluster.baking import bake_job
 from warpsample.cluster.clients import check_processes, computing

@@ -79,7 +79,7 @@ def names() -> list[str]:
 
     Example:
         >>> print(ws.distributions.names()[:3])
-        ['beckmann', 'cosine_hemisphere', 'ggx']
+        ['beckmann', 'cosine_hemisphere', 'environment_map']
     """
     return sorted(_find_distributions())
 
@@ -208,9 +208,10 @@ def _parse_value(node: ast.expr, arrays: Arrays | None) -> Any:
     if isinstance(node, ast.Call):
         return as_distribution(ast.unparse(node), arrays)
     try:
-        return _find_array(ast.literal_eval(node), arrays)
+        value = ast.literal_eval(node)
     except ValueError:
         raise TypeError("parameters must be plain numbers, strings or tuples") from None
+    return _find_array(value, arrays)  # whose errors name the array
 
 
 def _find_array(value: Any, arrays: Arrays | None) -> Any:

@@ -1,4 +1,4 @@
-"""Functions of a distribution for kernels."""
+"""Record of the `wp.func`s of a distribution that kernels call: the map, the density and the inverse."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ _VECTORS = {2: wp.vec2, 3: wp.vec3}
 
 @dataclass(frozen=True)
 class Maps:
-    """Functions (`wp.func`) of a distribution for kernels; `sample`, `pdf` and `invert` take the parameters last.
+    """Record of a distribution's `wp.func`s for kernels; `sample`, `pdf` and `invert` take the parameters last.
 
     The functions of a lobe that is made from another lobe take the struct `Parameters` in place of the parameters.
 
@@ -40,7 +40,7 @@ class Maps:
     per_cosine: wp.Function | None = None
 
     def bound(self, count: int, width: int, start: int) -> "Maps":
-        """Return the functions of u and w with `count` parameters in the struct `Parameters`, from number `start` on.
+        """Return the functions with arguments (u or w, Parameters), which read `count` parameters from number `start` on.
 
         Args:
             count: number of parameters.

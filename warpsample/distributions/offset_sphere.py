@@ -133,7 +133,7 @@ class OffsetSphere(Distribution):
 
     @property
     def thinnest_tail(self) -> float:
-        """Smallest tail probability for statistical tests: 1e-2 for a cone, else 1e-5.
+        """Smallest probability of extreme angles that statistical tests can examine: 1e-2 for a cone, else 1e-5.
 
         7e-4 of the directions are within the clamped edge, half of which the clamped density places past the edge.
         """

@@ -35,7 +35,7 @@ def integrate(
     max_distance: float | None = None,
     **options: Unpack[RayKeywords],
 ) -> Estimate:
-    """Compute the mean of a function over the directions of a lobe about each normal, without storing directions.
+    """Compute the mean of a function over random directions about each normal, without storing the directions.
 
     The mean is the expectation under the distribution's density, not divided by it: over the cosine lobe, pi times the mean
     of a radiance is the irradiance. The first call with a function compiles for about 8 s with a mesh, 4 s without.

@@ -70,7 +70,7 @@ class Prior:
 
 
 def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...]:
-    """Return the five numbers of the prior of a confidence interval, in the order of the fields of `Prior`.
+    """Return the numbers of the prior that confidence intervals use, in the order of the fields of `Prior`.
 
     Args:
         counts: Whether each ray adds exactly 0 or 1.

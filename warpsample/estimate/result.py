@@ -271,6 +271,6 @@ class Estimate(PointResult):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Share(Estimate):
-    """An `Estimate` of a share, a number from 0 to 1."""
+    """Estimate of a share: an `Estimate` whose values are from 0 to 1."""
 
     possible: ClassVar[tuple[float, float]] = (0.0, 1.0)

@@ -25,7 +25,7 @@ def at_home(device: wp.Device) -> bool:
 
 
 def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array[Any]":
-    """Return an uninitialised wp.array on a device.
+    """Allocate a wp.array on a device, without setting its values.
 
     Raises:
         MemoryError: the device has too little free memory.
@@ -41,7 +41,7 @@ def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array
 
 @dataclass(frozen=True)
 class Memory:
-    """Device of a call, with the rule how arrays are passed to kernels there: directly, or copied part by part.
+    """Device of a call, and whether its kernels use the caller's arrays directly or copies, made part by part.
 
     Attributes:
         device: device that runs the kernels.
@@ -102,7 +102,7 @@ class Loan:
         self._results: list[tuple[np.ndarray, wp.array]] = []
 
     def __enter__(self) -> "Loan":
-        """Return this Loan at the start of a `with` statement."""
+        """Enter the `with` statement, and return this object."""
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
@@ -147,7 +147,7 @@ class Loan:
         return there
 
     def _copy(self, array: np.ndarray) -> wp.array:
-        """Return a copy of a NumPy array on the device."""
+        """Copy a NumPy array to the device, and return the wp.array."""
         there = allocate(array.shape, wp.dtype_from_numpy(array.dtype), self.memory.device)
         there.assign(array)
         return there

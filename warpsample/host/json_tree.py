@@ -26,7 +26,7 @@ class Part:
     path: str = ""
 
     def __contains__(self, key: str) -> bool:
-        """Return whether the object has a member of that name."""
+        """Return whether the JSON object has a member with the given name."""
         return key in self.content
 
     def at(self, key: str) -> str:

@@ -32,7 +32,7 @@ DEFAULTS: dict[str, Any] = {
 
 
 class SeedKeywords(TypedDict, total=False):
-    """Options of calls that may draw random numbers."""
+    """Keyword options of functions that draw random numbers."""
 
     seed: int
     """Random seed, an integer of 64 bits. Default: 0."""
@@ -41,7 +41,7 @@ class SeedKeywords(TypedDict, total=False):
 
 
 class CastKeywords(SeedKeywords, total=False):
-    """Options of calls that cast rays."""
+    """Keyword options of functions that cast rays."""
 
     skip: bool
     """Whether to leave out rays whose answer is known. Changes no value. Default: True."""
@@ -50,7 +50,7 @@ class CastKeywords(SeedKeywords, total=False):
 
 
 class EstimateKeywords(CastKeywords, total=False):
-    """Options of calls that estimate a mean over directions."""
+    """Keyword options of functions that estimate a mean over directions."""
 
     sequence: str
     """Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci"."""
@@ -63,7 +63,7 @@ class EstimateKeywords(CastKeywords, total=False):
 
 
 class PointKeywords(TypedDict, total=False):
-    """Options of calls with a row for each point."""
+    """Keyword options of functions that return a row for each point."""
 
     first_point: int
     """Global id of row 0, an integer; 0 for points with an `id`. Default: 0."""
@@ -72,11 +72,11 @@ class PointKeywords(TypedDict, total=False):
 
 
 class CastPointKeywords(CastKeywords, PointKeywords, total=False):
-    """Options of calls that cast rays from points."""
+    """Keyword options of functions that cast rays from points."""
 
 
 class RayKeywords(EstimateKeywords, PointKeywords, total=False):
-    """Options of calls that estimate a mean over directions at each point."""
+    """Keyword options of functions that estimate a mean over directions at each point."""
 
 
 def with_options(keywords: type, defaults: Mapping[str, Any] = DEFAULTS) -> Callable[[Call], Call]:
@@ -109,7 +109,7 @@ def with_options(keywords: type, defaults: Mapping[str, Any] = DEFAULTS) -> Call
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class CallOptions:
-    """Checked options of a call over points, see `SeedKeywords`, `CastKeywords` and `PointKeywords`.
+    """Checked options that functions over points share: seed, ids, mask of active points, device, threads and progress.
 
     Attributes:
         ids: (P,) uint64, the global ids of all rows; None if they are counted from `first_point`.

@@ -16,7 +16,7 @@ class Summary:
     """Plural noun of the things that the first axis counts."""
 
     def __repr__(self) -> str:
-        """Return the kind of result and one line per field."""
+        """Return a short description of the result: its kind, and one line for each field."""
         rows = self._rows()
         width = max(map(len, rows), default=0)
         return "\n".join([self._title(), *(f"  {name:{width}}  {text}" for name, text in rows.items())])

@@ -20,7 +20,7 @@ def frame_of(columns: Mapping[str, np.ndarray]) -> Any:
 
 
 def write_csv(stream: BinaryIO, columns: Mapping[str, np.ndarray]) -> None:
-    """Write columns as a .csv in UTF-8 with a header.
+    """Write a dictionary of columns as a .csv file in UTF-8, with a header line.
 
     Floats have nine digits, NaN is an empty cell, and texts are in quotes where .csv requires quotes.
     """

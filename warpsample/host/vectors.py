@@ -34,7 +34,7 @@ class Vectors:
 
     @property
     def address(self) -> int:
-        """Address of the first component."""
+        """Memory address of the first component."""
         return address_of(self.owner)
 
     @property

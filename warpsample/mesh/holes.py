@@ -24,7 +24,7 @@ class Outlines:
 
     @property
     def outer(self) -> np.ndarray:
-        """(N,) index of each face's outer ring."""
+        """Number of each polygon's outer ring, (N,)."""
         return np.cumsum(self.rings) - self.rings
 
     def crosses(self, points: np.ndarray) -> np.ndarray:

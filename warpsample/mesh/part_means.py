@@ -13,7 +13,7 @@ import numpy as np
 
 @dataclass(frozen=True, eq=False)
 class PartMeans:
-    """Means over N parts, weighted by area.
+    """Area-weighted means over the N parts of a mesh, with standard errors.
 
     Attributes:
         value: (N,) or (N, k) float64 means; NaN for parts without points.

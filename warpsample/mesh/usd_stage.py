@@ -66,7 +66,7 @@ def _limit_memory() -> None:
 
 
 def _read(path: Path, what: str) -> list[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]] | str:
-    """Read what `what` asks of a USD file: the meshes, a set of texture coordinates, or the up axis."""
+    """Read one kind of data from a USD file, named by `what`: the meshes, a set of texture coordinates, or the up axis."""
     from pxr import Tf, UsdGeom
 
     try:

@@ -43,7 +43,7 @@ PANELS = (COMPUTE, WHERE, LIGHT, _CITY_PANEL, _RASTER_PANEL, _TEXTURE_PANEL, _ST
 
 @dataclass(frozen=True)
 class Option:
-    """Option of `warpsample bake`, a row of the table.
+    """Description of one option of `warpsample bake`: type, help text, and where the option applies.
 
     Attributes:
         kind: Type of a given value.
@@ -302,6 +302,6 @@ def describe_scope(name: str, source: str | None = None) -> str:
 
 
 def join_words(words: Iterable[str]) -> str:
-    """Join words by commas and a last "and"."""
+    """Return words as an enumeration: "a, b and c"."""
     *others, last = words
     return f"{', '.join(others)} and {last}" if others else last

@@ -1,4 +1,4 @@
-"""Arguments of a run of `warpsample bake`, and the writers of its files: .ply, .vtp, .glb, .npz, .csv, .mtx and .png."""
+"""Arguments of a `warpsample bake` command, and writers of its output files: .ply, .vtp, .glb, .npz, .csv, .mtx and .png."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -107,22 +107,22 @@ class Baked:
     run: BakeRun
     mesh: Mesh
     points: SurfacePoints
-    found: Any
+    result: Any
 
     @property
     def quantity(self) -> Quantity:
-        """Record of the quantity."""
+        """Description of the computed quantity: its name, unit and options."""
         return quantity_of(self.run.quantity)
 
     @property
     def arrays(self) -> dict[str, np.ndarray]:
-        """Arrays with a row for each point, keyed by name."""
-        return self.quantity.arrays_of(self.found)
+        """Result arrays with a row for each point, keyed by name."""
+        return self.quantity.arrays_of(self.result)
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
         """Results at the points as one-dimensional columns, keyed by name."""
-        return self.quantity.columns(self.found)
+        return self.quantity.columns(self.result)
 
 
 def check_glb(run: BakeRun, mesh: Mesh) -> None:
@@ -178,7 +178,7 @@ def _write_ply(file: BinaryIO, baked: Baked) -> None:
     exact = all(np.array_equal(single[i : i + 65536], vertices[i : i + 65536]) for i in range(0, len(vertices), 65536))
     elements = {"vertex": {"x y z": single if exact else vertices}, "face": {"vertex_indices": baked.mesh.faces}}
     elements["face" if baked.run.at == "faces" else "vertex"] |= {
-        "red green blue alpha": baked.quantity.colours(baked.found),
+        "red green blue alpha": baked.quantity.colours(baked.result),
         **baked.columns,
     }
     write_ply(file, elements)
@@ -191,13 +191,13 @@ def _write_glb(file: BinaryIO, baked: Baked) -> None:
     """
     if keeps(baked.run.mesh, baked.run.output, baked.run.at):
         columns = {f"_{name}": array.astype(np.float32) for name, array in baked.columns.items()}
-        write_kept_file(file, baked.run.mesh, {"COLOR_0": baked.quantity.colours(baked.found), **columns})
+        write_kept_file(file, baked.run.mesh, {"COLOR_0": baked.quantity.colours(baked.result), **columns})
         return
     local, middle = _local(baked.mesh)
     faces, times = baked.mesh.faces, 3 if baked.run.at == "faces" else 1
     corners = Lazy(faces.shape, np.dtype(np.uint32), lambda i: faces[i] if times == 1 else 3 * i[:, None] + np.arange(3))
     vertices = local if times == 1 else Lazy((faces.size, 3), local.dtype, lambda i: local[faces.ravel()[i]])
-    attributes = {"COLOR_0": _repeated(baked.quantity.colours(baked.found), times, np.uint8)}
+    attributes = {"COLOR_0": _repeated(baked.quantity.colours(baked.result), times, np.uint8)}
     # names of custom attributes begin with an underscore
     attributes |= {f"_{name}": _repeated(array, times, np.float32) for name, array in baked.columns.items()}
     write_glb(
@@ -222,7 +222,7 @@ def _write_vtp(file: BinaryIO, baked: Baked) -> None:
 
 def _write_matrix_npz(file: BinaryIO, baked: Baked) -> None:
     """Write an .npz file of a sky matrix: a row of values per point, and directions and solid angles of the sky patches."""
-    sky = baked.found.patches
+    sky = baked.result.patches
     _write_npz(file, baked, directions=sky.directions, solid_angles=sky.solid_angles)
 
 
@@ -239,7 +239,7 @@ PICTURES = {".png": write_png}
 
 MATRIX_WRITERS: dict[str, Callable[..., None]] = {
     ".npz": _write_matrix_npz,
-    ".mtx": lambda file, baked: write_matrix(file, baked.found.value, pi),
+    ".mtx": lambda file, baked: write_matrix(file, baked.result.value, pi),
 }
 """Writers of many values per point, keyed by suffix; the .mtx is in Radiance's form, like that of `SkyMatrix.save`."""
 

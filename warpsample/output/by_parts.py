@@ -57,7 +57,7 @@ def _means_of_faces(baked: Baked) -> np.ndarray:
 
 def _means(baked: Baked) -> Iterator[tuple[str, np.ndarray]]:
     """Yield the columns of a table of parts, (header, array): means of the values, and their standard errors."""
-    mesh, found = baked.mesh, baked.found
+    mesh, found = baked.mesh, baked.result
     assert mesh.part is not None
     good = (found.status == 0).reshape(-1, *[1] * (found.value.ndim - 1))
     value = np.where(good, found.value, np.nan)

@@ -42,7 +42,7 @@ def write_kept_file(stream: BinaryIO, source: Path, columns: Mapping[str, np.nda
 
 
 def _open(source: Path) -> tuple[GlbFile, list[Primitive]]:
-    """Read a glTF file and list its primitives."""
+    """Read a glTF file; return its editable content and the list of its primitives."""
     with convert_read_errors(source):
         file = GlbFile(source)
         return file, list_primitives(file.part, file.data)

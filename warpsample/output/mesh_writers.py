@@ -32,7 +32,7 @@ class Lazy:
         return self.shape[0]
 
     def __getitem__(self, rows: slice) -> np.ndarray:
-        """Return the rows of a slice without a step."""
+        """Compute and return the rows of a slice."""
         return self.make(np.arange(*rows.indices(len(self)))).astype(self.dtype, copy=False)
 
 

@@ -70,7 +70,7 @@ def name_table() -> str:
 
 
 def _markdown(rows: Iterable[tuple[str, ...]]) -> str:
-    """Return rows as a table in Markdown."""
+    """Return rows of texts as a Markdown table; the first row is the header."""
     return "".join(f"| {' | '.join(row)} |\n" for row in rows)
 
 

@@ -82,7 +82,7 @@ def _histogram(value: np.ndarray, title: str) -> str:
 
 def _statistics(baked: Baked) -> Iterator[tuple[str, str]]:
     """Yield the number of points, mean, standard error, quartiles and number of rays."""
-    found, value = baked.found, get_picture_values(baked)
+    found, value = baked.result, get_picture_values(baked)
     good = value[np.isfinite(value)]
     yield "points", f"{len(value):,}"
     for status, count in zip(*np.unique(found.status, return_counts=True), strict=True):

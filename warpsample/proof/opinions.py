@@ -58,7 +58,7 @@ class Opinions:
         return np.asarray(pdf, np.float64)
 
     def is_inside(self, w: np.ndarray, margin: float = 0.0) -> np.ndarray:
-        """Return the mask of directions w inside the declared support, enlarged by `margin` times the support's width."""
+        """Return a mask of the directions w inside the sampler's declared support, enlarged by `margin` times its width."""
         a, margin = self.chart.polar(w), margin * (self.high - self.low)
         return (a >= self.low - margin) & (a <= self.high + margin)
 

@@ -41,7 +41,7 @@ def _of_power_2(w: np.ndarray) -> np.ndarray:
 
 
 def _not_normalised(u: np.ndarray) -> np.ndarray:
-    """Return wrong directions of a linearly transformed cosine: they are not normalised."""
+    """Return wrong directions of a linearly transformed cosine, which do not have unit length."""
     return (CosineHemisphere().sample(u).astype(np.float64) @ np.array(_TRANSFORMED.stretch).T).astype(_F)
 
 

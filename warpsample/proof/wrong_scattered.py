@@ -21,7 +21,7 @@ _MIRRORED = RoughDielectric(VisibleGGX(0.4, _SLANTED), (-0.6, 0.0, 0.8), 1.0 / _
 
 
 def _normal(w: np.ndarray) -> np.ndarray:
-    """Return the unit normals along v + w, in float64."""
+    """Return the (..., 3) unit normals that reflect the view to the directions w, in float64."""
     half = w.astype(np.float64) + _VIEW
     return half / np.maximum(np.linalg.norm(half, axis=-1, keepdims=True), 1e-30)
 

@@ -19,6 +19,7 @@ class Sampler(Protocol):
     mirror: tuple[float, ...] | None
     largest_angle: float
     thinnest_tail: float
+    jumps: tuple[float, ...]
 
     def sample(self, u: Any) -> np.ndarray:
         """Return the sampled directions of points of the unit square."""
@@ -161,7 +162,9 @@ class Mirror(Chart):
 
 
 class StretchedSquare(StretchedSphere):
-    """Coordinates (a, phi) of o = (sin a b.x, sin a b.y, cos a) for directions M o / abs(M o), with b on a square's rim.
+    """Coordinates (a, phi) for directions to a parallelogram: o = (sin a b.x, sin a b.y, cos a), with b on a square's rim.
+
+    The directions are M o / abs(M o).
 
     The square has the corners (±1, ±1), and b goes round the rim evenly in phi. Up to a = pi/4 lie the directions to the
     parallelogram of the points M (x, y, 1) with x and y from -1 to 1.
@@ -185,7 +188,7 @@ class StretchedSquare(StretchedSphere):
         return super().element(a, turns) * 4.0 / np.pi
 
     def _stretched(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
-        """Return the vectors M o at coordinates a and phi."""
+        """Return the stretched vectors M o at coordinates (a, phi) on a square's rim."""
         a, turns = np.broadcast_arrays(a, turns)
         rim = [1.0 - np.clip(8.0 * np.abs((turns - start) % 1.0 - 0.5) - 1.0, 0.0, 2.0) for start in (0.5, 0.75)]
         return np.stack([*(np.sin(a) * b for b in rim), np.cos(a)], axis=-1) @ np.array(self.matrix).T

@@ -110,7 +110,7 @@ class GlbFile:
         return self._append("textures", {"name": name, "sampler": sampler, "source": image})
 
     def add_material(self, material: dict[str, Any]) -> int:
-        """Append a material and return its number."""
+        """Append a glTF material, given as JSON, and return its number."""
         return self._append("materials", material)
 
     def copy_mesh(self, number: int) -> int:
@@ -118,7 +118,7 @@ class GlbFile:
         return self._append("meshes", json.loads(json.dumps(self.tree["meshes"][number])))
 
     def write(self, file: BinaryIO) -> None:
-        """Write the file as a .glb.
+        """Write the edited content to an open file as a .glb.
 
         Raises:
             ValueError: the file would be longer than 4 GiB.
@@ -138,7 +138,7 @@ class GlbFile:
         file.write(self._rest)
 
     def write_data(self, data: BinaryIO) -> None:
-        """Write the binary data, as the file beside a .gltf."""
+        """Write the binary data of the edited content to an open file, for a .gltf that refers to it."""
         self._append_bytes(b"")  # pads the data, as in a .glb
         data.writelines(self._chunks)
 

@@ -144,7 +144,7 @@ class Enclosed:
     rays: int
 
     def __init__(self, closed: Closed, points: TexturePoints) -> None:
-        """Start with all points outside of all bodies."""
+        """Prepare the counting; at first, all points count as outside of all bodies."""
         self.rays = 0
         self._closed, self._points = closed, points
         self._depths, self._source = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)

@@ -62,7 +62,7 @@ class TextureJob:
 
     @property
     def rows(self) -> list[slice]:
-        """Slices of the mesh's faces, one for each primitive."""
+        """Ranges of the mesh's faces that show the image, one for each glTF primitive."""
         return [one.faces for one in self.group] or [slice(len(self.points.mesh.faces))]
 
     @property
@@ -119,7 +119,7 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
         texels = Texels(path, mesh, how, _read_corner_normals(path, mesh, how))
     if not slotted:
         raise ValueError(
-            f"--quantity: got {slot.name} for {path.name!r}, whose materials lack {slot.within[-1]}, the parent of "
+            f"--quantity: got {slot.name} for {path.name!r}, whose materials lack {slot.containers[-1]}, the parent of "
             f"{slot.key}, want a file with that glTF extension, or an .exr or .npz as --output"
         )
     groups = [group for group in slotted if not is_flat(mesh, group)]

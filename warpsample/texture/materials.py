@@ -17,7 +17,7 @@ class Slot:
     Attributes:
         name: name of the picture in messages.
         key: key of the texture info.
-        within: keys of the objects that contain the texture info, outermost first; empty for the material itself.
+        containers: keys of the objects that contain the texture info, outermost first; empty for the material itself.
         optional: whether the containing objects are added to a material that lacks them. If False, such a material gets no
             picture.
         directed: whether the picture shows directions in the frame of tangent, bitangent and normal.
@@ -25,13 +25,13 @@ class Slot:
 
     name: str
     key: str
-    within: tuple[str, ...] = ()
+    containers: tuple[str, ...] = ()
     optional: bool = True
     directed: bool = False
 
     def find_holder(self, material: Part) -> Part | None:
         """Return the JSON object of a material that holds this slot's texture info, or None if there is none."""
-        for key in self.within:
+        for key in self.containers:
             if key not in material:
                 return None
             material = material.part(key)
@@ -44,7 +44,7 @@ class Slot:
 
     def set_info(self, material: dict[str, Any], info: dict[str, Any], more: dict[str, Any]) -> None:
         """Set this slot's texture info in a material, and the members `more` of the object that holds the info."""
-        for key in self.within:
+        for key in self.containers:
             material = material.setdefault(key, {})
         material |= {self.key: info, **more}
 

@@ -16,7 +16,7 @@ UV_CHOICES = ("auto", "0", "1", "new")
 
 @dataclass(frozen=True)
 class TextureOptions:
-    """Options of `warpsample bake --texture`.
+    """Options of a `warpsample bake --texture` command: size, samples, normals, gutter and others.
 
     Attributes:
         size: width and height in texels.

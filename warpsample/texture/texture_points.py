@@ -56,7 +56,7 @@ class TexturePoints(Summary):
     corner_tangents: NDArray[np.float64] | None = None
 
     def __len__(self) -> int:
-        """Return the number of points."""
+        """Return the number of points in all texels."""
         return len(self.id)
 
     @property
@@ -267,7 +267,7 @@ def interpolate_tangents(corners: np.ndarray, face: np.ndarray, weights: np.ndar
 
 
 def check_samples(samples: Any, argument: str = "samples") -> int:
-    """Return the checked number of points per texel."""
+    """Check the option `samples`, the number of points per texel, and return it."""
     return check_integer(samples, argument, 1, _MOST_SAMPLES)
 
 

@@ -37,7 +37,7 @@ class GivenRays:
 
     @classmethod
     def of(cls, mesh: Mesh, origins: Any, directions: Any) -> "GivenRays":
-        """Check the mesh, the origins and the directions that a caller passes, and return a `GivenRays`.
+        """Check a mesh and the origins and directions of rays that a caller passes, and return a `GivenRays`.
 
         Raises:
             TypeError, ValueError: an argument of a wrong type or shape; the message names it.

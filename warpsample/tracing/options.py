@@ -1,4 +1,4 @@
-"""Checked options that all calls share which cast rays from points, such as seed, sequence and tracer."""
+"""Checked options of all calls that cast rays from points, for example sequence and tracer."""
 
 from dataclasses import dataclass, replace
 from typing import Any

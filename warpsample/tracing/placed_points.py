@@ -73,14 +73,14 @@ class PlacedPoints:
         return len(self.points)
 
     def facing(self, options: RayOptions, reach: float = inf) -> Any:
-        """Return the kernel argument for rays that start on the side of each surface point to which its normal points.
+        """Return the kernel argument for rays that start at surface points, on the side to which the normals point.
 
         At least one point is required. `reach` is the largest distance of a hit, in the user's units.
         """
         return self._placement(options, reach, self.normal)
 
     def two_sided(self, options: RayOptions, reach: float) -> Any:
-        """Return the kernel argument for rays that may start on either side of each surface point's face.
+        """Return the kernel argument for rays that start at surface points, on either side of the points' faces.
 
         The rays of `trace` start this way. At least one point is required. `reach` is the largest distance of a hit, in the
         user's units.

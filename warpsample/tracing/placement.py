@@ -92,7 +92,7 @@ def make_placement(scene: Scene, origins: Triples, reach: float) -> PlacementArg
 
 @wp.func
 def in_double(v: Any) -> wp.vec3d:
-    """Convert a vector to float64."""
+    """Convert a Warp vector of three numbers to float64."""
     return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
 
 

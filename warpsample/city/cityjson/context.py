@@ -1,4 +1,4 @@
-"""Surroundings of a city: a level plane, a mesh or a raster."""
+"""Terrain around a city: a level plane, a mesh or a raster of heights."""
 
 from typing import Any
 from warnings import warn

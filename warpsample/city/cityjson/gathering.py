@@ -132,7 +132,7 @@ class Head:
 
     @cached_property
     def template_points(self) -> np.ndarray:
-        """Vertices of the template geometries, (V, 3) float64."""
+        """Vertices of the geometries that several city objects share as templates, (V, 3) float64."""
         found = self.tree.part("geometry-templates")
         return _read_rows(found.content.get("vertices-templates"), found.at("vertices-templates"))
 

@@ -55,7 +55,7 @@ def _bodies(corners: np.ndarray, outlines: Outlines) -> np.ndarray:
 
 
 def _plan_areas(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Return the areas (N,) of rings as seen from above."""
+    """Return the areas of rings of corners as seen from above, (N,)."""
     starts = np.cumsum(sizes) - sizes
     following = np.arange(1, len(corners) + 1)
     following[starts + sizes - 1] = starts

@@ -20,7 +20,7 @@ _TINY = 1e-6  # m2, tolerance for rounded coordinates
 
 @dataclass(frozen=True, eq=False)
 class CitySurfaces:
-    """Table of the N surfaces of a city.
+    """Table of the N surfaces of a city: object, type, level of detail and area of each.
 
     A surface is the set of faces of a geometry with the same semantic object, or a single face in a split city.
 
@@ -50,7 +50,7 @@ class CitySurfaces:
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
-        """Columns of the table by name."""
+        """Columns of the table as arrays, keyed by name."""
         return {item.name: getattr(self, item.name) for item in fields(self)}
 
     def to_frame(self) -> Any:

@@ -301,7 +301,7 @@ def _check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
 
 
 def _attributes(quantity: Quantity, source: Any, attributes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the attributes of the resulting Dataset: definition, unit, source, version and options.
+    """Return the attributes of a result's Dataset: definition, unit, source, version and options.
 
     All values are numbers or strings.
     """

@@ -78,6 +78,6 @@ def _hash_blocks(heights: np.ndarray) -> np.ndarray:
 
 
 def _split_blocks(heights: np.ndarray, axis: int) -> Iterator[np.ndarray]:
-    """Split an array along an axis into pieces with the length of a block."""
+    """Split an array along an axis into blocks, and return an iterator over the blocks; the last one may be shorter."""
     starts = range(_BLOCK[axis], heights.shape[axis], _BLOCK[axis])
     return iter(np.split(heights, starts, axis))

@@ -1,4 +1,4 @@
-"""Computation of a quantity tile by tile, each with a full-resolution margin and pooled columns for the terrain outside.
+"""Computation of a quantity tile by tile; terrain near a tile is traced at full resolution, distant terrain simplified.
 
 Random numbers of a cell depend on its number in the whole raster, row * columns + column. So tiles agree with the whole,
 except for the pooled terrain and for float32 rounding in another mesh.
@@ -117,7 +117,7 @@ class RasterRun:
 
     @property
     def rasters(self) -> dict[str, RasterReader]:
-        """Input rasters, keyed by argument name."""
+        """Readers of all input rasters, keyed by argument name."""
         trees = {} if self.canopy is None else {"canopy": self.canopy.top, "trunk": self.canopy.trunk}
         given = {"source": self.reader, **trees, "far": self.other}
         return {name: raster for name, raster in given.items() if isinstance(raster, RasterReader)}

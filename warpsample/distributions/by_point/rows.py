@@ -84,6 +84,6 @@ def _views(vectors: np.ndarray, below: bool) -> np.ndarray:
 
 
 def _closed(rows: np.ndarray) -> np.ndarray:
-    """Make an array read-only and return it."""
+    """Make an array read-only, and return the same array."""
     rows.setflags(write=False)
     return rows

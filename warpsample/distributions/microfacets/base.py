@@ -32,7 +32,7 @@ class Microfacets(Distribution):
         super().__post_init__()
 
     def __repr__(self) -> str:
-        """Return the class and the parameters, without an `alpha_y` that is None."""
+        """Return the class name and the parameters as text, without `alpha_y` if it is None."""
         return super().__repr__().replace(", alpha_y=None", "")
 
     @property

@@ -43,16 +43,16 @@ class ScatteredLight(Distribution):
             raise ValueError(f"lobe: got {self.size} numbers with those of all nested lobes, want at most {MOST_NUMBERS}")
 
     def _dimensions(self, i: int) -> int:
-        """Return the number of dimensions of a constant for parameter i: a vector is first, then scalars."""
+        """Return the number of dimensions of a constant for parameter i: 1 for the view (first), 0 for scalars."""
         return 1 if i == 0 else 0
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:
-        """Normalise views by point; see `Distribution`."""
+        """Return a copy of the values by point of parameter `name`, with views of unit length."""
         return copy_views(rows, self.below) if name == "view" else super()._copy_rows(name, rows)
 
     @property
     def maps(self) -> Maps:  # type: ignore[override]
-        """Functions (`wp.func`) of the distribution for kernels, of (u or w, Parameters)."""
+        """The `wp.func`s of the distribution for kernels, with arguments (u or w, Parameters)."""
         return self.bound_maps()
 
     @property

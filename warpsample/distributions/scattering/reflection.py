@@ -91,14 +91,14 @@ def normals_per_cosine(lobe: Maps, view_at: int, lobe_view_at: int, below: bool 
 
         @wp.func
         def side(m: wp.vec3, cosine: wp.float32, parameters: Parameters):
-            """Divide the density."""
+            """Return the density of the normal m, divided by abs(cosine)."""
             return density(m, parameters) / wp.max(wp.abs(cosine), _LEAST)
 
     else:
 
         @wp.func
         def side(m: wp.vec3, cosine: wp.float32, parameters: Parameters):
-            """Multiply the density per cosine by the quotient of the cosines."""
+            """Return the density of the visible normal m, divided by abs(cosine)."""
             view = wp.vec3(
                 number_at(parameters, view_at), number_at(parameters, view_at + 1), number_at(parameters, view_at + 2)
             )
@@ -119,7 +119,7 @@ def normals_per_cosine(lobe: Maps, view_at: int, lobe_view_at: int, below: bool 
 
 @once
 def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> Maps:
-    """Build the functions of a reflection at normals, from those of the lobe of normals.
+    """Build the functions of the distribution of reflected directions, from those of the lobe of normals.
 
     Args:
         lobe: functions of (u or m, Parameters).
@@ -132,7 +132,7 @@ def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> 
 
     @wp.func
     def sample(u: wp.vec2, parameters: Parameters):
-        """Reflect the view at a normal."""
+        """Return the direction in which the normal at u reflects the view."""
         return normal_to_reflection(
             sample_normal(u, parameters),
             wp.vec3(number_at(parameters, view_at), number_at(parameters, view_at + 1), number_at(parameters, view_at + 2)),
@@ -140,7 +140,7 @@ def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> 
 
     @wp.func
     def pdf(w: wp.vec3, parameters: Parameters):
-        """Return the density of the normals m and -m, divided by 4 abs(v.m)."""
+        """Return the density of a reflected direction w: that of the normals m and -m, divided by 4 abs(v.m)."""
         h = half_vector(
             w,
             wp.vec3(number_at(parameters, view_at), number_at(parameters, view_at + 1), number_at(parameters, view_at + 2)),
@@ -151,7 +151,7 @@ def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> 
 
     @wp.func
     def draw(u: wp.vec2, parameters: Parameters):
-        """Reflect the view at a normal, and take the density from the normal."""
+        """Return the direction in which the normal at u reflects the view, and its density, as a vec4."""
         view = wp.vec3(
             number_at(parameters, view_at), number_at(parameters, view_at + 1), number_at(parameters, view_at + 2)
         )
@@ -167,7 +167,7 @@ def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> 
 
         @wp.func
         def invert(w: wp.vec3, parameters: Parameters):
-            """Invert the lobe's map at the normal with z above 0 of the two that reflect the view to w."""
+            """Return the point u that the lobe maps to the normal, with z above 0, that reflects the view to w."""
             m = reflection_to_normal(
                 w,
                 wp.vec3(
@@ -216,25 +216,27 @@ class Reflection(ScatteredLight):
     )
 
     def __post_init__(self) -> None:
-        """Check the parameters; most lobes have lower bounds of errors."""
+        """Check the parameters, and set the bounds of errors to those for the lobe of normals."""
         super().__post_init__()
+        if self.lobe.in_world:
+            raise ValueError(f"lobe: got {self.lobe!r}, whose directions are in world coordinates, want a lobe of normals")
         object.__setattr__(self, "worst_angle", 2.0 * self.lobe.worst_angle + 2e-7)
         if "beckmann" not in self.lobe.name:
             object.__setattr__(self, "worst_pdf", Distribution.worst_pdf)
 
     def bound_maps(self, start: int = 0) -> Maps:
-        """Return the functions with all parameters in the struct `Parameters`; see `Distribution.bound_maps`."""
+        """Return the functions with arguments (u or w, Parameters), which read the parameters from number `start` on."""
         lobe, end = self.lobe, start + self.lobe.size
         return reflection_maps(lobe.bound_maps(start), end, end - 3, lobe.support != "hemisphere")
 
     @property
     def stretch(self) -> Any:
-        """The matrix of the lobe of normals; the laws count normals in its cells."""
+        """The stretch matrix of the lobe of normals, for tests that count normals in cells."""
         return self.lobe.stretch
 
     @property
     def mirror(self) -> tuple[float, ...]:  # type: ignore[override]
-        """The view as the kernels round it."""
+        """The view as a tuple of numbers, rounded to float32 as in kernels."""
         return tuple(self.view_of_kernels.tolist())
 
     @property
@@ -243,7 +245,7 @@ class Reflection(ScatteredLight):
         return min(self.lobe.largest_angle, float(np.pi / 2.0))
 
     def seam(self, u: Any) -> Any:
-        """Return the mask of points u near a seam or the pole of the lobe, and of normals across the view."""
+        """Return the mask of points u near a seam or the pole of the lobe, or with a normal nearly across the view."""
         return self.lobe.seam(u) | (u[..., 0] < 0.01) | (np.abs(self.lobe.sample(u) @ self.view_of_kernels) < 0.3)
 
 

@@ -1,4 +1,4 @@
-"""Record of a quantity: name, call, unit and options, for commands, files, stores, the accessor and README tables."""
+"""Description of a quantity: its name, Python function, unit and options, from which commands and files follow."""
 
 import inspect
 import re

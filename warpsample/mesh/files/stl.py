@@ -19,7 +19,9 @@ _WORDS = {"solid", "facet", "outer", "vertex", "endloop", "endfacet", "endsolid"
 
 
 def read(path: Path) -> Named:
-    """Read vertices and faces; corners with equal coordinates become one vertex. Solids of a text file become named parts.
+    """Read vertices, faces and named parts of an .stl file; corners with equal coordinates become one vertex.
+
+    Solids of a text file become named parts.
 
     Raises:
         ValueError: A size other than the header declares, unknown words, or facets, loops or solids without an end.

@@ -91,7 +91,10 @@ def _texture_corners(words: list[str], coordinates: int) -> list[int]:
 
 
 def _used(part: np.ndarray, names: list[str]) -> tuple[np.ndarray | None, list[str]]:
-    """Return part numbers and names without the parts that have no faces; (None, []) if no part has a name."""
+    """Return the part number of each face and the parts' names, without parts that have no faces.
+
+    If no part has a name, return (None, []).
+    """
     if len(names) == 1:
         return None, []
     used, part = np.unique(part, return_inverse=True)
@@ -154,19 +157,19 @@ def three(words: list[str]) -> list[float]:
 
 
 def real(word: str | bytes) -> float:
-    """Convert a word of a mesh file to a float."""
+    """Parse a number in a text file as a float."""
     return float(_plain(word))
 
 
 def whole(word: str | bytes) -> int:
-    """Convert a word of a mesh file to an int."""
+    """Parse a whole number in a text file as an int."""
     return int(_plain(word))
 
 
 def _plain(word: str | bytes) -> str | bytes:
     """Return a word unchanged; raise a ValueError if it is a number only to Python, for example 1_0.
 
-    Such formats are 1_0 for 10, and digits of other scripts.
+    Digits of other scripts raise the error, too.
     """
     if {"_", "\\"} & set(ascii(word)):
         raise ValueError(f"{ascii(word)[:60]} is not a number")

@@ -212,14 +212,14 @@ class BakedRaster:
 
     Attributes:
         run: Arguments of the command.
-        found: Flat arrays `value`, `standard_error`, `rays` and `status`; the status is 0 in cells with a value.
+        result: Flat arrays `value`, `standard_error`, `rays` and `status`; the status is 0 in cells with a value.
         shape: Rows and columns.
         cell: Width of a cell in units of the map.
         north: Direction of true north on the picture, to the right and up.
     """
 
     run: BakeRun
-    found: Any
+    result: Any
     shape: tuple[int, int]
     cell: float
     north: tuple[float, float]
@@ -242,7 +242,7 @@ class BakedRaster:
 
     @property
     def quantity(self) -> Quantity:
-        """Record of the quantity."""
+        """Description of the computed quantity: its name, unit and options."""
         return quantity_of(self.run.quantity)
 
 

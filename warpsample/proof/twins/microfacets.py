@@ -68,7 +68,7 @@ def _rotate_to_view(d: Any, w: np.ndarray) -> np.ndarray:
 
 
 def _normalize(w: np.ndarray) -> np.ndarray:
-    """Scale vectors to unit length."""
+    """Return vectors scaled to unit length."""
     return w / np.sqrt(np.einsum("...i,...i", w, w))[..., None]
 
 

@@ -1,4 +1,4 @@
-"""Twins of lobes of scattered light, from the twins of their lobes of normals."""
+"""Second implementations of lobes of scattered light, built from those of the lobes of normals."""
 
 from collections.abc import Callable
 from typing import Any
@@ -14,7 +14,7 @@ _WORD = np.uint64(2**32 - 1)
 
 
 def twins_of(directions: Function, density: Function) -> dict[str, tuple[Function, Function]]:
-    """Build the twins (map, density) of lobes of scattered light, keyed by name.
+    """Build the second implementations (map, density) of lobes of scattered light, keyed by the lobe's name.
 
     Args:
         directions: map of the twin of any distribution.
@@ -22,13 +22,13 @@ def twins_of(directions: Function, density: Function) -> dict[str, tuple[Functio
     """
 
     def reflected(d: Any, u: np.ndarray) -> np.ndarray:
-        """Return the mirrored view: the view rotated by half a turn about the normal."""
+        """Return the reflected directions: the view rotated by half a turn about each normal."""
         m, v = directions(d.lobe, u), d.view_of_kernels
         along = (m @ v)[..., None] * m
         return along - (v - along)
 
     def reflected_density(d: Any, w: np.ndarray) -> np.ndarray:
-        """Return the density of both normals times the change of solid angle (Walter2007, equation 14)."""
+        """Return the density of w: that of both normals times the change of solid angle (Walter2007, equation 14)."""
         half = w + d.view_of_kernels
         length = np.sqrt(np.einsum("...i,...i", half, half))
         return _both(density, d.lobe, half / length[..., None], 0.5 * length, d.view_of_kernels) / (2.0 * length)
@@ -106,7 +106,7 @@ def _both(density: Function, lobe: Any, m: np.ndarray, cosine: np.ndarray, view:
 
 
 def _normals(density: Function, lobe: Any, m: np.ndarray, cosine: np.ndarray, view: np.ndarray) -> np.ndarray:
-    """Return the density of normals m at a cosine m.v, 0 on the other side of a surface whose normals are seen."""
+    """Return the density of the normals m that reflect the view v, from m and the cosine m.v, in float64."""
     if not hasattr(lobe, "view"):
         return _inside(lobe, m, density(lobe, m))
     seen = np.array(lobe.view, np.float32).astype(np.float64)
@@ -117,6 +117,6 @@ def _normals(density: Function, lobe: Any, m: np.ndarray, cosine: np.ndarray, vi
 
 
 def _inside(lobe: Any, m: np.ndarray, value: np.ndarray) -> np.ndarray:
-    """Return densities, with 0 below the surface for lobes of the upper hemisphere."""
+    """Return the densities `value`, with 0 for normals m below the surface if the lobe covers the upper hemisphere only."""
     upper = lobe.support == "hemisphere" and lobe.name != "linearly_transformed_cosine"
     return np.where(m[..., 2] >= 0.0, value, 0.0) if upper else value

@@ -48,7 +48,7 @@ class Closure:
     yields: np.ndarray
 
     def step(self, gap: np.ndarray) -> np.ndarray:
-        """Return the change of the scaling parameters u that increases the row sums by `gap`, to first order."""
+        """Return how to change the scale parameters u so that the row sums increase by `gap`: one Newton step."""
         slopes = self.exchange.copy()
         slopes.data *= self.give
         diagonal = slopes.sum(axis=1) + self.yields * self.lost * self.less

@@ -100,7 +100,7 @@ class Collector:
         self._special[rows, 0] = per_replicate
 
     def take(self, block: Block) -> None:
-        """Add a block of hit counts to the collected rows.
+        """Append the hit counts of the next faces to the matrix.
 
         Raises:
             MemoryError: the collected blocks need more memory than is free.

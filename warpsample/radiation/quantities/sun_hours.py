@@ -20,7 +20,7 @@ from warpsample.tracing.placed_points import PlacedPoints
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SunHours(ExactResult):
-    """Hours of sun at each of P points, in the fields of an estimate.
+    """Hours of sun at each of P points, with the same fields as an `Estimate`.
 
     These are `value` (P,), zeros (P,) as `standard_error` and `rays`, and `status` (P,). An hour counts if in its middle the
     sun's centre is above the horizon, in front of the point and not hidden by the mesh.

@@ -49,7 +49,7 @@ class Shares:
 
 @dataclass(frozen=True, eq=False)
 class LobeRays:
-    """n cosine-weighted rays from each of P points about their normals.
+    """Cosine-weighted rays from P points about the points' normals, n from each point.
 
     Attributes:
         points: The P points.
@@ -61,7 +61,7 @@ class LobeRays:
 
     @property
     def way(self) -> np.ndarray:
-        """Directions of all rays, (P n, 3), point by point."""
+        """Directions of all rays as one array, (P n, 3), point by point."""
         return self.directions.reshape(-1, 3)
 
     def start(self, rays: np.ndarray) -> np.ndarray:
@@ -69,7 +69,7 @@ class LobeRays:
         return self.points.position[rays // self.directions.shape[1]]
 
     def leaving(self, normals: np.ndarray) -> np.ndarray:
-        """Return a mask of the rays that leave the surface: it has a row for each of the P n rays.
+        """Return the (P n,) bool mask of the rays that leave the surface.
 
         The smooth normal of a texel may direct rays behind the face.
         """
@@ -81,7 +81,7 @@ class LobeRays:
 
 @dataclass(frozen=True, eq=False)
 class RayHits:
-    """Hits of rays, ray by ray: a patch, the light outside the mesh, or nothing.
+    """Hits of rays on light sources: the ray, the patch (or the light outside the mesh), and the share of light.
 
     Attributes:
         ray: (M,) int64, index of the ray, ascending.

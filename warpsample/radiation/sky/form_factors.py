@@ -120,7 +120,7 @@ def _extend_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.flo
 
 @wp.func
 def reaches(slope: wp.float64, level: wp.float64) -> wp.float64:
-    """Return the azimuth from the normal's, 0 to pi, at which a tilted point's horizon rises above an altitude.
+    """Return the azimuth, 0 to pi from the normal's, at which a tilted point's horizon rises above an altitude.
 
     slope: n_z times the tangent of the altitude. level: length of the normal's horizontal part.
     """

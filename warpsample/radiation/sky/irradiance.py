@@ -184,7 +184,7 @@ def _compute_reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> R
 def _add_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
     """Add reflected light to the irradiance from distant light, and combine the errors.
 
-    Its degrees of freedom are those of Welch and Satterthwaite.
+    The degrees of freedom of the sum are those of Welch and Satterthwaite.
     """
     good = has_status(found.status, PointStatus.OK)
     more, error = (np.where(good[:, None], a, 0.0).reshape(found.value.shape) for a in (reflected.value, reflected.error))

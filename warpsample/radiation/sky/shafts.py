@@ -72,8 +72,8 @@ def looker(glass: bool) -> wp.Function:
     def look(tree: Accelerator, among: Glass, point: ShadingPoint, local: wp.int32, vectors: wp.uint64, filled: wp.uint64):
         """Classify a pyramid of directions from a point as OPEN (empty), CLOSED (blocked by one triangle) or UNKNOWN.
 
-        If no such leaf is found, the second value is `filled`: 0, or the address of a leaf that filled another shaft and is
-        tested, too.
+        The second value is the address of the leaf with the blocking triangle if it is new, else `filled`: 0, or the address
+        of a leaf that blocked another pyramid and is tested, too.
         """
         aim_at(vectors, point)
         found = search_shaft(tree, point, local)

@@ -114,7 +114,7 @@ def _unblocked_by_leaf(
 
 @wp.func
 def _children_hit(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.int32:
-    """Return a mask of a tree node's children whose boxes some rays of a set hit.
+    """Return a mask of a tree node's children whose boxes are hit by at least one ray of a bit set of rays.
 
     Two words per child in `scratch` receive the set of rays that hit the child's box.
     """

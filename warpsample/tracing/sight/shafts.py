@@ -128,7 +128,7 @@ class Plane:
 
 @wp.func
 def _plane(shaft: wp.uint64, i: wp.int32) -> Plane:
-    """Return the i-th side plane of a shaft."""
+    """Return the i-th side plane of a shaft (pyramid of directions)."""
     rows = wp.array(ptr=shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     plane = Plane()
     plane.nx = rows[i]

@@ -41,7 +41,7 @@ def _cross(a: wp.vec3, b: wp.vec3) -> wp.vec3:
 def open_leaf(leaf: wp.uint64, o: wp.vec3, reach: wp.float32, sides: wp.uint64):
     """Compute the planes through the origin o and each side of a tree leaf's triangles, to test many rays from o.
 
-    The rows hold inward normals and limits.
+    `sides` is the address to which the inward normals of the planes, and limits for rays, are written.
     """
     # Let u = 2^-24, and A and E the greatest sums of absolute components of corners and of sides. A component of a normal is
     # rounded by 4 u of its two products, and a product with d by 3 u more: 7 u A E in all. The difference b - a, instead of

@@ -33,7 +33,7 @@ def _children_around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
 
 @wp.func
 def _is_near_zero(a: wp.float32, b: wp.float32, c: wp.float32, r: wp.float32) -> wp.int32:
-    """Return 1 where the interval spanned by three numbers is within r of 0, else 0."""
+    """Return 1 if the interval from the smallest to the largest of a, b and c comes within r of 0, else 0."""
     return wp.where(lesser(lesser(a, b), c) <= r, 1, 0) & wp.where(greater(greater(a, b), c) >= -r, 1, 0)
 
 

@@ -1,4 +1,4 @@
-"""Contents of the nodes and leaves of the 16-wide tree, computed from vertices and updated when the vertices move."""
+"""Boxes and triangles in the nodes and leaves of the 16-wide search tree, computed from the vertices."""
 
 from dataclasses import dataclass
 from itertools import pairwise

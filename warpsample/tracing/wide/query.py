@@ -1,4 +1,4 @@
-"""Traversal of the 16-wide tree by one ray, which visits children whose boxes the ray hits; a stack holds the rest."""
+"""Traversal of the 16-wide search tree by one ray, for its nearest hit or any hit."""
 
 import warp as wp
 
