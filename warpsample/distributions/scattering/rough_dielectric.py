@@ -136,10 +136,10 @@ class RoughDielectric(ScatteredLight):
             v))`.
         view: direction v to the viewer in the local frame, of any length, also from below the surface; stored as a unit
             vector.
-        eta: index of refraction below the surface over the index above, from 0.01 to 100, at least 1e-3 away from 1.
+        eta: index of refraction below the surface over that above, 0.01 to 100, not within 1e-3 of 1. Default: 1.5, glass.
     """
 
-    eta: float
+    eta: float = 1.5
 
     name = "rough_dielectric"
     density = "p(m)F/(4v·m)+p(t)(1−F)abs(w·t)η²/abs(v+ηw)²"
