@@ -186,7 +186,7 @@ def test_a_view_from_below_is_for_the_dielectric_alone():
     assert ws.RoughDielectric(ws.GGX(0.3), below, 1.5).view == below
     with pytest.raises(ValueError, match="view: got"):
         ws.VisibleGGX(0.3, below)
-    with pytest.raises(NotImplementedError, match="there is no inverse"):
+    with pytest.raises(NotImplementedError, match="this distribution has no inverse"):
         glass(0.3, VIEW).invert(np.array([[0.0, 0.0, 1.0]]))
 
 
