@@ -159,7 +159,7 @@ def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
     for name, array in _arrays_in(own):
         if array is not None and not (array.device.is_cpu or array.device == device):
             wants = "cpu" if device.is_cpu else f"cpu or {device}"
-            raise ValueError(f"data: got an array {name} on {array.device}, want it on {wants}")
+            raise ValueError(f"data: got an array {name} on {array.device}, want an array on {wants}")
         if not isinstance(array, wp.array | None) and not at_home(device):
             raise TypeError(f"data: got {describe_type(array)} as {name}, want a wp.array for {device}")
     return own, struct

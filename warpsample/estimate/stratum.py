@@ -25,7 +25,7 @@ from warpsample.tracing.sight.rays import (
 
 @once
 def jump_of(slots: Slots) -> wp.Function:
-    """Build the Warp function that estimates, for the error, how much a ray's weight changes across an occlusion edge."""
+    """Build the Warp function that estimates how much a ray's weight jumps at an occlusion edge, to compute the error."""
     any_hit, counts, glass = slots.any_hit, slots.counts, slots.glass
 
     @wp.func

@@ -134,7 +134,10 @@ def _density_of_rows(claim: Distribution) -> Density:
 
 
 def _covering_angle(claim: Distribution, pilot: np.ndarray) -> float:
-    """Return a round angle to the normal, in radians, within which 99.8 % of the directions of a distribution are."""
+    """Return the radius of a cone about the normal, in radians, that contains 99.8 % of a distribution's directions.
+
+    The angle is rounded up to one of a few round angles.
+    """
     reach = float(np.degrees(np.quantile(SPHERE.polar(pilot), _ALMOST_ALL)))
     if reach < _NARROWEST:
         raise ValueError(

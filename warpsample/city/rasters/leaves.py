@@ -161,7 +161,7 @@ def count_suns_through(
 
 
 def _list_views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[], Mesh], np.ndarray], ...]:
-    """Return (function that builds the mesh, weight of its result) for the scene with crowns and for the one without."""
+    """Return the scenes to average, with tree crowns and without: pairs of a function that builds the mesh, and a weight."""
     if scenery.with_crowns is None:
         return ((scenery.without_crowns, np.ones_like(shares)),)
     return (scenery.with_crowns, 1.0 - shares), (scenery.without_crowns, shares)
