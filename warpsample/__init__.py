@@ -46,6 +46,7 @@ _LOBES = (
     "GGX",
     "HenyeyGreenstein",
     "LinearlyTransformedCosine",
+    "Mixture",
     "OffsetBall",
     "OffsetCircle",
     "OffsetDisk",

@@ -1,14 +1,13 @@
 """Menus and sliders that change the settings of the viewer."""
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import MISSING, fields, replace
 from math import atan2, cos, degrees, exp, log, log2, radians, sin
 from typing import TYPE_CHECKING, Any, get_args
 
 from warpsample import distributions, sequences
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere, Method
 from warpsample.distributions.record import Distribution
-from warpsample.distributions.scattering.base import ScatteredLight
 from warpsample.viewer.choice import COSINE, OWN, Choice, default_density
 from warpsample.viewer.widgets import ROW, Menu, Slider, fit_texts
 
@@ -22,10 +21,15 @@ _MOST_SAMPLES, _MOST_SEED = 4096, 99
 def spatial_names() -> list[str]:
     """Return the names of the distributions of 3-D directions that can be drawn on a mesh with default parameters.
 
-    Lobes of other lobes have no default.
+    Lobes of other lobes and lights have no default.
     """
     kinds = {name: distributions.get(name) for name in distributions.names()}
-    return [name for name, kind in kinds.items() if kind.width == 3 and not issubclass(kind, ScatteredLight)]
+    return [name for name, kind in kinds.items() if kind.width == 3 and (kind.shown or _has_defaults(kind))]
+
+
+def _has_defaults(kind: type[Distribution]) -> bool:
+    """Return whether every parameter of a class of distributions has a default."""
+    return all(field.default is not MISSING for field in fields(kind))
 
 
 def make_distribution(name: str) -> Distribution:

@@ -1,4 +1,4 @@
-"""References in NumPy for lobes of scattered light, built from those of the lobes of normals."""
+"""References in NumPy for lobes of other lobes, built from those of the nested lobes: scattered light, and mixtures."""
 
 from collections.abc import Callable
 from typing import Any
@@ -11,7 +11,7 @@ Function = Callable[[Any, np.ndarray], np.ndarray]
 
 
 def twins_of(directions: Function, density: Function) -> dict[str, tuple[Function, Function]]:
-    """Build the NumPy references (map, density) of lobes of scattered light, keyed by the lobe's name.
+    """Build the NumPy references (map, density) of lobes of other lobes, keyed by the lobe's name.
 
     Args:
         directions: map of the twin of any distribution.
@@ -31,7 +31,23 @@ def twins_of(directions: Function, density: Function) -> dict[str, tuple[Functio
         m, cosine = half / length[..., None], 0.5 * length
         return (_normals(density, d, m, cosine) + _normals(density, d, -m, -cosine)) / (4.0 * cosine)
 
-    return {"reflection": (reflected, reflected_density)}
+    def mixed(d: Any, u: np.ndarray) -> np.ndarray:
+        """Return directions of the lobes in whose intervals u[0] lies, at the stretched and truncated u[0]."""
+        shares = np.array(d.weights)
+        ends = np.cumsum(shares)
+        chosen = np.searchsorted(ends, u[..., 0], side="right")
+        within = (u[..., 0] - (ends - shares)[chosen]) / shares[chosen]
+        inner = np.stack([np.floor(within * 2.0**24) / 2.0**24, u[..., 1]], axis=-1)
+        found = np.empty((*u.shape[:-1], 3))
+        for i, lobe in enumerate(d.lobes):
+            found[chosen == i] = directions(lobe, inner[chosen == i])
+        return found
+
+    def mixed_density(d: Any, w: np.ndarray) -> np.ndarray:
+        """Return the weighted sum of the densities of all lobes."""
+        return sum(x * _inside(lobe, w, density(lobe, w)) for x, lobe in zip(d.weights, d.lobes, strict=True))
+
+    return {"mixture": (mixed, mixed_density), "reflection": (reflected, reflected_density)}
 
 
 def _normals(density: Function, d: Any, m: np.ndarray, cosine: np.ndarray) -> np.ndarray:
