@@ -43,6 +43,7 @@ _HOME = {name: home for home, names in _HOMES.items() for name in names}
 _LOBES = (
     "Beckmann",
     "CosineHemisphere",
+    "EnvironmentMap",
     "GGX",
     "HenyeyGreenstein",
     "LinearlyTransformedCosine",

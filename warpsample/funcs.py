@@ -26,6 +26,11 @@ from warpsample.distributions.cosine_hemisphere import (
     square_to_cosine_hemisphere_offset,
     square_to_cosine_hemisphere_pdf,
 )
+from warpsample.distributions.lights.pixel_draws import (
+    environment_map_to_square,
+    square_to_environment_map,
+    square_to_environment_map_pdf,
+)
 from warpsample.distributions.lights.spherical_rectangle import (
     spherical_rectangle_to_square,
     square_to_spherical_rectangle,
@@ -146,6 +151,7 @@ __all__ = [
     "beckmann_to_square",
     "cosine_hemisphere_to_square",
     "cosine_hemisphere_to_square_concentric",
+    "environment_map_to_square",
     "fibonacci",
     "frame_about",
     "frame_along",
@@ -182,6 +188,8 @@ __all__ = [
     "square_to_cosine_hemisphere_inversion",
     "square_to_cosine_hemisphere_offset",
     "square_to_cosine_hemisphere_pdf",
+    "square_to_environment_map",
+    "square_to_environment_map_pdf",
     "square_to_ggx",
     "square_to_ggx_pdf",
     "square_to_henyey_greenstein",

@@ -205,6 +205,8 @@ KINDS = {
         np.linspace(0.0, 3.0, 4),
         *("float32(0.5)", WHOLE, "-1", "1.5", "nan", "inf", "[]", "[[]]", "one less", "one axis more", "no axis", "of Warp"),
     ),
+    "picture": kind(np.ones((4, 8)), "one less", wrong=(*NO_LIGHT, np.zeros((4, 8)))),
+    "EnvironmentMap.north": kind(np.array([0.0, 1.0, 0.0]), "None", wrong=("123", (0, 0, 0), (inf, 0, 1), (0.0, 0.0, 2.0))),
     "radiance": kind(np.ones((4, 4)), "one less", wrong=NO_LIGHT),
     "sequences.get.name": kind("sobol", said=("sequence",)),
     "distributions.get.name": kind("ggx", said=("distribution",)),

@@ -57,7 +57,7 @@ class DirectionPlan:
                     seed=self.options.seed,
                     ids=loan.lend(self.options.ids, rows),
                     active=loan.lend(active, rows),
-                    parameters=self.distribution.kernel_parameters().__ctype__(),
+                    parameters=self.distribution.kernel_parameters(loan).__ctype__(),
                     tables=self.distribution.lend_tables(loan, rows),
                     tangents=loan.lend(tangents, rows),
                 )

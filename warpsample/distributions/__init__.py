@@ -79,7 +79,7 @@ def names() -> list[str]:
 
     Example:
         >>> print(ws.distributions.names()[:3])
-        ['beckmann', 'cosine_hemisphere', 'ggx']
+        ['beckmann', 'cosine_hemisphere', 'environment_map']
     """
     return sorted(_find_distributions())
 

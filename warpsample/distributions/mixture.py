@@ -160,7 +160,7 @@ class Mixture(Distribution):
     stay even within each lobe. The density at a direction is that of all lobes, the balance heuristic of Veach1995.
 
     Attributes:
-        lobes: one to eight distributions of directions in space, which take 20 float32 numbers at most with the weights.
+        lobes: one to eight distributions of local directions in space, which take 20 float32 numbers at most with the weights.
         weights: one number for each lobe, (k,), or (P, k) for each point, at least 0, not all 0. They are divided by their
             sum, and rounded to multiples of 2^-24, none above 0 to 0.
     """
@@ -179,7 +179,7 @@ class Mixture(Distribution):
         "the weights are multiples of 2⁻²⁴. A lobe of weight w has 24 − log2(1/w) bits of u[0]. Directions and densities "
         "are as precise as those of the lobes. There is no inverse unless there is one lobe only"
     )
-    # A surface with a coat; three of the sphere; one alone; one from the side; eight, of which one is never and one rarely drawn.
+    # A surface with a coat; three of the sphere; one alone; one from the side; eight, one never and one rarely drawn.
     case_values: ClassVar[Cases] = (
         ((CosineHemisphere(), GGX(0.3)), (0.3, 0.7)),
         ((UniformSphere(), VonMisesFisher(8.0), HenyeyGreenstein(0.5)), (0.25, 0.5, 0.25)),
@@ -203,6 +203,8 @@ class Mixture(Distribution):
             raise TypeError(
                 f"lobes: got {quote(self.lobes)}, want a list of one to eight distributions of directions in space"
             )
+        if any(lobe.in_world for lobe in lobes):
+            raise NotImplementedError("lobes: got a lobe whose directions are in world coordinates, want local ones only")
         object.__setattr__(self, "lobes", tuple(lobes))
         wants = f"{len(lobes)} numbers, one for each lobe, at least 0 and not all 0, or (P, {len(lobes)}) for each point"
         weights = as_real(self.weights, "weights", wants)

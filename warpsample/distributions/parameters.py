@@ -30,8 +30,17 @@ Parameters: Any = _make_struct()
 MOST_NUMBERS = len(_FIELDS)
 """Largest number of float32 numbers of all parameters of a distribution, with those of nested lobes."""
 
-SIZES: dict[Any, int] = {wp.float32: 1, float: 1, wp.vec3: 3, wp.mat33: 9}
-"""Number of float32 numbers of a parameter, by its type in the signature of a `wp.func`."""
+SIZES: dict[Any, int] = {wp.float32: 1, float: 1, wp.vec3: 3, wp.mat33: 9, wp.uint64: 3}
+"""Number of float32 numbers of a parameter, by its type in the signature of a `wp.func`; an address takes three numbers."""
+
+_ADDRESS_BITS = 22  # of each of the three numbers of an address: float32 holds whole numbers of 24 bits
+_SHIFT = wp.constant(wp.uint64(_ADDRESS_BITS))
+
+
+def split_address(address: int) -> tuple[float, float, float]:
+    """Return the three numbers as which `Parameters` holds an address in memory, the lowest bits first."""
+    mask = (1 << _ADDRESS_BITS) - 1
+    return float(address & mask), float(address >> _ADDRESS_BITS & mask), float(address >> 2 * _ADDRESS_BITS)
 
 
 @wp.func_native(snippet="return (&parameters.scalar)[i];", adj_snippet="(&adj_parameters.scalar)[i] += adj_ret;")
@@ -109,8 +118,16 @@ def parameter_types(func: wp.Function) -> list[Any]:
 
 @once
 def read_parameter(kind: Any, i: int) -> wp.Function:
-    """Build the wp.func that reads one parameter (number, vector or matrix) that starts at the i-th number."""
-    if SIZES[kind] == 1:
+    """Build the wp.func that reads one parameter (number, vector, matrix or address) that starts at the i-th number."""
+    if kind is wp.uint64:
+
+        @wp.func
+        def read(p: Parameters):
+            """Return an address, see `split_address`."""
+            high = (wp.uint64(number_at(p, i + 2)) << _SHIFT) | wp.uint64(number_at(p, i + 1))
+            return (high << _SHIFT) | wp.uint64(number_at(p, i))
+
+    elif SIZES[kind] == 1:
 
         @wp.func
         def read(p: Parameters):
@@ -143,8 +160,8 @@ def read_parameter(kind: Any, i: int) -> wp.Function:
 def bind_parameters(func: wp.Function, argument: type, count: int, start: int = 0) -> wp.Function:
     """Build the wp.func (x, Parameters) that calls `func` with x and the parameters that `func` expects, at most four.
 
-    The parameters are float32, vec3 or mat33, as in the signature of `func`. Their numbers begin with number `start` of the
-    struct. A function that takes the struct `Parameters` already is returned unchanged.
+    The parameters are float32, vec3, mat33 or addresses (uint64), as in the signature of `func`. Their numbers begin with
+    number `start` of the struct. A function that takes the struct `Parameters` already is returned unchanged.
     """
     types = parameter_types(func)[:count]
     if parameter_types(func) == [Parameters]:

@@ -53,7 +53,10 @@ class Distribution(Parameterised):
             in cells of the normals that reflect v to the directions.
         stretch: 3 x 3 matrix M, such that the lobe is round about +z in the coordinates o of directions M o / abs(M o); None
             for the coordinates themselves. The laws count directions in cells of o.
+        jumps: angles to +z in radians, before the stretch, at which the density jumps; it may also jump at multiples of 1/16
+            of a full azimuth.
         polar: whether u[0] is the cdf of the angle and u[1] the azimuth in turns.
+        in_world: whether directions are in world coordinates, whatever the normal.
         source: source of the formulas.
         worst_unit_length: bound of abs(abs(w) - 1) for `sample`, over all u.
         worst_angle: bound of the angle in radians between `sample` and the float64 twin; for points of a disk, of the
@@ -76,8 +79,10 @@ class Distribution(Parameterised):
     variates: ClassVar[int] = 2
     symmetric: ClassVar[bool] = True
     stretch: ClassVar[tuple[tuple[float, ...], ...] | None] = None
+    jumps: ClassVar[tuple[float, ...]] = ()
     mirror: ClassVar[tuple[float, ...] | None] = None
     polar: ClassVar[bool] = True
+    in_world: ClassVar[bool] = False
     source: ClassVar[str]
     worst_unit_length: ClassVar[float] = 2e-7
     worst_angle: ClassVar[float] = 3e-7
@@ -269,9 +274,10 @@ class Distribution(Parameterised):
     def _apply_constant(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
         """Apply a function of (vector, parameters) to each vector in `source`, with the same parameters for all."""
         block = FLAT_BLOCK if source.device.is_cpu else 1
-        inputs = [source.count, block, source.address, target.address, self.kernel_parameters()]
         kernel = elementwise(bound, source.width, target.width)
-        run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
+        with Memory.of(None, source.owner).loan() as loan:
+            inputs = [source.count, block, source.address, target.address, self.kernel_parameters(loan)]
+            run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
 
     def _apply_by_point(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
         """Apply a function of (vector, parameters) to each vector in `source`, with the parameters of the vector's point."""

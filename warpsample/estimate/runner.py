@@ -58,8 +58,9 @@ class Runner:
         shape = (points,) if channels == 1 else (points, channels)
         value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
         cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
-        lobe = None if self.plan.distribution.by_point or self.plan.tangent is not None else self.plan.distribution
-        strata = strata_of(count, lobe, self.traced)
+        lobe = self.plan.distribution
+        has_cones = lobe.symmetric and lobe.polar and not lobe.by_point and self.plan.tangent is None
+        strata = strata_of(count, lobe if has_cones else None, self.traced)
         for rows in self.options.memory.parts(points, _BYTES_OF_POINT):
             with self.options.memory.loan() as loan:
                 part = self._part(loan, rows, strata, self.options.skip if skip is None else skip)
@@ -104,7 +105,7 @@ class Runner:
             skip=skip,
             edge=options.sequence.edge_variance(strata.samples_per_stratum),
             falloff=self.summed.falloff or 0.0,
-            parameters=self.plan.distribution.kernel_parameters().__ctype__(),
+            parameters=self.plan.distribution.kernel_parameters(loan).__ctype__(),
             tables=self.plan.distribution.lend_tables(loan, rows),
             tangents=loan.lend(self.plan.tangent, rows),
         )

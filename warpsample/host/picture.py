@@ -20,20 +20,20 @@ _SHORTEST, _LONGEST = 8, 32767  # pixels of a line of an .hdr that may be encode
 _LONGEST_RUN = 127
 
 
-def read_picture(path: str | PathLike[str]) -> np.ndarray:
+def read_picture(path: str | PathLike[str], argument: str = "radiance") -> np.ndarray:
     """Read a picture from an .hdr file, (H, W, 3) float32, or from an .npy file; row 0 is the top.
 
-    No pickle is loaded.
+    No pickle is loaded; `argument` names the path in errors.
 
     Raises:
         TypeError, FileNotFoundError: as `check_file`.
         ValueError: the suffix is another one, or the file is truncated, damaged or of another format.
     """
-    path = check_file(path, "radiance", "an .hdr or .npy file")
+    path = check_file(path, argument, "an .hdr or .npy file")
     readers = {".hdr": _read_hdr, ".npy": read_array}
     if path.suffix.lower() not in readers:
-        raise ValueError(f"radiance: got {path.name!r}, want a file that ends in .hdr or .npy")
-    with naming_file("radiance", path, "a picture"):
+        raise ValueError(f"{argument}: got {path.name!r}, want a file that ends in .hdr or .npy")
+    with naming_file(argument, path, "a picture"):
         return readers[path.suffix.lower()](path)
 
 

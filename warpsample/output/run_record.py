@@ -146,12 +146,16 @@ class RunRecord:
         return float(self.sums["rays"]) / max(seconds, 1e-9) / 1e6
 
     def describe(self) -> list[str]:
-        """Return the report of a finished run: mean, range, standard error, rays and time, in lines."""
+        """Return the report of a finished run: mean, range, standard error, rays and time, in lines.
+
+        Sums cover this run alone. So a resumed run reports the mean of the other points or tiles.
+        """
         lines = [f"{self.there:,} of the {self.total:,} {self.things} were complete before"] if self.there else []
         rays, known = int(self.sums["rays"]), int(self.sums["known"])
         if known:
             error = f"; standard error {self.error:.2g}, root mean square over the points" if self.error or rays else ""
-            lines += [f"{self._values(known)}{error}"]
+            others = f"for the other {self.things}: " if self.there else ""
+            lines += [f"{others}{self._values(known)}{error}"]
         took = f"took {perf_counter() - self._start:.2f} s, with reading, compiling and writing"
         if rays:
             speed = self._speed(self._computing)

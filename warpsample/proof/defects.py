@@ -24,6 +24,7 @@ from warpsample.proof.wrong import WrongSampler
 from warpsample.proof.wrong_lights import WRONG_LIGHTS
 from warpsample.proof.wrong_lobes import WRONG_LOBES
 from warpsample.proof.wrong_microfacets import WRONG_MICROFACETS
+from warpsample.proof.wrong_pictures import WRONG_PICTURES
 from warpsample.proof.wrong_scattered import WRONG_SCATTERED
 from warpsample.sequences.hashing import run_words
 from warpsample.statistics.charts import DISK
@@ -183,6 +184,7 @@ def _samples_in_one_word() -> np.ndarray:
 _SAMPLERS = (
     WRONG_LOBES
     | WRONG_MICROFACETS
+    | WRONG_PICTURES
     | WRONG_SCATTERED
     | WRONG_LIGHTS
     | {

@@ -95,6 +95,7 @@ class Evidence:
         inner = np.quantile(pilot, np.arange(1, _ROWS) / _ROWS) if len(pilot) else np.empty(0)
         if self.chart is SPHERE:
             inner = np.append(inner, np.pi / 2.0)  # where an offset sphere's density bends within 5e-4 rad
+        inner = np.append(inner, self.sampler.jumps)
         inside = inner[(inner > low) & (inner < high)]
         return np.unique([self.chart.low, low, *inside, high, self.chart.high])
 

@@ -51,6 +51,8 @@ def exact_directions(distribution: Distribution, normals: np.ndarray, u: np.ndar
         exact = total / np.linalg.norm(total, axis=-1, keepdims=True)
         return exact, np.einsum("nij,nsi->nsj", frames, exact)
     local = twins.directions(distribution, u.astype(np.float64))
+    if distribution.in_world:
+        return local, distribution.sample(u).astype(np.float64)
     # The density is evaluated at the float32 direction: in a narrow lobe, the direction's rounding error changes it too
     # much.
     return np.einsum("nij,nsj->nsi", frames, local), distribution.sample(u).astype(np.float64)

@@ -19,6 +19,7 @@ class Sampler(Protocol):
     mirror: tuple[float, ...] | None
     largest_angle: float
     thinnest_tail: float
+    jumps: tuple[float, ...]
 
     def sample(self, u: Any) -> np.ndarray:
         """Return the sampled directions of points of the unit square."""

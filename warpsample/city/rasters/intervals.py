@@ -24,6 +24,19 @@ def half_width_of(found: Any) -> np.ndarray:
     return half_width_of_normal(found.standard_error)
 
 
+def standard_error_of(found: Any) -> np.ndarray:
+    """Return the standard error at each point of a result, (P,) float32: at least the half width over 2.26, as for horizons.
+
+    The standard error of an estimate is 0 where the rays of each stratum agree, as below a crown with a small gap. It stays
+    0 only at points without a value, and at points without rays that are proven to see the whole sky.
+    """
+    if not isinstance(found, Estimate):
+        return found.standard_error
+    least = (half_width_of(found) / half_width_of_normal(np.float32(1.0))).astype(np.float32)
+    is_open = (found.rays == 0) & (found.value == 1.0)
+    return np.where(is_open, found.standard_error, np.maximum(found.standard_error, least))
+
+
 def half_width_of_normal(standard_error: np.ndarray) -> np.ndarray:
     """Return half the width of the 95 % confidence interval for each standard error of a sum of many terms, float32."""
     return interval_of(np.float32(0.0), standard_error, _DEGREES, _LEVEL).upper

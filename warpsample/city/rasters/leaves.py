@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.intervals import half_width_of
+from warpsample.city.rasters.intervals import half_width_of, standard_error_of
 from warpsample.city.rasters.scenery import Scenery, Seen
 from warpsample.estimate.plan import Plan
 from warpsample.estimate.quantities.record import Quantity
@@ -169,7 +169,7 @@ def _list_views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[]
 
 def _scale_estimate(found: Any, share: np.ndarray) -> Seen:
     """Multiply the value and the errors of an estimate by `share`."""
-    numbers = found.value, found.standard_error, half_width_of(found)
+    numbers = found.value, standard_error_of(found), half_width_of(found)
     value, error, half = (np.float32(share * array.astype(np.float64)) for array in numbers)
     return Seen(value, error, half, found.rays, found.status)
 

@@ -25,6 +25,7 @@ from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reference import (
     REPROJECT,
     check_unit,
+    check_upward,
     crs_of,
     describe_stretch,
     height_metres_of,
@@ -62,7 +63,7 @@ def reader_of(source: Any) -> RasterReader:
             without data are masked, NaN, infinite, beyond 1e30, the raster's nodata value, or -9999, -99999, -32767, -32768.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: Another object, several bands, a CRS in degrees, or no place on a map.
+        TypeError, ValueError, FileNotFoundError: Another object, several bands, degrees, depths, or no place on a map.
 
     Warns:
         UserWarning: Unknown unit of heights with coordinates in another unit than metres; an unsupported unit; or a map on
@@ -109,6 +110,7 @@ def _file_reader(path: str) -> RasterReader:
         if file.driver == "AAIGrid" and Path(path).is_file():
             check_arc_grid(path, file.shape)
         band = bands[0]
+        check_upward(file.tags() | file.tags(band))
         read = partial(_band, path, band, Coding.of_file(path, file, band))
         return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or _read_prj_unit(path), read)
 
@@ -141,6 +143,7 @@ def _data_array_reader(array: xr.DataArray) -> RasterReader:
     if any(size != 1 for size in others.values()):
         raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want y and x alone: one band")
     array = array.isel(dict.fromkeys(others, 0)).transpose(*dims)
+    check_upward(array.attrs)
     coding, unit = Coding.of_array(array), str(array.attrs.get("units") or array.attrs.get("unit") or "")
     coordinates = {name: array.coords[name].variable for name in dims if name in array.coords}
     if not array.size:

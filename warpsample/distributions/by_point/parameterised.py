@@ -164,8 +164,11 @@ class Parameterised:
         """Positions of the parameters with a row per point among the numbers that kernels take; empty without any."""
         return layout_of(self.kernel_values()) if self.by_point else ()
 
-    def kernel_parameters(self) -> Any:
+    def kernel_parameters(self, loan: Loan | None = None) -> Any:  # noqa: ARG002  (distributions with a table use the loan)
         """Return the parameters as a kernel argument; numbers of parameters with a row per point are 0 there.
+
+        Args:
+            loan: memory on the kernels' device, for distributions with a table. Default: None, the CPU.
 
         Returns:
             a `Parameters` struct of float32; new values do not recompile a kernel.

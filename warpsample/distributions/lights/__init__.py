@@ -1,1 +1,1 @@
-"""Distributions of directions towards lights: uniform in the solid angle of a triangle or of a rectangle."""
+"""Distributions of directions towards light; each is defined in a file of its own."""

@@ -90,14 +90,14 @@ def normals_per_cosine(lobe: Maps, view_at: int, lobe_view_at: int) -> wp.Functi
 
         @wp.func
         def side(m: wp.vec3, cosine: wp.float32, parameters: Parameters):
-            """Divide the density."""
+            """Return the density of the normal m, divided by abs(cosine)."""
             return density(m, parameters) / wp.max(wp.abs(cosine), _LEAST)
 
     else:
 
         @wp.func
         def side(m: wp.vec3, cosine: wp.float32, parameters: Parameters):
-            """Multiply the density per cosine by the quotient of the cosines."""
+            """Return the density of the visible normal m, divided by abs(cosine)."""
             view = wp.vec3(
                 number_at(parameters, view_at), number_at(parameters, view_at + 1), number_at(parameters, view_at + 2)
             )
@@ -128,7 +128,7 @@ def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> 
 
     @wp.func
     def sample(u: wp.vec2, parameters: Parameters):
-        """Reflect the view at a normal."""
+        """Return the direction in which the normal at u reflects the view."""
         return normal_to_reflection(
             sample_normal(u, parameters),
             wp.vec3(number_at(parameters, view_at), number_at(parameters, view_at + 1), number_at(parameters, view_at + 2)),
@@ -136,7 +136,7 @@ def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> 
 
     @wp.func
     def pdf(w: wp.vec3, parameters: Parameters):
-        """Return the density of the normals m and -m, divided by 4 abs(v.m)."""
+        """Return the density of a reflected direction w: that of the normals m and -m, divided by 4 abs(v.m)."""
         h = half_vector(
             w,
             wp.vec3(number_at(parameters, view_at), number_at(parameters, view_at + 1), number_at(parameters, view_at + 2)),
@@ -147,7 +147,7 @@ def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> 
 
     @wp.func
     def draw(u: wp.vec2, parameters: Parameters):
-        """Reflect the view at a normal, and take the density from the normal."""
+        """Return the direction in which the normal at u reflects the view, and its density, as a vec4."""
         view = wp.vec3(
             number_at(parameters, view_at), number_at(parameters, view_at + 1), number_at(parameters, view_at + 2)
         )
@@ -163,7 +163,7 @@ def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> 
 
         @wp.func
         def invert(w: wp.vec3, parameters: Parameters):
-            """Invert the lobe's map at the normal with z above 0 of the two that reflect the view to w."""
+            """Return the point u that the lobe maps to the normal, with z above 0, that reflects the view to w."""
             m = reflection_to_normal(
                 w,
                 wp.vec3(
@@ -214,6 +214,8 @@ class Reflection(ScatteredLight):
     def __post_init__(self) -> None:
         """Check the parameters, and set the bounds of errors to those for the lobe of normals."""
         super().__post_init__()
+        if self.lobe.in_world:
+            raise ValueError(f"lobe: got {self.lobe!r}, whose directions are in world coordinates, want a lobe of normals")
         object.__setattr__(self, "worst_angle", 2.0 * self.lobe.worst_angle + 2e-7)
         if "beckmann" not in self.lobe.name:
             object.__setattr__(self, "worst_pdf", Distribution.worst_pdf)

@@ -46,7 +46,7 @@ def names_in(function: wp.Function) -> set[str]:
 
 
 def called(function: wp.Function) -> list[wp.Function]:
-    """Return a list of a function, and of the functions it calls where Warp has not yet evaluated a `wp.static`.
+    """Return a list of a function and, if Warp has not evaluated a `wp.static` there yet, of the functions it calls.
 
     In that case Warp generates the function's code first, which evaluates each `wp.static`.
     """

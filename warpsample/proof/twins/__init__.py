@@ -8,7 +8,7 @@ import numpy as np
 
 from warpsample.distributions.own import Twin, user_distributions
 from warpsample.distributions.record import Distribution
-from warpsample.proof.twins import lights, microfacets, scattered, shapes
+from warpsample.proof.twins import lights, microfacets, pictures, scattered, shapes
 from warpsample.proof.twins.angles import frames, polar_angle, spherical
 
 __all__ = ["check_twin", "density", "directions", "frames", "names", "polar_angle", "spherical"]
@@ -42,7 +42,13 @@ def density(distribution: Distribution, w: np.ndarray) -> np.ndarray:
     return check_twin(distribution)[1](distribution, w)
 
 
-_TWINS = {**shapes.TWINS, **microfacets.TWINS, **lights.TWINS, **scattered.twins_of(directions, density)}
+_TWINS = {
+    **shapes.TWINS,
+    **microfacets.TWINS,
+    **lights.TWINS,
+    **pictures.TWINS,
+    **scattered.twins_of(directions, density),
+}
 
 
 def names() -> set[str]:

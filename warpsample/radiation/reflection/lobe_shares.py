@@ -69,7 +69,7 @@ class LobeRays:
         return self.points.position[rays // self.directions.shape[1]]
 
     def leaving(self, normals: np.ndarray) -> np.ndarray:
-        """Return a mask of the rays that leave the surface: it has a row for each of the P n rays.
+        """Return the (P n,) bool mask of the rays that leave the surface.
 
         The smooth normal of a texel may direct rays behind the face.
         """

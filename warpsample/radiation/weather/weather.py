@@ -160,7 +160,7 @@ def _import_pvlib() -> Any:
 
 
 def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:
-    """Check that direct radiation falls in hours with the sun above the horizon.
+    """Check that nearly all direct radiation falls in hours with the sun above the horizon.
 
     Raises:
         ValueError: over 1 % falls at night, as with a longitude counted towards the west.

@@ -83,7 +83,7 @@ def _move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
 
 @wp.func
 def _is_better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int32) -> wp.bool:
-    """Return whether a face matches a point's normal better than the best face so far; equal cosines: lower number.
+    """Return whether a face matches a point's normal better than the best face so far; of equal ones, the first is better.
 
     The cosine must be at least 0. The result does not depend on the order in which faces are visited.
     """

@@ -206,7 +206,7 @@ def _find_children_in(node: wp.uint64, plane: HalfSpace):
 
 @wp.func
 def _find_triangle_in(leaf: wp.uint64, plane: HalfSpace, found: wp.bool):
-    """Return True twice if a triangle of a tree leaf has a corner in a half-space: as the answer, and to stop searching."""
+    """Return (answer, stop), both True if a triangle of a tree leaf has a corner in a half-space."""
     found = triangles_above(leaf, plane.n, plane.limit) != 0
     return found, found
 

@@ -1,0 +1,198 @@
+"""Distribution of directions by the luminance of a picture of the whole sphere, such as an environment map of a sky."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import pi
+from typing import Any, ClassVar
+
+import numpy as np
+import warp as wp
+
+from warpsample.distributions.lights.picture import frame_of, luminance_of
+from warpsample.distributions.lights.pixel_draws import (
+    draw_direction,
+    environment_map_to_square,
+    square_to_environment_map,
+    square_to_environment_map_pdf,
+)
+from warpsample.distributions.lights.pixel_table import build_table, read_shares
+from warpsample.distributions.parameters import Parameters, bind_parameters, pack_parameters, split_address
+from warpsample.distributions.record import Cases, Distribution, Maps
+from warpsample.host.device_memory import Loan
+from warpsample.host.shared_values import digest_of, find_or_make
+
+_SEAM, _NARROW = 2.0**-10, 2.0**-5  # of the unit square
+
+_read_table = bind_parameters(draw_direction, wp.vec2, 1)
+
+
+@wp.func
+def draw_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
+    """Return (direction, density) of a picture, whatever the normal."""
+    return _read_table(u, parameters)
+
+
+def _sky(height: int, width: int) -> np.ndarray:
+    """Return a picture for tests: a sky with a sun, a black row and black pixels."""
+    r, c = np.ogrid[:height, :width]
+    picture = 1.0 + np.square(np.sin(1.7 * r + 0.9 * c)) + 0.1 * c
+    picture[height // 2, 1] = 1e3
+    picture[height // 3, 0] = picture[-1, -1] = 0.0
+    picture[height // 2 + 1] = 0.0
+    return picture
+
+
+@dataclass(frozen=True)
+class EnvironmentMap(Distribution):
+    """Directions towards a picture of the whole sphere: luminance / Σ luminance Ω per steradian, constant in each pixel.
+
+    Directions, also those of `sample`, `pdf` and `invert`, are in world coordinates, whatever the normal. Ω is the solid
+    angle of a pixel. A pixel's share is a multiple of 2^-32 of its row; no pixel of luminance 0 is drawn.
+
+    Attributes:
+        picture: (H, W) luminance, or (H, W, 3) colours with the weights 0.2126, 0.7152 and 0.0722, numbers from 0 to 1e37
+            with one above 0; or the path of an .hdr or .npy file. Row 0 is about `up`, columns go round it counter-clockwise
+            seen from outside. It is copied, and kept as (H, W) float32 luminance.
+        up: (3,) vector of any length towards row 0.
+        north: (3,) vector of any length, not along `up`; column 0 begins at north x up. None is the layout of
+            `ws.irradiance`, which is north = (0, 1, 0) for up = (0, 0, 1).
+    """
+
+    picture: Any
+    up: Any = (0.0, 0.0, 1.0)
+    north: Any = None
+
+    name = "environment_map"
+    density = "L/ΣLΩ, L=luminance, Ω=solid angle of a pixel"
+    support = "sphere"
+    parameters: ClassVar[tuple[str, ...]] = ("table",)
+    source = "Pharr2023, section 12.5; guide tables: Chen1974"
+    in_world = True
+    limits = (
+        "directions are in world coordinates; a pixel's share is a multiple of 2⁻³² of its row; the error of the inverse is "
+        "measured where a pixel fills 1/32 of the square's width and height"
+    )
+    case_values: ClassVar[Cases] = (
+        (np.ones((4, 8)),),
+        (_sky(8, 16),),
+        (_sky(5, 4), (0.3, -0.4, 0.5), (0.1, 1.0, 0.2)),
+        (_sky(3, 8), (0.6, 0.0, -0.8)),
+        (np.ones((1, 1)), (0.0, 1.0, 0.0), (1.0, 0.0, 0.0)),
+    )
+    symmetric = False
+    polar = False
+    maps: ClassVar[Maps] = Maps(
+        square_to_environment_map,
+        square_to_environment_map_pdf,
+        environment_map_to_square,
+        about=draw_about,
+    )
+
+    def __post_init__(self) -> None:
+        """Check the picture and the vectors, and copy the picture as luminance."""
+        object.__setattr__(self, "picture", luminance_of(self.picture))
+        up, north, _ = frame_of(self.up, self.north)
+        object.__setattr__(self, "up", up)
+        object.__setattr__(self, "north", north)
+
+    @property
+    def by_point(self) -> dict[str, np.ndarray]:
+        """Parameters with one row for each point: none, since the picture belongs to all points."""
+        return {}
+
+    @property
+    def stretch(self) -> tuple[tuple[float, ...], ...]:
+        """Rotation from the picture's frame to the world, so that rows are bands about +z. See `Distribution`."""
+        return tuple(map(tuple, self.frame.T.tolist()))
+
+    @property
+    def jumps(self) -> tuple[float, ...]:
+        """Angles in radians at which rows meet. See `Distribution`."""
+        height = len(self.picture)
+        return tuple(pi * row / height for row in range(1, height))
+
+    def seam(self, u: np.ndarray) -> np.ndarray:
+        """Return the mask of points u at the edges of a pixel's share, or in a narrow share. See `Distribution.seam`."""
+        rows, columns = self.shares()
+        row = np.searchsorted(rows, u[..., 0], side="right") - 1
+        column = (columns[row] <= u[..., 1, None]).sum(axis=-1) - 1
+        found = np.zeros(u.shape[:-1], bool)
+        for x, low, high in (
+            (u[..., 0], rows[row], rows[row + 1]),
+            (u[..., 1], columns[row, column], columns[row, column + 1]),
+        ):
+            found |= (x - low < _SEAM) | (high - x < _SEAM) | (high - low < _NARROW)
+        return found
+
+    def shares(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the shares of the light that rows and pixels have, as they are drawn.
+
+        Returns:
+            cumulative shares of the rows, (H + 1,) float64 from 0 to 1; cumulative shares of the pixels within each row,
+            (H, W + 1) float64.
+
+        Example:
+            >>> rows, pixels = ws.EnvironmentMap(np.array([[1.0, 3.0], [0.0, 4.0]])).shares()
+            >>> print(rows, pixels[0])
+            [0.  0.5 1. ] [0.   0.25 1.  ]
+        """
+        return read_shares(self.table_array)
+
+    @property
+    def frame(self) -> np.ndarray:
+        """Matrix from world coordinates to the picture's frame, (3, 3) float64."""
+        return frame_of(self.up, self.north)[2]
+
+    @cached_property
+    def table_array(self) -> np.ndarray:
+        """Table of the picture as bytes, see `pixel_table`; made when first used, and not part of a pickle."""
+        return find_or_make(f"{self._content()}", build_table, self.picture, self.frame)
+
+    @cached_property
+    def _digest(self) -> str:
+        """SHA-256 of the picture."""
+        return digest_of(self.picture)
+
+    @property
+    def table(self) -> int:
+        """Address of the picture's table, for kernels on the CPU; valid while this distribution exists."""
+        return int(self.table_array.ctypes.data)
+
+    def kernel_values(self) -> tuple[Any, ...]:
+        """Return the address of the table as the numbers that kernels take; see `Distribution`."""
+        return (split_address(self.table),)
+
+    def kernel_parameters(self, loan: Loan | None = None) -> Any:
+        """Return the parameters as a kernel argument: the address of the table on the kernels' device.
+
+        Args:
+            loan: memory on the kernels' device. Default: None, the CPU.
+
+        Returns:
+            a `Parameters` struct, see `Distribution`.
+
+        Example:
+            >>> print(ws.EnvironmentMap(np.ones((2, 4))).kernel_parameters().scalar >= 0.0)
+            True
+        """
+        return pack_parameters((split_address(self.table if loan is None else _put(loan, self.table_array)),))
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields, without the table."""
+        return {name: value for name, value in self.__dict__.items() if name != "table_array"}
+
+    def _content(self) -> tuple[Any, ...]:
+        """Return the fields, with a digest in place of the picture."""
+        return self._digest, self.up, self.north
+
+
+def _put(loan: Loan, table: np.ndarray) -> int:
+    """Return the address of a table in the memory of the kernels."""
+    if (
+        loan.memory.in_place and not loan.memory.device.is_cpu
+    ):  # arguments in wp.arrays on CUDA: the table needs a copy there
+        return loan.lend(wp.array(table, dtype=wp.uint8, device=loan.memory.device))
+    return loan.lend(table)
+
+
+RECORD = EnvironmentMap

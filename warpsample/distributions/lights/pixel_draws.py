@@ -1,0 +1,213 @@
+"""Maps between points of the unit square and directions towards a picture, by the table of its pixels."""
+
+from math import pi
+
+import warp as wp
+
+from warpsample.distributions.lights.pixel_table import COLUMN_STEPS, FRAME, HEADER, ROW
+from warpsample.maths.frames import to_world
+from warpsample.maths.numerics import (
+    GRID,
+    HALF,
+    INV_TWO_PI_DOUBLE,
+    ONE,
+    TWO,
+    ZERO,
+    clamp_uniform,
+    fma,
+    polish,
+    root_double,
+    sincos_eighth,
+)
+from warpsample.sequences.hashing import finalise
+
+_GRID_SIZE = wp.constant(wp.float32(GRID))
+_FINE_STEP = wp.constant(wp.float64(2.0**-56))
+_OTHER = wp.constant(wp.uint32(0x9E3779B9))
+_STEPS = wp.constant(wp.float64(COLUMN_STEPS))
+_PER_STEPS = wp.constant(wp.float64(1.0 / COLUMN_STEPS))
+_QUARTER = wp.constant(wp.float64(0.25))
+_FOUR = wp.constant(wp.float64(4.0))
+_HALF_ROOT = wp.constant(wp.float32(0.7071067811865476))
+_INV_PI = wp.constant(wp.float64(1.0 / pi))
+
+
+@wp.func
+def _widened(u: wp.vec2) -> wp.vec2d:
+    """Return a point of the square with 52 bits per coordinate: the 24 bits of u, and bits from a hash of both coordinates.
+
+    The lower bits reach pixels whose share is below 2^-24, and move no point across a stratum of that size.
+    """
+    first = wp.uint32(wp.int32(u[0] * _GRID_SIZE))
+    second = wp.uint32(wp.int32(u[1] * _GRID_SIZE))
+    word = finalise(first ^ finalise(second + _OTHER))
+    other = finalise(word + second)
+    x = wp.float64(u[0]) + wp.float64(word) * _FINE_STEP
+    y = wp.float64(u[1]) + wp.float64(other) * _FINE_STEP
+    return wp.vec2d(x, y)
+
+
+@wp.func
+def _row_at(table: wp.uint64, row: wp.int32) -> wp.uint64:
+    """Return the address of the float64 numbers of a row."""
+    return table + wp.uint64(8 * HEADER) + wp.uint64(row) * wp.uint64(8 * ROW)
+
+
+@wp.func
+def _columns_at(table: wp.uint64, row: wp.int32, width: wp.int32, buckets: wp.int32) -> wp.uint64:
+    """Return the address of the shares of a row's pixels, which the guide to them follows."""
+    header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+    return table + wp.uint64(header[4]) + wp.uint64(row) * wp.uint64(4 * (width + 1 + buckets))
+
+
+@wp.func
+def _find_row(table: wp.uint64, x: wp.float64, height: wp.int32) -> wp.int32:
+    """Return the row whose share contains x, a number in [0, 1)."""
+    guide = wp.array(ptr=_row_at(table, height), shape=(height,), dtype=wp.int32)
+    ends = wp.array(ptr=table + wp.uint64(8 * HEADER), shape=(ROW * height,), dtype=wp.float64)
+    row = guide[wp.int32(x * wp.float64(height))]
+    while ends[ROW * row + 1] <= x:
+        row += 1
+    return row
+
+
+@wp.func
+def _find_column(shares: wp.uint64, step: wp.float64, bucket: wp.int32, width: wp.int32) -> wp.int32:
+    """Return the column whose share contains a step of its row."""
+    ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
+    guide = wp.array(ptr=shares + wp.uint64(4 * (width + 1)), shape=(width,), dtype=wp.int32)
+    column = guide[bucket]
+    whole = wp.uint32(step)
+    while ends[column + 1] <= whole:
+        column += 1
+    return column
+
+
+@wp.func
+def _circle(turns: wp.float64) -> wp.vec2:
+    """Return (cos, sin) of an angle of 0 to 1 turns; worst absolute error 2e-7, without rounding the turns to float32.
+
+    The angle is that to the middle of its quarter, which is added by products, since a processor predicts no branch here.
+    """
+    quarter = wp.min(wp.int32(turns * _FOUR), 3)
+    cs = sincos_eighth(wp.float32(turns - (wp.float64(quarter) + HALF) * _QUARTER))
+    c = _HALF_ROOT * wp.float32(1 - ((quarter + 1) & 2))
+    s = _HALF_ROOT * wp.float32(1 - (quarter & 2))
+    return wp.vec2(fma(cs[0], c, -(cs[1] * s)), fma(cs[0], s, cs[1] * c))
+
+
+@wp.func
+def _frame_of(table: wp.uint64) -> wp.mat33:
+    """Return the frame of the picture, with its axes in columns; +z is the direction of row 0."""
+    m = wp.array(ptr=table + wp.uint64(8 * FRAME), shape=(9,), dtype=wp.float32)
+    return wp.mat33(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8])
+
+
+@wp.func
+def draw_direction(u: wp.vec2, table: wp.uint64) -> wp.vec4:
+    """Map a point of the unit square to (direction, density of the pixel that is drawn), by the table of a picture."""
+    header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+    width = wp.int32(header[1])
+    buckets = wp.int32(header[2])
+    wide = _widened(u)
+    row = _find_row(table, wide[0], wp.int32(header[0]))
+    line = wp.array(ptr=_row_at(table, row), shape=(ROW,), dtype=wp.float64)
+    shares = _columns_at(table, row, width, buckets)
+    step = wide[1] * _STEPS
+    column = _find_column(shares, step, wp.int32(wide[1] * wp.float64(buckets)), width)
+    ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
+    # sin^2(theta / 2), even in solid angle within the row; the sine has no cancellation at either pole.
+    down = wp.clamp((wide[0] - line[0]) * line[4], line[6], ONE - line[6])
+    v = line[2] + line[3] * down
+    r = 2.0 * wp.float32(root_double(v * (ONE - v)))
+    start = ends[column]
+    steps = ends[column + 1] - start
+    edge = wp.min(wp.float32(header[5]) / r, 0.5)
+    across = wp.clamp(wp.float32(step - wp.float64(start)) / wp.float32(steps), edge, 1.0 - edge)
+    cs = _circle((wp.float64(column) + wp.float64(across)) * header[3])
+    d = polish(to_world(_frame_of(table), wp.vec3(r * cs[0], r * cs[1], wp.float32(ONE - TWO * v))))
+    return wp.vec4(d[0], d[1], d[2], wp.float32(line[5] * wp.float64(steps)))
+
+
+@wp.func
+def square_to_environment_map(u: wp.vec2, table: wp.uint64) -> wp.vec3:
+    """Map a point of the unit square to a direction towards a picture, in world coordinates, by the picture's luminance.
+
+    u[0] selects the row and the angle within the row, u[1] the column and the azimuth within the column.
+
+    Args:
+        u: point of the unit square; a hash of u gives further bits, which reach pixels with a share below 2^-24.
+        table: address of the picture's table, `EnvironmentMap.table`.
+    """
+    d = draw_direction(u, table)
+    return wp.vec3(d[0], d[1], d[2])
+
+
+@wp.func
+def _in_picture(w: wp.vec3, table: wp.uint64) -> wp.vec3d:
+    """Return a direction in the picture's frame."""
+    frame = _frame_of(table)
+    x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
+    return wp.vec3d(
+        wp.float64(frame[0, 0]) * x + wp.float64(frame[1, 0]) * y + wp.float64(frame[2, 0]) * z,
+        wp.float64(frame[0, 1]) * x + wp.float64(frame[1, 1]) * y + wp.float64(frame[2, 1]) * z,
+        wp.float64(frame[0, 2]) * x + wp.float64(frame[1, 2]) * y + wp.float64(frame[2, 2]) * z,
+    )
+
+
+@wp.func
+def _turns(o: wp.vec3d) -> wp.float64:
+    """Return the azimuth in turns, in [0, 1]."""
+    turns = wp.atan2(o[1], o[0]) * INV_TWO_PI_DOUBLE
+    return wp.where(turns < ZERO, turns + ONE, turns)
+
+
+@wp.func
+def _pixel_of(o: wp.vec3d, table: wp.uint64) -> wp.vec2i:
+    """Return the (row, column) of the pixel in the direction o of the picture's frame."""
+    header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+    down = wp.atan2(wp.sqrt(o[0] * o[0] + o[1] * o[1]), o[2]) * _INV_PI
+    row = wp.min(wp.int32(down * header[0]), wp.int32(header[0]) - 1)
+    return wp.vec2i(row, wp.min(wp.int32(_turns(o) * header[1]), wp.int32(header[1]) - 1))
+
+
+@wp.func
+def square_to_environment_map_pdf(w: wp.vec3, table: wp.uint64) -> wp.float32:
+    """Return the density of a picture's pixel at a world direction w, per steradian; 0 where the pixel is black or w is NaN.
+
+    The density of a pixel is its luminance / (sum of luminance * solid angle of all pixels).
+    """
+    if not (w[0] == w[0] and w[1] == w[1] and w[2] == w[2]):
+        return 0.0
+    header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+    width = wp.int32(header[1])
+    pixel = _pixel_of(_in_picture(w, table), table)
+    shares = _columns_at(table, pixel[0], width, wp.int32(header[2]))
+    ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
+    line = wp.array(ptr=_row_at(table, pixel[0]), shape=(ROW,), dtype=wp.float64)
+    return wp.float32(line[5] * wp.float64(ends[pixel[1] + 1] - ends[pixel[1]]))
+
+
+@wp.func
+def environment_map_to_square(w: wp.vec3, table: wp.uint64) -> wp.vec2:
+    """Return the point u of the unit square that `square_to_environment_map` maps to the world direction w.
+
+    A direction in a black pixel gives the point where its neighbours meet.
+    """
+    header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+    width = wp.int32(header[1])
+    o = _in_picture(w, table)
+    pixel = _pixel_of(o, table)
+    across = o[0] * o[0] + o[1] * o[1]
+    length = wp.sqrt(across + o[2] * o[2])
+    near = HALF * across / (length * (length + wp.abs(o[2])))
+    v = wp.where(o[2] > ZERO, near, ONE - near)
+    line = wp.array(ptr=_row_at(table, pixel[0]), shape=(ROW,), dtype=wp.float64)
+    shares = _columns_at(table, pixel[0], width, wp.int32(header[2]))
+    ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
+    start = wp.float64(ends[pixel[1]])
+    steps = wp.float64(ends[pixel[1] + 1] - ends[pixel[1]])
+    part = _turns(o) * header[1] - wp.float64(pixel[1])
+    x = line[0] + (line[1] - line[0]) * wp.clamp((v - line[2]) / line[3], ZERO, ONE)
+    y = (start + steps * wp.clamp(part, ZERO, ONE)) * _PER_STEPS
+    return wp.vec2(clamp_uniform(wp.float32(x)), clamp_uniform(wp.float32(y)))
