@@ -160,7 +160,7 @@ class Mixture(Distribution):
     stay even within each lobe. The density at a direction is that of all lobes, the balance heuristic of Veach1995.
 
     Attributes:
-        lobes: one to eight distributions of local directions in space, which take 20 float32 numbers at most with the weights.
+        lobes: one to eight distributions of local directions in space, with 20 float32 numbers at most, weights included.
         weights: one number for each lobe, (k,), or (P, k) for each point, at least 0, not all 0. They are divided by their
             sum, and rounded to multiples of 2^-24, none above 0 to 0.
     """
