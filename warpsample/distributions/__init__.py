@@ -210,9 +210,10 @@ def _parse_value(node: ast.expr, arrays: Arrays | None) -> Any:
     if isinstance(node, ast.List | ast.Tuple) and any(isinstance(item, ast.Call) for item in node.elts):
         return tuple(_parse_value(item, arrays) for item in node.elts)
     try:
-        return _find_array(ast.literal_eval(node), arrays)
+        value = ast.literal_eval(node)
     except ValueError:
         raise TypeError("parameters must be plain numbers, strings or tuples") from None
+    return _find_array(value, arrays)  # whose errors name the array
 
 
 def _find_array(value: Any, arrays: Arrays | None) -> Any:
