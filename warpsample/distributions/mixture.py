@@ -10,7 +10,6 @@ from typing_extensions import Self
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.maps import Maps
 from warpsample.distributions.microfacets.ggx import GGX
-from warpsample.distributions.microfacets.visible_ggx import VisibleGGX
 from warpsample.distributions.parameters import MOST_NUMBERS, Parameters, number_at
 from warpsample.distributions.record import Cases, Distribution
 from warpsample.distributions.scattering.henyey_greenstein import HenyeyGreenstein
@@ -179,12 +178,12 @@ class Mixture(Distribution):
         "the weights are multiples of 2⁻²⁴. A lobe of weight w has 24 − log2(1/w) bits of u[0]. Directions and densities "
         "are as precise as those of the lobes. There is no inverse unless there is one lobe only"
     )
-    # A surface with a coat; three of the sphere; one alone; one from the side; eight, one never and one rarely drawn.
+    # A surface with a coat; three of the sphere; one alone; a brushed surface; eight, one never and one rarely drawn.
     case_values: ClassVar[Cases] = (
         ((CosineHemisphere(), GGX(0.3)), (0.3, 0.7)),
         ((UniformSphere(), VonMisesFisher(8.0), HenyeyGreenstein(0.5)), (0.25, 0.5, 0.25)),
         ((GGX(0.2),), (1.0,)),
-        ((CosineHemisphere(), VisibleGGX(0.5, (0.6, 0.0, 0.8))), (0.4, 0.6)),
+        ((CosineHemisphere(), GGX(0.3, 0.1)), (0.4, 0.6)),
         (
             (
                 UniformHemisphere(),
