@@ -122,7 +122,7 @@ KINDS = {
     "HenyeyGreenstein.g": kind(0.5, *NUMBER, "of Warp"),
     "matrix": kind(np.eye(3), wrong=(np.eye(2), np.zeros((3, 3)), np.full((3, 3), nan))),
     "lobes": kind([ws.GGX(0.3), ws.UniformSphere()], wrong=(ws.GGX(0.3), [ws.UniformDisk()] * 2, ["ggx"] * 2)),
-    "Mixture.weights": kind([1.0, 3.0], wrong=([1.0], [-1.0, 2.0], [nan, 1.0], [0.0, 0.0])),
+    "Mixture.weights": kind([1.0, 3.0], "one less", wrong=([1.0], [-1.0, 2.0], [nan, 1.0], [0.0, 0.0])),
     "lobe": kind(ws.VisibleGGX(0.3), wrong=(ws.VisibleGGX, "ggx(alpha=0.3)", ws.UniformDisk())),
     "corners": kind(np.eye(3), wrong=(np.eye(2), np.zeros((3, 3)), np.full((3, 3), nan))),
     "corner": kind(np.array([-1.0, -1.0, 1.0]), wrong=("123", (0, 0, 0), (nan, 0, 1), np.eye(2))),

@@ -224,9 +224,9 @@ class Mixture(Distribution):
         """Lobes, by the names "lobes[0]", "lobes[1]" and so on."""
         return {f"lobes[{i}]": lobe for i, lobe in enumerate(self.lobes)}
 
-    def with_nested(self, lobes: dict[str, Any]) -> Self:
+    def _with_nested(self, lobes: dict[str, Any]) -> Self:
         """Return a copy with other lobes, given by their names."""
-        copy = super().with_nested({})
+        copy = super()._with_nested({})
         object.__setattr__(copy, "lobes", tuple(lobes.values()))
         return copy
 

@@ -137,13 +137,13 @@ class Parameterised:
         for at, lobe in self.nested.items():
             inner = {name.removeprefix(f"{at}."): t for name, t in tables.items() if name.startswith(f"{at}.")}
             lobes[at] = lobe.with_tables(inner)
-        copy = self.with_nested(lobes)
+        copy = self._with_nested(lobes)
         for name, table in tables.items():
             if "." not in name:
                 object.__setattr__(copy, name, np.ascontiguousarray(table, np.float32))
         return copy
 
-    def with_nested(self, lobes: dict[str, "Parameterised"]) -> Self:
+    def _with_nested(self, lobes: dict[str, "Parameterised"]) -> Self:
         """Return a copy with other nested lobes, given by the names of `nested`; nothing is checked."""
         copy = object.__new__(type(self))
         copy.__dict__.update(self.__dict__ | lobes)
