@@ -54,6 +54,7 @@ _LOBES = (
     "OffsetSphere",
     "PowerCosine",
     "Reflection",
+    "RoughDielectric",
     "SphericalRectangle",
     "SphericalTriangle",
     "UniformCone",

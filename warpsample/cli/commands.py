@@ -33,9 +33,9 @@ _SPATIAL = (name for name in distributions.names() if distributions.get(name).wi
 DISTRIBUTION_HELP = (
     f"Distribution of the directions, with or without parameters, such as 'beckmann(alpha=0.1)': {', '.join(_SPATIAL)}."
 )
-AT_HELP = "'ggx(alpha=@roughness)' takes a parameter of each point from the array of that name."
+AT_HELP = "'ggx(alpha=@roughness)' takes the parameter of each point from this array."
 ARRAYS_HELP = "File with the arrays that --distribution names: .ply, .vtp or .npz, with one row for each"
-ARRAYS_DEFAULT = "Numbers of vertices are interpolated. Default: the mesh file."
+ARRAYS_DEFAULT = "Values at vertices are interpolated to the points. Default: the mesh file."
 
 
 def _print_version(is_requested: bool) -> None:
@@ -91,7 +91,9 @@ def directions_command(
         typer.Option(help=f"{DISTRIBUTION_HELP} {AT_HELP}"),
     ] = "cosine_hemisphere",
     arrays: Annotated[Path | None, option(f"{ARRAYS_HELP} vertex, face or point. {ARRAYS_DEFAULT}")] = None,
-    sequence: Annotated[str, typer.Option(help=f"Sampling sequence: {', '.join(sequences.names())}.")] = "sobol",
+    sequence: Annotated[
+        str, typer.Option(help=f"Sequence of random or evenly spread sample points: {', '.join(sequences.names())}.")
+    ] = "sobol",
     seed: Annotated[int, typer.Option(help="Seed of the random points and directions.")] = 0,
     workers: Workers = None,
 ) -> None:
@@ -137,7 +139,9 @@ def view(
         ),
     ] = None,
     arrays: Annotated[Path | None, option(f"{ARRAYS_HELP} vertex or face. {ARRAYS_DEFAULT}")] = None,
-    sequence: Annotated[str, typer.Option(help=f"Sampling sequence: {', '.join(sequences.names())}.")] = "independent",
+    sequence: Annotated[
+        str, typer.Option(help=f"Sequence of random or evenly spread sample points: {', '.join(sequences.names())}.")
+    ] = "independent",
     seed: Annotated[int, typer.Option(help="Seed of the random points and directions.")] = 0,
     up: Annotated[Literal["x", "y", "z"], typer.Option(help="Axis of the mesh that points up in the picture.")] = "y",
     screenshot: Annotated[
@@ -147,8 +151,8 @@ def view(
 ) -> None:
     """Show clouds of directions at points of a mesh, and compare the directions with a density.
 
-    The window starts with points on a sphere plus the normal, normalised, compared with the cosine lobe. They agree for a
-    sphere of radius rho = 1; turn rho away from 1, and the charts report that they do not agree.
+    The window starts with directions normalize(n + rho s), for the normal n and random points s of the unit sphere, and
+    compares them with the cosine lobe. They agree for rho = 1. Change rho, and the charts report that they do not agree.
 
     For a .glb or .gltf with baked occlusion the window shows the occlusion instead, unless --points, --distribution or
     --density is given.

@@ -138,6 +138,7 @@ def _covering_angle(claim: Distribution, pilot: np.ndarray) -> float:
     reach = float(np.degrees(np.quantile(SPHERE.polar(pilot), _ALMOST_ALL)))
     if reach < _NARROWEST:
         raise ValueError(
-            f"distribution: got {claim!r}, a lobe of {reach:.1g} degrees, want one of at least {_NARROWEST} to see it"
+            f"distribution: got {claim!r}, a lobe of {reach:.1g} degrees, want one of at least {_NARROWEST} to be "
+            "visible in a picture"
         )
     return float(np.radians(next(angle for angle in _ROUND if angle >= reach - 1e-3)))
