@@ -13,6 +13,7 @@ from warpsample.directions.sample import (
 from warpsample.distributions.microfacets.beckmann import Beckmann as Beckmann
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere as CosineHemisphere
 from warpsample.distributions.microfacets.ggx import GGX as GGX
+from warpsample.distributions.mixture import Mixture as Mixture
 from warpsample.distributions.offset_ball import OffsetBall as OffsetBall
 from warpsample.distributions.offset_circle import OffsetCircle as OffsetCircle
 from warpsample.distributions.offset_disk import OffsetDisk as OffsetDisk
@@ -26,6 +27,7 @@ from warpsample.distributions.scattering.linearly_transformed_cosine import (
     LinearlyTransformedCosine as LinearlyTransformedCosine,
 )
 from warpsample.distributions.scattering.reflection import Reflection as Reflection
+from warpsample.distributions.scattering.rough_dielectric import RoughDielectric as RoughDielectric
 from warpsample.distributions.uniform_cone import UniformCone as UniformCone
 from warpsample.distributions.uniform_disk import UniformDisk as UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere as UniformHemisphere
