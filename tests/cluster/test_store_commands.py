@@ -107,7 +107,7 @@ def test_the_command_says_what_it_did_and_goes_on(call, path, monkeypatch):
         (("bake", "courtyard", "-o", "x.zarr", "--samples", "1"), "--samples: got 1, want a whole number from 2"),
         (
             ("bake", "courtyard", "-o", "x.zarr", "--environment", "a.hdr"),
-            "--environment: got a.hdr for ao; it applies only",
+            "--environment: got a.hdr for ao; the option applies only",
         ),
         (("bake", "courtyard", "-o", "x.zarr", "--quantity", "irradiance"), "--environment: got None"),
         (("bake", "courtyard", "-o", "no/x.zarr"), "--output: got 'no/x.zarr', whose folder does not exist"),
