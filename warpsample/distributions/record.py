@@ -79,8 +79,8 @@ class Distribution(Parameterised):
     variates: ClassVar[int] = 2
     symmetric: ClassVar[bool] = True
     stretch: ClassVar[tuple[tuple[float, ...], ...] | None] = None
-    jumps: ClassVar[tuple[float, ...]] = ()
     mirror: ClassVar[tuple[float, ...] | None] = None
+    jumps: ClassVar[tuple[float, ...]] = ()
     polar: ClassVar[bool] = True
     in_world: ClassVar[bool] = False
     source: ClassVar[str]
