@@ -133,14 +133,20 @@ class Parameterised:
         """Return a copy with other arrays for the parameters that have a row per point; the arrays are not checked."""
         if not tables:
             return self
-        copy = object.__new__(type(self))
-        copy.__dict__.update(self.__dict__)
+        lobes = {}
         for at, lobe in self.nested.items():
             inner = {name.removeprefix(f"{at}."): t for name, t in tables.items() if name.startswith(f"{at}.")}
-            object.__setattr__(copy, at, lobe.with_tables(inner))
+            lobes[at] = lobe.with_tables(inner)
+        copy = self._with_nested(lobes)
         for name, table in tables.items():
             if "." not in name:
                 object.__setattr__(copy, name, np.ascontiguousarray(table, np.float32))
+        return copy
+
+    def _with_nested(self, lobes: dict[str, "Parameterised"]) -> Self:
+        """Return a copy with other nested lobes, given by the names of `nested`; nothing is checked."""
+        copy = object.__new__(type(self))
+        copy.__dict__.update(self.__dict__ | lobes)
         return copy
 
     def kernel_values(self) -> tuple[Any, ...]:
