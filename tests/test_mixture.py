@@ -175,5 +175,5 @@ def test_mixtures_are_values_and_texts():
     assert mixture != ws.Mixture([ws.GGX(0.3), ws.CosineHemisphere()], [1.0, 3.0])
     text = "mixture(lobes=[cosine_hemisphere(), ggx(alpha=0.3)], weights=[1, 3])"
     assert ws.distributions.as_distribution(text) == mixture
-    with pytest.raises(NotImplementedError, match="there is no inverse"):
+    with pytest.raises(NotImplementedError, match="this distribution has no inverse"):
         mixture.invert(mixture.sample(U))
