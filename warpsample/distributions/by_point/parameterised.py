@@ -95,9 +95,9 @@ class Parameterised:
         return type(self).__module__, type(self).__qualname__, *self._content()
 
     def _content(self) -> tuple[Any, ...]:
-        """Return the parameters as hashable values, with a hash in place of each array."""
+        """Return the parameters as hashable values, with a hash in place of each array, and tuples for nested lobes."""
         values = (getattr(self, item.name) for item in fields(self) if item.compare)
-        return tuple(digest_of(value) if isinstance(value, np.ndarray) else value for value in values)
+        return tuple(_identify(value) for value in values)
 
     @property
     def nested(self) -> dict[str, "Parameterised"]:
@@ -189,3 +189,10 @@ class Parameterised:
         for name, table in self.by_point.items():
             if len(table) != points:
                 raise ValueError(f"{argument}: got {name} with {len(table):,} rows, want {points:,}, one for each point")
+
+
+def _identify(value: Any) -> Any:
+    """Return a hashable value that identifies a parameter: of arrays a hash, of nested lobes what Dask hashes."""
+    if isinstance(value, Parameterised):
+        return value.__dask_tokenize__()
+    return digest_of(value) if isinstance(value, np.ndarray) else value
