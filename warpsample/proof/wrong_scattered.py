@@ -87,7 +87,7 @@ def _with_one_share(w: np.ndarray) -> np.ndarray:
 def _without_index(w: np.ndarray) -> np.ndarray:
     """Return the density of glass without the square of the index in the refracted part."""
     _, refracted, _, front = _parts(w)
-    return (_GLASS.pdf(w) - np.nan_to_num((1.0 - _fresnel(front)) * refracted) * (1.0 - _ETA**-2)).clip(0.0).astype(_F)
+    return (_GLASS.pdf(w) - np.nan_to_num((1.0 - _fresnel(front)) * refracted) * (1.0 - 1.0 / _ETA**2)).clip(0.0).astype(_F)
 
 
 def _chosen_by_first_number(u: np.ndarray) -> np.ndarray:
