@@ -144,7 +144,7 @@ class Runner:
             about=plan.distribution.about(tangents),
             redraw=redraw_of(maps, tangents),
             redraw_below=maps.redraw_below,
-            upward=plan.distribution == POLAR_COSINE,
+            upward=plan.distribution == POLAR_COSINE or integrand.upward,
             weigh=integrand.function,
             struct=integrand.struct,
             constant=integrand.constant,
