@@ -8,7 +8,7 @@ from jacobians import CASES, LAST, all_cases, by_tape, framed, kernels, like, of
 import warpsample as ws
 from warpsample import funcs
 from warpsample.proof import twins
-from warpsample.proof.twins import microfacets, shapes
+from warpsample.proof.twins import lights, microfacets, shapes
 from warpsample.statistics.charts import chart_of
 
 pytestmark = pytest.mark.slow  # the backward passes of all functions are compiled, for each worker
@@ -16,6 +16,8 @@ U = square_points()
 WITH_PARAMETER = [case for case in CASES if case.parameters]
 WITH_VIEW = [case for case in CASES if "view" in case.parameters]
 INVERTIBLE = [case for case in CASES if case.maps.invert is not None]
+SEAMED = ("visible_ggx", "linearly_transformed_cosine", "spherical_triangle")
+"""Maps whose inverse is not precise at their seams."""
 PLUS_Z = (0.0, 0.0, 1.0)
 TOO_NARROW = (ws.OffsetSphere(1e-15), ws.UniformCone(one_minus_cos=1e-24))
 """The derivatives of these densities do not fit into float32."""
@@ -28,6 +30,7 @@ def _twins_of_any_parameter(monkeypatch):
         monkeypatch.setattr(module, "parameter", lambda d, name: float(getattr(d, name)))
     monkeypatch.setattr(microfacets, "_view_of", lambda d: d.view)
     monkeypatch.setattr(shapes, "_matrix", lambda d: d.matrix)
+    monkeypatch.setattr(lights, "_values_of", lambda d, name: np.asarray(getattr(d, name), np.float64))
 
 
 def norm(a, axis=-1):
@@ -38,7 +41,8 @@ def sizes(case):
     """Return the scale on which a distribution varies with each parameter, by name.
 
     A Henyey-Greenstein lobe is as wide as 1 - abs(g). For exponents and concentrations below 1 the scale is
-    1. For a view it depends on the angles to +z and to the horizon. For a matrix it is the smallest singular value.
+    1. For a view it depends on the angles to +z and to the horizon. For a matrix and for corners it is the smallest
+    singular value.
     """
     known = parameters(case)
     found = {name: float(value) for name, value in known.items() if value.ndim == 0}
@@ -50,8 +54,8 @@ def sizes(case):
         across = np.hypot(*case.view[:2])
         alpha = min(case.alpha, case.alpha_y or case.alpha)
         found["view"] = min(across or 1.0, np.hypot(case.view[2], alpha * across))
-    if "matrix" in known:
-        found["matrix"] = np.linalg.svd(known["matrix"], compute_uv=False).min()
+    for name in {"matrix", "corners"} & set(known):
+        found[name] = np.linalg.svd(known[name], compute_uv=False).min()
     return found
 
 
@@ -88,15 +92,19 @@ def inside(case):
     u = U[(U.min(axis=1) > 0.0) & (U.max(axis=1) < LAST)]
     if getattr(case, "method", "") == "concentric":
         return u[np.abs(np.abs(u[:, 0] - 0.5) - np.abs(u[:, 1] - 0.5)) > 1e-3]
-    if case in WITH_VIEW:  # elsewhere the rounding of w alone changes their gradients by 1e-4
+    # Elsewhere the rounding of w alone changes their gradients by 1e-4, or moves w out of a light.
+    if case in WITH_VIEW or case.support in ("triangle", "rectangle"):
         u = u[(u.min(axis=1) > 5e-4) & (u.max(axis=1) < 1.0 - 5e-4)]
-    return u[~case.seam(u)] if case.name in ("visible_ggx", "linearly_transformed_cosine") else u
+    return u[~case.seam(u)] if case.name in SEAMED else u
 
 
 def off_edges(case, w):
     """Return whether a density is differentiable at w: away from a clamped edge and from a blurred horizon."""
     if case.name == "offset_sphere":
         return min(case.rho, 1.0) ** 2 - norm(w[:, :2]) ** 2 > 1e-2 * min(case.rho, 1.0) ** 2
+    if case.support == "triangle":
+        weights = w @ np.linalg.inv(case.stretch).T
+        return weights.min(axis=1) > 1e-3 * norm(weights)
     if case.stretch is not None and case not in WITH_VIEW:
         return np.cos(chart_of(case).polar(w)) > 1e-3
     if case not in WITH_VIEW:

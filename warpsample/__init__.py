@@ -52,6 +52,7 @@ _LOBES = (
     "OffsetDisk",
     "OffsetSphere",
     "PowerCosine",
+    "SphericalTriangle",
     "UniformCone",
     "UniformDisk",
     "UniformHemisphere",

@@ -28,6 +28,11 @@ from warpsample.distributions.lights.pixel_draws import (
     square_to_environment_map,
     square_to_environment_map_pdf,
 )
+from warpsample.distributions.lights.spherical_triangle import (
+    spherical_triangle_to_square,
+    square_to_spherical_triangle,
+    square_to_spherical_triangle_pdf,
+)
 from warpsample.distributions.microfacets.beckmann import (
     anisotropic_beckmann_to_square,
     beckmann_to_square,
@@ -144,6 +149,7 @@ __all__ = [
     "power_cosine_to_square",
     "r2",
     "sobol",
+    "spherical_triangle_to_square",
     "square_to_anisotropic_beckmann",
     "square_to_anisotropic_beckmann_pdf",
     "square_to_anisotropic_ggx",
@@ -177,6 +183,8 @@ __all__ = [
     "square_to_offset_sphere_pdf",
     "square_to_power_cosine",
     "square_to_power_cosine_pdf",
+    "square_to_spherical_triangle",
+    "square_to_spherical_triangle_pdf",
     "square_to_uniform_cone",
     "square_to_uniform_cone_pdf",
     "square_to_uniform_disk",

@@ -8,7 +8,8 @@ import pytest
 from bench_output import give, run_command
 from matplotlib.figure import Figure
 
-from warpsample.bench import benchmarks, pictures, readme
+from warpsample.bench import benchmarks
+from warpsample.bench.reporting import pictures, readme
 from warpsample.bench.result import RESULTS, load_results
 
 

@@ -9,7 +9,8 @@ import pytest
 from bench_output import lines_of
 from PIL import Image
 
-from warpsample.bench import benchmarks, readme
+from warpsample.bench import benchmarks
+from warpsample.bench.reporting import readme
 from warpsample.bench.result import RESULTS, load_results, save_repeats, save_summary
 
 NAMES = sorted(benchmarks())

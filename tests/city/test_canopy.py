@@ -244,7 +244,7 @@ def test_a_year_of_leaves_is_the_sum_of_its_months():
     shares = np.linspace(0.0, 1.0, 12)
 
     def received(transmittance, *period):
-        options = RayOptions.of(len(points), seed=3).by()
+        options = RayOptions.of(len(points), seed=3).replace()
         given = {"ground_albedo": 0.2, "patches": "tregenza", "up": (0, 0, 1), "north": made.north}
         light = light_of("athens", period=period, **given)
         return compute_irradiation_through(

@@ -208,7 +208,7 @@ def test_so_are_rows_and_meshes_that_lack(mesh, points):
 
 def test_a_function_goes_by_its_name_or_not_at_all():
     sent = pickle.loads(pickle.dumps(named.named("integrand", functions.upward, None)))
-    assert sent.taken() is functions.upward
+    assert sent.unwrap() is functions.upward
 
     @wp.func
     def here(w: wp.vec3) -> float:

@@ -43,10 +43,10 @@ def meshes(client):
     """Of each process: how many meshes arrived there, how many trees it has, and its number."""
 
     def look():  # travels by value: processes need not find this file
-        from warpsample.host import known
+        from warpsample.host import shared_values
         from warpsample.tracing.scene import _scenes
 
-        return len(known._received), sum(bool(scene._trees) for scene in _scenes.values()), os.getpid()
+        return len(shared_values._received), sum(bool(scene._trees) for scene in _scenes.values()), os.getpid()
 
     return client.run(look).values()
 

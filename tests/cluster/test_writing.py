@@ -93,11 +93,11 @@ def interrupting(monkeypatch, home, name, interrupt):
 def test_a_chunk_is_written_while_its_call_goes_on(path, a_job):
     store.begin(path, a_job, False, "path")
     with writing.writing(path) as folder:
-        writing.put(folder, 1, (1,), (10,), rows(7.0))
+        writing.write_chunk(folder, 1, (1,), (10,), rows(7.0))
         assert holdings.whole_chunks(path, ["vectors"]).tolist() == [False, True, False]
     assert list((path / ".run").glob("*-*")) == []
     with pytest.raises(WriteError, match=r"out\.zarr cannot be written: the call has ended, or the store was removed"):
-        writing.put(folder, 2, (2,), (10,), rows(7.0))
+        writing.write_chunk(folder, 2, (2,), (10,), rows(7.0))
     with pytest.raises(WriteError, match="the call has ended"), writing.at_work(folder):
         pass
     assert holdings.whole_chunks(path, ["vectors"]).tolist() == [False, True, False]
@@ -108,15 +108,15 @@ def test_a_store_that_is_made_in_the_place_of_another_gets_none_of_its_chunks(pa
     with writing.writing(path) as folder:
         shutil.rmtree(path)
         with pytest.raises(WriteError, match="the store was removed"):
-            writing.put(folder, 0, (0,), (10,), rows(7.0))
+            writing.write_chunk(folder, 0, (0,), (10,), rows(7.0))
         assert not path.exists()
         store.begin(path, a_job, False, "path")
         before = files_of(path)
         with writing.writing(path) as other:
             with pytest.raises(WriteError, match="the store was removed"):
-                writing.put(folder, 0, (0,), (10,), rows(7.0))
+                writing.write_chunk(folder, 0, (0,), (10,), rows(7.0))
             assert files_of(path) == before
-            writing.put(other, 0, (0,), (10,), rows(8.0))
+            writing.write_chunk(other, 0, (0,), (10,), rows(8.0))
     assert holdings.whole_chunks(path, ["vectors"]).tolist() == [True, False, False]
 
 
@@ -187,7 +187,7 @@ def test_an_interrupt_while_a_store_is_read_says_nothing_of_the_store(path, a_jo
     store.begin(path, a_job, False, "path")
     with writing.writing(path) as folder:
         for start in (0, 10, 20):
-            writing.put(folder, start // 10, (start // 10,), (10,), {**rows(7.0), **others(start)})
+            writing.write_chunk(folder, start // 10, (start // 10,), (10,), {**rows(7.0), **others(start)})
     interrupting(monkeypatch, home, name, interrupt)
     with interrupt_said:
         store.begin(path, a_job, True, "path")

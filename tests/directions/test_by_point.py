@@ -230,10 +230,10 @@ def test_views_by_point_have_the_bits_of_constants():
 def test_kernels_are_keyed_by_layout_not_by_values(normals, alpha):
     """A thousand roughnesses compile one kernel, and keep none of their arrays alive in a cache."""
     ws.sample_directions(normals, 3, distribution=ws.GGX(alpha))
-    kernels, loaders = _build_kernel.cache_info().currsize, len(row_loader.known)
+    kernels, loaders = _build_kernel.cache_info().currsize, len(row_loader.cache)
     for scale in (0.5, 0.7, 0.9):
         ws.sample_directions(normals, 3, distribution=ws.GGX(scale * alpha))
-    assert (_build_kernel.cache_info().currsize, len(row_loader.known)) == (kernels, loaders)
+    assert (_build_kernel.cache_info().currsize, len(row_loader.cache)) == (kernels, loaders)
     assert ws.GGX(alpha).layout == ws.GGX(alpha[:3]).layout
     assert ws.VisibleGGX(alpha).layout != ws.VisibleGGX(0.5, view=np.ones((P, 3))).layout
 

@@ -174,19 +174,19 @@ class Tilted(Distribution):
 def test_a_parameter_reaches_the_kernels_and_a_new_value_compiles_nothing(normals):
     u = np.zeros((5, 2), np.float32)
     up = np.array([[0.0, 0.0, 1.0]], np.float32)
-    built = len(direction_rows.known)
+    built = len(direction_rows.cache)
     for tilt in (0.25, 0.5):
         distribution = Tilted(tilt)
         assert (distribution.sample(u)[:, 0] == tilt).all()
         assert distribution.pdf(up).tolist() == [tilt]
         assert (distribution.invert(up)[:, 0] == tilt).all()
         assert np.abs(ws.sample_directions(up, 64, distribution=distribution).vectors[0, :, 0] - tilt).max() <= 1e-7
-    assert len(direction_rows.known) == built + 1
+    assert len(direction_rows.cache) == built + 1
 
 
 def test_kernels_are_built_once_for_equal_jobs(normals):
     ws.sample_directions(normals, 32)
-    built = len(direction_rows.known)
+    built = len(direction_rows.cache)
     ws.sample_directions(normals, 64, seed=9)
     ws.sample_directions(normals, 32, distribution=ws.CosineHemisphere("polar"))
-    assert len(direction_rows.known) == built
+    assert len(direction_rows.cache) == built

@@ -1,6 +1,7 @@
 """All calls on a device: arrays go there in parts and come back, and no bit depends on them.
 
-There is no GPU here. The CPU stands for one, with the kernels and the tracer of CUDA; these kernels are also made PTX of.
+Machines of CI have no GPU. A second CPU device is used in its place, with the kernels and the tracer of CUDA; these
+kernels are also compiled to PTX.
 """
 
 from dataclasses import fields

@@ -24,11 +24,11 @@ def test_in_place_arrays_are_used_themselves():
     assert list(memory.parts(6, 10**12)) == [slice(0, 6)]
     assert memory.fits(10**12)
     with memory.loan() as loan:
-        assert loan.put(given) == given.ctypes.data
+        assert loan.lend(given) == given.ctypes.data
         assert loan.output(found) == found.ctypes.data
         array = wp.array(given, dtype=wp.float32, device="cpu")
         assert loan.clone(array) is array
-        assert loan.put(None) == 0
+        assert loan.lend(None) == 0
     assert not found.any()
 
 
@@ -57,7 +57,7 @@ def test_elsewhere_rows_are_copied_there_and_back():
     with second_device() as allocator:
         memory = Memory.of(None)
         with memory.loan() as loan:
-            address = loan.put(given[:, ::-1], slice(2, 4))
+            address = loan.lend(given[:, ::-1], slice(2, 4))
             assert address not in (0, given.ctypes.data, given[2:].ctypes.data)
             assert numbers_at(address, 6).tolist() == [8.0, 7.0, 6.0, 11.0, 10.0, 9.0]
             numbers_at(loan.output(found, slice(2, 4)), 6)[:] = numbers_at(address, 6)
@@ -75,7 +75,7 @@ def test_after_a_failure_nothing_is_fetched_and_all_is_given_back():
     with second_device() as allocator:
         memory = Memory.of(None)
         with suppress(KeyError), memory.loan() as loan:
-            loan.put(found)
+            loan.lend(found)
             loan.output(found, zero=True)
             assert allocator.live == 64
             raise KeyError

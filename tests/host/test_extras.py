@@ -35,7 +35,7 @@ for name in {hidden}:
 import warp as wp
 import warpsample as ws
 from warpsample import cluster
-from warpsample.bench import pictures
+from warpsample.bench.reporting import pictures
 from warpsample.cli import bake, stores
 from warpsample.output.baked import BakeRun
 from warpsample.plotting import rendering

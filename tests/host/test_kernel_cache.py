@@ -107,7 +107,7 @@ def test_other_lines_on_stderr_are_shown(capfd, monkeypatch):
 
     def start(init):
         monkeypatch.setattr(wp, "init", init)
-        kernel_cache.start.known.clear()  # as in a process that has not started Warp
+        kernel_cache.start.cache.clear()  # as in a process that has not started Warp
         kernel_cache.start()
 
     def fail():

@@ -103,8 +103,8 @@ def test_a_record_is_checked_in_two_steps():
     drawn = RayOptions.of(3, sequence="r2", seed=5, first_point=7, active=[True, False, True])
     assert (drawn.sequence.name, drawn.seed, drawn.first_point, drawn.active.tolist()) == ("r2", 5, 7, [1, 0, 1])
     assert (drawn.skip, drawn.tracer, drawn.progress) == (True, WIDE, False)
-    cast = drawn.by(skip=np.False_, tracer="warp", workers=2, progress=True)
+    cast = drawn.replace(skip=np.False_, tracer="warp", workers=2, progress=True)
     assert (cast.seed, cast.sequence, cast.active) == (drawn.seed, drawn.sequence, drawn.active)
     assert (cast.skip, cast.tracer, cast.workers, cast.progress) == (False, BUILTIN, 2, True)
     with pytest.raises(TypeError, match="unexpected keyword argument 'cores'"):
-        CallOptions.of(3).by(cores=2)
+        CallOptions.of(3).replace(cores=2)

@@ -8,7 +8,7 @@ import pytest
 from meshes import BOX
 
 import warpsample as ws
-from warpsample.host import known
+from warpsample.host import shared_values
 
 TAU = np.linspace(0.0, 1.0, len(BOX.faces))
 
@@ -73,7 +73,7 @@ def test_meshes_of_other_shares_are_other_meshes():
 def test_shares_go_where_the_mesh_goes():
     mesh = box(transmittance=TAU, reflectance=1.0 - TAU)
     pickled = pickle.dumps(mesh)
-    known._known.pop(mesh.digest)
+    shared_values._values.pop(mesh.digest)
     moved = ws.refit(mesh, mesh.vertices + 1.0)
     for other in (pickle.loads(pickled), copy.copy(mesh), moved):
         assert np.array_equal(other.transmittance, mesh.transmittance)

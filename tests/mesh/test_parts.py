@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.host import known
+from warpsample.host import shared_values
 
 TRIANGLE = "v 0 0 {0}\nv 1 0 {0}\nv 0 1 {0}\n"
 
@@ -96,7 +96,7 @@ def test_parts_go_where_the_mesh_goes():
     plain, other = ws.Mesh(BOX.vertices, BOX.faces), ws.Mesh(BOX.vertices, BOX.faces, PART, ["a", "c"])
     assert mesh.digest == plain.digest == other.digest  # numbers at points are the same
     pickled = pickle.dumps([plain, mesh, other])
-    known._known.clear()
+    shared_values._values.clear()
     for one in (pickle.loads(pickled)[1], copy.deepcopy(mesh), ws.refit(mesh, mesh.vertices + 1.0)):
         assert one.parts == ("a", "b")
         assert np.array_equal(one.part, PART)

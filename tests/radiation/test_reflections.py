@@ -10,7 +10,7 @@ import reflection_cases as known
 from irradiation_cases import DAY
 
 import warpsample as ws
-from warpsample.radiation.reflection import lobes_seen, patches, reflections
+from warpsample.radiation.reflection import lobe_shares, patches, reflections
 from warpsample.radiation.sky import irradiance as by_pictures
 from warpsample.radiation.sky.patches import patches_at
 
@@ -114,7 +114,7 @@ def test_a_pit_sends_out_what_it_does_not_swallow():
 def test_faces_that_send_nothing_back_are_black_in_every_bit(monkeypatch):
     black = ws.load_mesh("courtyard")
     points = ws.sample_surface(black, 50, seed=3)
-    monkeypatch.setattr(reflections, "lobes_seen", None)  # would fail
+    monkeypatch.setattr(reflections, "trace_lobes", None)  # would fail
     for call in (
         lambda mesh: ws.irradiance(mesh, points, known.SKY, 64),
         lambda mesh: ws.irradiation(mesh, points, "athens", period=DAY, patches="tregenza", count=64),
@@ -148,7 +148,7 @@ def test_points_with_ids_of_their_own_are_looked_at_in_blocks(monkeypatch):
     mesh = ws.load_mesh("courtyard", reflectance=0.4)
     points = ws.sample_surface(mesh, 60, seed=3)
     right = ws.irradiance(mesh, points, known.SKY, 64)
-    monkeypatch.setattr(lobes_seen, "_BLOCK", 1 << 8)
+    monkeypatch.setattr(lobe_shares, "_BLOCK", 1 << 8)
     own = ws.SurfacePoints(points.position, points.normal, points.face, id=np.arange(60))
     assert np.array_equal(ws.irradiance(mesh, own, known.SKY, 64).reflected, right.reflected)
 

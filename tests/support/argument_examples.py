@@ -121,6 +121,7 @@ KINDS = {
     "alpha_y": kind(0.5, *NUMBER, "of Warp", "None"),
     "HenyeyGreenstein.g": kind(0.5, *NUMBER, "of Warp"),
     "matrix": kind(np.eye(3), wrong=(np.eye(2), np.zeros((3, 3)), np.full((3, 3), nan))),
+    "corners": kind(np.eye(3), wrong=(np.eye(2), np.zeros((3, 3)), np.full((3, 3), nan))),
     "level": kind(0.95, *NUMBER),
     "kappa": kind(0.5, *POSITIVE, "of Warp"),
     "rho": kind(0.5, *POSITIVE, "of Warp"),

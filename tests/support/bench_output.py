@@ -8,8 +8,9 @@ from importlib import import_module
 import pytest
 
 from warpsample import cli
-from warpsample.bench import benchmarks, pictures, tables
+from warpsample.bench import benchmarks
 from warpsample.bench.record import Result
+from warpsample.bench.reporting import pictures, tables
 from warpsample.bench.running.machine import describe_machine
 from warpsample.cli import terminal
 

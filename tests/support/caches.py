@@ -39,7 +39,7 @@ def undefined(x: wp.array[wp.int32]):
 def load_anew(kernel=triple):
     """Loads a kernel as a new process does; returns the warnings."""
     kernel.module.unload()
-    kernel_cache.load.known.clear()
+    kernel_cache.load.cache.clear()
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         kernel_cache.load(kernel, "cpu")

@@ -29,6 +29,7 @@ CASES = [
     *(kind(0.3, view, 0.1) for kind in (ws.VisibleGGX, ws.VisibleBeckmann) for view in VIEWS),
     *(kind(alpha, view) for kind in (ws.VisibleGGX, ws.VisibleBeckmann) for alpha in (1e-3, 0.3, 1.0) for view in VIEWS),
     *ws.LinearlyTransformedCosine.cases(),
+    *ws.SphericalTriangle.cases(),
     *map(ws.CosineHemisphere, ("polar", "concentric", "inversion", "offset")),
     *map(ws.UniformDisk, ("polar", "concentric")),
     *(ws.UniformSphere(), ws.UniformHemisphere(), ws.OffsetBall(), ws.OffsetDisk(), ws.OffsetCircle()),

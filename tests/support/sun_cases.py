@@ -26,7 +26,7 @@ def mesh_of(name, bunny):
 
 def call_of(mesh, points, suns, disc=0.0, skip=True):
     at = PlacedPoints.of(mesh, points)
-    return SunCall(at, suns, None, RayOptions.of(len(at)).by(skip=skip, tracer="wide", workers=1), disc)
+    return SunCall(at, suns, None, RayOptions.of(len(at)).replace(skip=skip, tracer="wide", workers=1), disc)
 
 
 def year(every=1, latitude=52.0):

@@ -7,7 +7,7 @@ from glb_files import glb
 from textured_scenes import SQUARE, TWO, changed, corner, opened, picture
 
 import warpsample as ws
-from warpsample.mesh.files.gltf import placed_primitives
+from warpsample.mesh.files.gltf import iterate_primitives
 from warpsample.texture.glb_file import GlbFile
 
 RAYS = ("--texture", 64, "--samples", 64)
@@ -32,7 +32,7 @@ def means_of_places(path):
     """The mean of the occlusion that each place of each primitive shows, by node and material's name."""
     tree, data, _ = opened(path)
     found = []
-    for one in placed_primitives(GlbFile(path).part):
+    for one in iterate_primitives(GlbFile(path).part):
         material = tree["materials"][tree["meshes"][one.mesh]["primitives"][one.number]["material"]]
         info = material["occlusionTexture"]
         found.append((one.node.path, material["name"], picture(tree, data, info["index"]).mean().round(2)))

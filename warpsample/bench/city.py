@@ -9,10 +9,10 @@ import numpy as np
 import typer
 
 from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.reporting.tables import TableView
 from warpsample.bench.rows import Spread, ToolRow, column, optional_column
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.turns import keep_last_result, run_tools
-from warpsample.bench.tables import TableView
 from warpsample.bench.tools.rasters import RASTER_TOOLS
 from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.host.engine import check_workers

@@ -12,9 +12,9 @@ import warp as wp
 
 from warpsample import distributions, sequences
 from warpsample.bench.record import SEED, Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.reporting.tables import TableView, select_all_workers
 from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.running.timing import time_interleaved
-from warpsample.bench.tables import TableView, select_all_workers
 from warpsample.directions.sample import sample_directions, sample_square
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution

@@ -10,9 +10,9 @@ import typer
 
 from warpsample import sequences
 from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.reporting.tables import TableView, group_rows
 from warpsample.bench.rows import Spread, Timed, column, format_digits
 from warpsample.bench.running.timing import time_interleaved
-from warpsample.bench.tables import TableView, group_rows
 from warpsample.bench.tools.integrands import INTEGRANDS, KnownIntegral, build_estimator, compute_estimates
 
 COUNTS = tuple(4**k for k in range(1, 9))

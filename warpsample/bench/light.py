@@ -10,11 +10,11 @@ import typer
 
 from warpsample.bench.radiation import compare_at_equal_error, compute_errors
 from warpsample.bench.record import SEED, Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.reporting.tables import TableView
 from warpsample.bench.rows import Spread, ToolRow, column, optional_column
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.timing import build_stopwatch
 from warpsample.bench.running.turns import run_tools
-from warpsample.bench.tables import TableView
 from warpsample.bench.tools.blocks import build_mesh
 from warpsample.bench.tools.light import LIGHT_TOOLS, OURS
 from warpsample.host.engine import check_workers

@@ -10,13 +10,13 @@ import numpy as np
 import typer
 
 from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Scenes, Track
+from warpsample.bench.reporting.tables import TableView, select_all_workers
 from warpsample.bench.rows import Spread, ToolRow, column, format_digits, optional_column
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import measure_peak_megabytes
 from warpsample.bench.running.timing import build_stopwatch
 from warpsample.bench.running.turns import keep_last_result, run_tools
 from warpsample.bench.scenes import compute_year_of_suns, sample_clear_points
-from warpsample.bench.tables import TableView, select_all_workers
 from warpsample.bench.tools.sky import OURS, SKY_TOOLS, VIEW
 from warpsample.bench.tools.sun import SUN_TOOLS, TRACE
 from warpsample.host.engine import check_workers

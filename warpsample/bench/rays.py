@@ -9,10 +9,10 @@ import numpy as np
 import typer
 
 from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Scenes, Track
+from warpsample.bench.reporting.tables import Cell, TableView
 from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.running.timing import time_interleaved
 from warpsample.bench.scenes import KINDS, SCENES, build_rays
-from warpsample.bench.tables import Cell, TableView
 from warpsample.bench.tools.tracers import TRACERS, RayTool, count_visits, list_builds
 from warpsample.host.engine import check_workers
 from warpsample.mesh.mesh import Mesh

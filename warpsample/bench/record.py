@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from warpsample.bench import pictures, tables
-from warpsample.bench.pictures import Picture
+from warpsample.bench.reporting import pictures, tables
+from warpsample.bench.reporting.pictures import Picture
+from warpsample.bench.reporting.tables import Table, TableView
 from warpsample.bench.rows import format_value
 from warpsample.bench.running.machine import Machine
-from warpsample.bench.tables import Table, TableView
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

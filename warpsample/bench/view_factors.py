@@ -9,11 +9,11 @@ import numpy as np
 import typer
 
 from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.reporting.tables import TableView, select_all_workers
 from warpsample.bench.rows import Spread, ToolRow, column, format_digits, optional_column
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import measure_peak_megabytes
 from warpsample.bench.running.turns import run_tools
-from warpsample.bench.tables import TableView, select_all_workers
 from warpsample.bench.tools.blocks import build_mesh
 from warpsample.bench.tools.view_factors import EMBREE, FACTOR_TOOLS, OURS, PAIRS, TRACE, build_trace_alone
 from warpsample.host.engine import check_workers

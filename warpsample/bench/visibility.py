@@ -10,12 +10,12 @@ import typer
 
 from warpsample import sequences
 from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Scenes, Track
+from warpsample.bench.reporting.tables import Cell, TableView
 from warpsample.bench.rows import Spread, ToolRow, column, format_digits, optional_column
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import measure_peak_megabytes
 from warpsample.bench.running.turns import keep_last_result, run_tools
 from warpsample.bench.scenes import sample_scene
-from warpsample.bench.tables import Cell, TableView
 from warpsample.bench.tools.occlusion import ESTIMATORS, Estimator, Occlusion
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import ambient_occlusion

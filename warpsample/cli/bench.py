@@ -8,8 +8,9 @@ from typing import Annotated, Any
 
 import typer
 
-from warpsample.bench import benchmarks, pictures, readme, tables
+from warpsample.bench import benchmarks
 from warpsample.bench.record import Benchmark, Result
+from warpsample.bench.reporting import pictures, readme, tables
 from warpsample.bench.result import save_repeats, save_summary
 from warpsample.bench.running.machine import describe_machine
 from warpsample.bench.scenes import check_scenes

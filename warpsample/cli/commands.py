@@ -23,7 +23,7 @@ from warpsample.cli.terminal import (
 )
 from warpsample.cli.verify import verify_command
 from warpsample.mesh.files import load_mesh
-from warpsample.texture.shown import read_occlusion
+from warpsample.texture.occlusion_picture import read_occlusion
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
 app.add_typer(bench.app, name="bench")
@@ -150,12 +150,12 @@ def view(
     For a .glb or .gltf with baked occlusion the window shows the occlusion instead, unless --points, --distribution or
     --density is given.
     """
-    from warpsample.mesh.files.beside import files_beside
+    from warpsample.mesh.files.linked_files import list_linked_files
     from warpsample.plotting import rendering
     from warpsample.viewer import start
     from warpsample.viewer.baked import show_occlusion
 
-    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh, *files_beside(mesh))
+    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh, *list_linked_files(mesh))
     chosen = any(each is not None for each in (points, distribution, density))
     choice = start.choice(distribution, density, sequence, samples, seed)
     rendering.check_size(size, start.LEAST_SIZE)

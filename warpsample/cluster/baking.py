@@ -22,7 +22,7 @@ from warpsample.cluster.job import CHUNK, Job, job_of
 from warpsample.cluster.lock import locked
 from warpsample.cluster.sending import current_client, shared_by_key
 from warpsample.cluster.store import begin, check_store
-from warpsample.cluster.writing import at_work, put, writing
+from warpsample.cluster.writing import at_work, write_chunk, writing
 from warpsample.host.arguments import check_choice, check_flag
 from warpsample.output.run_record import SUMMARY, RunRecord, summarize
 
@@ -151,7 +151,7 @@ def bake_chunk(
         arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
         where = {name: array for name in GIVEN_ARRAYS if (array := getattr(points, name, None)) is not None}
         index = span.start // chunk
-        put(folder, index, (index,), (chunk,), where | arrays)
+        write_chunk(folder, index, (index,), (chunk,), where | arrays)
     rays = int(found["rays"].sum(dtype=np.int64)) if "rays" in found else 0
     if "value" not in found or "standard_error" not in found:
         return np.array([(len(span), rays, 0, 0.0, 0.0, np.inf, -np.inf)], SUMMARY)

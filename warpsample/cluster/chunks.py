@@ -100,7 +100,7 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
         shared: Values of the arguments in `call.shared`.
         rows: Values of the arguments in `call.rows`, for the chunk's rows.
     """
-    arguments = {name: value.taken() if isinstance(value, Named) else value for name, value in call.options.items()}
+    arguments = {name: value.unwrap() if isinstance(value, Named) else value for name, value in call.options.items()}
     arguments |= zip(call.shared, shared, strict=True)
     arguments |= _with_rows(arguments, dict(zip(call.rows, rows, strict=True)))
     if call.at:

@@ -13,7 +13,7 @@ from warpsample.cluster.store import check_store
 from warpsample.estimate.quantities.record import OPTIONS, Quantity
 from warpsample.host.engine import check_memory
 from warpsample.host.files import check_output, complete_or_absent
-from warpsample.host.known import digest_of
+from warpsample.host.shared_values import digest_of
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb

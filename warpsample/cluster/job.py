@@ -16,11 +16,11 @@ from warpsample.cluster.chunks import BY_POINT, FUNCTIONS, Call, numbers
 from warpsample.cluster.named import Named, named
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.source.content import WHAT, function_content
-from warpsample.host.arguments import check_first_point, check_integer, check_seed, told
+from warpsample.host.arguments import check_first_point, check_integer, check_seed, quote
 from warpsample.host.arrays import check_active
-from warpsample.host.known import digest_of
 from warpsample.host.neighbours import as_ndarray
 from warpsample.host.picture import read_picture
+from warpsample.host.shared_values import digest_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.record import STREAMS
@@ -123,7 +123,7 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
     place, total, given = _find_placement(taken[at], at, shared.get("mesh"))
     rows = _pop_rows(taken, [*([] if place else [at]), "directions"])
     if not place and not rows:
-        raise TypeError(f"{at}: got {told(taken[at])}, want {_POINTS}, or an array (P, 3)")
+        raise TypeError(f"{at}: got {quote(taken[at])}, want {_POINTS}, or an array (P, 3)")
     total = total if place else len(next(iter(rows.values())))
     if taken.pop("active", None) is not None:
         rows["active"] = check_active(bound.arguments["active"], total).view(np.bool_)
@@ -171,13 +171,13 @@ def _find_placement(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None
         return "given", len(points), {name: array for name, array in given.items() if array is not None}
     named = isinstance(points, str)
     if at == "points" and not named and mesh is not None and not _is_integer(points):
-        raise TypeError(f"{at}: got {told(points)}, want {_POINTS}")
+        raise TypeError(f"{at}: got {quote(points)}, want {_POINTS}")
     if not named and not _is_integer(points):
         return None, 0, {}
     if named and points not in ("faces", "vertices"):
-        raise ValueError(f"{at}: got {told(points)}, want {_POINTS}")
+        raise ValueError(f"{at}: got {quote(points)}, want {_POINTS}")
     if mesh is None:
-        raise ValueError(f"mesh: got None, want the mesh of {at}={told(points)}")
+        raise ValueError(f"mesh: got None, want the mesh of {at}={quote(points)}")
     if named:
         return points, len(getattr(mesh, points)), {}
     return "area", check_integer(points, at, 1, 2**62), {}

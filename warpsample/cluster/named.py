@@ -32,7 +32,7 @@ class Named:
     value: Any
     content: dict[str, Any]
 
-    def taken(self) -> Any:
+    def unwrap(self) -> Any:
         """Return the wrapped function or data; raise an error if the function has changed since the call.
 
         Raises:

@@ -17,16 +17,16 @@ from warpsample.cluster.clients import check_processes, computing
 from warpsample.cluster.finishing import finished
 from warpsample.cluster.holdings import about_of
 from warpsample.cluster.lock import locked
-from warpsample.cluster.raster_store import begin_raster, put_tile, tiles_in
+from warpsample.cluster.raster_store import begin_raster, tiles_in, write_tile
 from warpsample.cluster.sending import current_client
 from warpsample.cluster.store import check_new, check_store
 from warpsample.cluster.writing import at_work, store_of, writing
 from warpsample.host.files import read_arrays, write_bytes
 from warpsample.output.rasters.bake import RasterJob, Tiles, read_unchanging, summarize_tile
-from warpsample.output.rasters.tile_files import ABOUT, DIGESTS, TileFiles, put_tile_file, read_about, write_digests
+from warpsample.output.rasters.tile_files import ABOUT, DIGESTS, TileFiles, read_about, write_digests, write_tile_file
 from warpsample.output.run_record import SUMMARY
 
-Put = Any
+WriteTile = Any
 """Function (folder, index of the tile, run, arrays of the tile) that writes a tile."""
 
 
@@ -42,7 +42,7 @@ class ProcessTiles(TileFiles):
     def compute(self, job: RasterJob, digests: Mapping[str, np.ndarray], tiles: list[int]) -> Iterator[np.void]:
         """Compute and write tiles on the processes, and yield a SUMMARY for each in order of completion."""
         write_digests(self.path, digests)
-        with computing(None, self.processes, None), closing(_compute(job, self.path, tiles, put_tile_file)) as found:
+        with computing(None, self.processes, None), closing(_compute(job, self.path, tiles, write_tile_file)) as found:
             yield from found
 
 
@@ -75,7 +75,7 @@ class ZarrTiles:
         with computing(None, self.processes, None) if self.processes else nullcontext(), writing(self.path) as folder:
             write_bytes(folder / ABOUT, (self.path / "zarr.json").read_bytes())
             write_digests(folder, digests)
-            with closing(_compute(job, folder, tiles, put_tile)) as found:
+            with closing(_compute(job, folder, tiles, write_tile)) as found:
                 yield from found
 
     def tiles(self, run: RasterRun) -> Tiles:
@@ -90,23 +90,23 @@ class ZarrTiles:
         """Do nothing: the store is the output and is not removed at the end of the run."""
 
 
-def _compute(job: RasterJob, folder: Path, tiles: list[int], put: Put) -> Iterator[np.void]:
+def _compute(job: RasterJob, folder: Path, tiles: list[int], write: WriteTile) -> Iterator[np.void]:
     """Compute and write tiles on the Client's workers, or one by one in this process, and yield a SUMMARY for each tile."""
     if (client := current_client()) is not None:
-        yield from finished(client, SimpleNamespace(shared={}), lambda some: _tasks(job, folder, some, put), tiles)
+        yield from finished(client, SimpleNamespace(shared={}), lambda some: _tasks(job, folder, some, write), tiles)
         return
     for index in tiles:
-        yield bake_tile(job, str(folder), index, None, put)[0]
+        yield bake_tile(job, str(folder), index, None, write)[0]
 
 
-def _tasks(job: RasterJob, folder: Path, tiles: list[int], put: Put) -> Array:
+def _tasks(job: RasterJob, folder: Path, tiles: list[int], write: WriteTile) -> Array:
     """Build a Dask array whose blocks compute and write one tile each, and return SUMMARY records."""
     name = f"raster-{uuid4().hex}"
-    tasks = {(name, number): (bake_tile, job, str(folder), index, 1, put) for number, index in enumerate(tiles)}
+    tasks = {(name, number): (bake_tile, job, str(folder), index, 1, write) for number, index in enumerate(tiles)}
     return Array(HighLevelGraph.from_collections(name, tasks), name, ((1,) * len(tiles),), dtype=SUMMARY)
 
 
-def bake_tile(job: RasterJob, folder: str, index: int, workers: int | None, put: Put) -> np.ndarray:
+def bake_tile(job: RasterJob, folder: str, index: int, workers: int | None, write: WriteTile) -> np.ndarray:
     """Compute one tile, write it, and return its SUMMARY of shape (1,).
 
     Args:
@@ -114,26 +114,26 @@ def bake_tile(job: RasterJob, folder: str, index: int, workers: int | None, put:
         folder: Path of the folder with the attributes and digests of the run.
         index: Number of the tile, row by row.
         workers: Number of threads. None: all.
-        put: Function that writes the tile.
+        write: Function that writes the tile.
 
     Raises:
         WriteError: if the writing call has ended, or a file cannot be written.
     """
     with at_work(Path(folder)):
-        run, spans = _run_of(job, Path(folder), workers, put)
+        run, spans = _run_of(job, Path(folder), workers, write)
         arrays = run.numbers(spans[index])
-        put(Path(folder), index, run, arrays)
+        write(Path(folder), index, run, arrays)
     return np.array([summarize_tile(arrays)], SUMMARY)
 
 
 @lru_cache(maxsize=1)
-def _run_of(job: RasterJob, folder: Path, workers: int | None, put: Put) -> tuple[RasterRun, list[Any]]:
+def _run_of(job: RasterJob, folder: Path, workers: int | None, write: WriteTile) -> tuple[RasterRun, list[Any]]:
     """Return this process's run object for a job and the spans of all tiles, cached so that the far field is computed once.
 
     The run raises an error if the rasters change after the call began.
     """
     kept = read_about(folder)
-    store = store_of(folder) if put is put_tile else folder
+    store = store_of(folder) if write is write_tile else folder
     run = read_unchanging(job, kept.get("attributes", kept), store, read_arrays(folder / DIGESTS))
     run.options["workers"] = workers
     return run, list(run.spans())

@@ -16,7 +16,7 @@ from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.cluster.holdings import arrays_of, whole_chunks
 from warpsample.cluster.metadata import add_array, contents_of
 from warpsample.cluster.store import check_same, make_store
-from warpsample.cluster.writing import put
+from warpsample.cluster.writing import write_chunk
 from warpsample.host.engine import check_space
 
 _MAP = "spatial_ref"
@@ -55,7 +55,7 @@ def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument:
     return whole
 
 
-def put_tile(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.ndarray]) -> None:
+def write_tile(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.ndarray]) -> None:
     """Write one tile of every array into the store, then a record of the tile's checksums.
 
     Args:
@@ -67,7 +67,7 @@ def put_tile(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.n
     Raises:
         WriteError: if the writing call has ended, or a file cannot be written.
     """
-    put(folder, index, divmod(index, run.grid[1]), run.sides, arrays)
+    write_chunk(folder, index, divmod(index, run.grid[1]), run.sides, arrays)
 
 
 def tiles_in(path: Path, run: RasterRun) -> Iterator[tuple[Span, dict[str, np.ndarray]]]:

@@ -13,8 +13,8 @@ from dask.highlevelgraph import MaterializedLayer
 from warpsample.cluster.job import Job
 
 _KEPT = 4  # futures kept alive: if one is released and sent again, a late release message would delete the new copy
-_sent: WeakValueDictionary[tuple[str, str], Any] = WeakValueDictionary()
-_last_sent: deque[Any] = deque(maxlen=_KEPT)
+_futures: WeakValueDictionary[tuple[str, str], Any] = WeakValueDictionary()
+_last_futures: deque[Any] = deque(maxlen=_KEPT)
 _QUIETLY = {"distributed.admin.large-graph-warning-threshold": "1PiB"}  # no warning: the data are sent once for all calls
 
 
@@ -86,11 +86,11 @@ def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
     called = []
     for value in job.shared.values():
         key = client.id, tokenize(value)
-        future = _sent.get(key)
+        future = _futures.get(key)
         if future is None or future.status not in ("pending", "finished"):
             with dask.config.set(_QUIETLY):
-                future = _sent[key] = client.submit(_return_unchanged, value, key=f"{type(value).__name__}-{key[1]}")
-            _last_sent.append(future)
+                future = _futures[key] = client.submit(_return_unchanged, value, key=f"{type(value).__name__}-{key[1]}")
+            _last_futures.append(future)
         called.append(future)
     return {}, called
 

@@ -17,7 +17,7 @@ from warpsample.cluster.job import STREAMS_OF, Job
 from warpsample.cluster.lock import lock_name
 from warpsample.cluster.metadata import check_metadata, metadata_of
 from warpsample.estimate.source.content import difference
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.engine import check_space
 from warpsample.host.files import WriteError
 from warpsample.host.interrupts import uninterrupted
@@ -123,7 +123,7 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
         if old != new and isinstance(old, dict) and isinstance(new, dict):
             raise ValueError(f"{argument}: got {str(path)!r} of another run; {difference(name, old, new)}")
         if old != new:
-            raise ValueError(f"{argument}: got {str(path)!r} of {name} {told(old)}, want one of {name} {told(new)}")
+            raise ValueError(f"{argument}: got {str(path)!r} of {name} {quote(old)}, want one of {name} {quote(new)}")
 
 
 def make_store(path: Path, metadata: Callable[[], dict[str, bytes]]) -> None:

@@ -109,7 +109,9 @@ def _check(folder: Path) -> None:
         raise WriteError(f"{store_of(folder)} cannot be written: the call has ended, or the store was removed meanwhile")
 
 
-def put(folder: Path, index: int, place: tuple[int, ...], sides: tuple[int, ...], arrays: Mapping[str, np.ndarray]) -> None:
+def write_chunk(
+    folder: Path, index: int, place: tuple[int, ...], sides: tuple[int, ...], arrays: Mapping[str, np.ndarray]
+) -> None:
     """Write one chunk of every array into the store, then a record of the chunk's checksums.
 
     Other processes never see a partly written file.
@@ -128,10 +130,10 @@ def put(folder: Path, index: int, place: tuple[int, ...], sides: tuple[int, ...]
     for name, array in arrays.items():
         file = file_of(name, (*place, *[0] * (array.ndim - len(place))))
         files[name] = file, _encode(folder, name, index, array, sides) if len(array) else b""
-    uninterrupted(partial(_put, folder, index, files))
+    uninterrupted(partial(_write_files, folder, index, files))
 
 
-def _put(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
+def _write_files(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
     """Write the encoded files of a chunk, (path in the store, content) by array name, and the record of the chunk."""
     record = {INDEX: index, SUMS: {name: checksum_of(content) for name, (_, content) in files.items()}}
     try:

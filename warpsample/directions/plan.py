@@ -50,16 +50,16 @@ class DirectionPlan:
             with memory.loan() as loan:
                 args = SamplesArgs(
                     count=self.count,
-                    normals=loan.put(normals.owner, rows),
+                    normals=loan.lend(normals.owner, rows),
                     vectors=loan.output(vectors.owner, rows),
                     pdf=loan.output(pdf.owner, rows) if pdf else 0,
                     status=loan.output(status, rows, zero=True),
                     seed=self.options.seed,
-                    ids=loan.put(self.options.ids, rows),
-                    active=loan.put(active, rows),
+                    ids=loan.lend(self.options.ids, rows),
+                    active=loan.lend(active, rows),
                     parameters=self.distribution.kernel_parameters(loan).__ctype__(),
                     tables=self.distribution.lend_tables(loan, rows),
-                    tangents=loan.put(tangents, rows),
+                    tangents=loan.lend(tangents, rows),
                 )
                 self._run(args, memory.device, self.options.first_point + rows.start, rows.stop - rows.start)
         return status

@@ -16,7 +16,7 @@ from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
-from warpsample.host.arguments import check_flag, check_integer, check_scale, told
+from warpsample.host.arguments import check_flag, check_integer, check_scale, quote
 from warpsample.host.arrays import Array, Floats, cpu
 from warpsample.host.engine import check_memory, run
 from warpsample.host.options import CallOptions
@@ -103,7 +103,7 @@ class Directions(Summary):
         vectors, pdf, status = (a.numpy() if isinstance(a, wp.array) else a for a in (self.vectors, self.pdf, self.status))
         rows = np.flatnonzero((status == Status.OK) | (status == Status.INVALID_TANGENT))
         if not isinstance(points, SurfacePoints | None):
-            raise TypeError(f"points: got {told(points)}, want SurfacePoints, such as sample_surface returns")
+            raise TypeError(f"points: got {quote(points)}, want SurfacePoints, such as sample_surface returns")
         if points is not None and len(points) != len(status):
             raise ValueError(f"points: got {len(points)} points, want {len(status)}, one for each row of the directions")
         start = np.zeros((1, 1, 3)) if points is None else points.position[rows, None].astype(np.float64)

@@ -13,7 +13,7 @@ import numpy as np
 from warpsample.distributions import lights, microfacets, scattering
 from warpsample.distributions.own import Twin, UserDistribution, check_kind, check_twin, is_same_class, user_distributions
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.registry import look_up, records_of
 
 __all__ = ["Distribution", "Maps", "as_distribution", "as_spatial", "classes", "get", "names", "register"]
@@ -28,7 +28,8 @@ _ARRAY = re.compile(r"@([\w.-]+)")
 @cache
 def _find_package_distributions() -> dict[str, type[Distribution]]:
     """Import and return the distributions of the package, name -> class; the import takes half as long as `import warp`."""
-    return records_of(sys.modules[__name__]) | records_of(microfacets) | records_of(scattering) | records_of(lights)
+    rooms = (sys.modules[__name__], lights, microfacets, scattering)
+    return {name: record for room in rooms for name, record in records_of(room).items()}
 
 
 def _find_distributions() -> dict[str, type[Distribution]]:
@@ -140,11 +141,11 @@ def as_distribution(value: Any, arrays: Arrays | None = None) -> Distribution:
         Beckmann(alpha=0.1)
     """
     if arrays is not None and not callable(arrays):
-        raise TypeError(f"arrays: got {told(arrays)}, want a function (name) -> array, or None")
+        raise TypeError(f"arrays: got {quote(arrays)}, want a function (name) -> array, or None")
     if isinstance(value, Distribution):
         return value
     if not isinstance(value, str):
-        raise TypeError(f"distribution: got {told(value)}, want a name or an instance such as CosineHemisphere()")
+        raise TypeError(f"distribution: got {quote(value)}, want a name or an instance such as CosineHemisphere()")
     name, opened, inside = value.rstrip().partition("(")
     kind = get(name.strip())
     try:
@@ -155,7 +156,7 @@ def as_distribution(value: Any, arrays: Arrays | None = None) -> Distribution:
         required = [field for field in fields(kind) if field.default is MISSING] or fields(kind)
         example = f"{name}({', '.join(f'{field.name}=...' for field in required)})"
         reason = "" if "__init__()" in str(error) or isinstance(error, SyntaxError) else f" ({error})"
-        raise TypeError(f"distribution: got {told(value)}, want {example}{reason}") from None
+        raise TypeError(f"distribution: got {quote(value)}, want {example}{reason}") from None
 
 
 def as_spatial(value: Any, arrays: Arrays | None = None) -> Distribution:

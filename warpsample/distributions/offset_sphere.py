@@ -99,8 +99,8 @@ class OffsetSphere(Distribution):
     bounds: ClassVar[Range] = (1e-15, 1e15)
     source = "Chizhov2019, sections 4.3 and 4.4, for ρ = 1; own derivation for other ρ"
     limits = (
-        "for ρ < 1 the density is infinite at the edge sinθ = ρ and is clamped within 5e-7 of the edge; "
-        "for ρ < 1 there is no inverse, because two points u map to the same direction"
+        "for ρ < 1 the density is infinite at the edge sinθ = ρ and is clamped within 5e-7 of the edge. "
+        "For ρ < 1 there is no inverse, because two points u map to the same direction"
     )
     # A narrow cone, values on both sides of the cosine lobe, and almost uniform.
     case_values: ClassVar[Cases] = ((1e-15,), (0.5,), (1.0 - 2.0**-24,), (1.0,), (1.0 + 2.0**-23,), (1.5,), (1e15,))

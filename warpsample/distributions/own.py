@@ -8,7 +8,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 
 Twin = tuple[Callable[[Any, np.ndarray], np.ndarray], Callable[[Any, np.ndarray], np.ndarray]]
 """Pair of functions of (distribution, float64 array): directions of points u, and densities of directions w."""
@@ -42,13 +42,13 @@ def is_same_class(one: type, other: type) -> bool:
 def check_kind(kind: Any) -> type[Distribution]:
     """Check that a class defines a complete distribution and return the class; raise TypeError or ValueError otherwise."""
     if not isinstance(kind, type) or not issubclass(kind, Distribution):
-        raise TypeError(f"kind: got {told(kind)}, want a subclass of warpsample.distributions.Distribution")
+        raise TypeError(f"kind: got {quote(kind)}, want a subclass of warpsample.distributions.Distribution")
     title = kind.__name__
     if not is_dataclass(kind) or not kind.__dataclass_params__.frozen:  # type: ignore[attr-defined]
         raise TypeError(f"kind: got {title}, which is not a frozen dataclass, want @dataclass(frozen=True) above the class")
     for name in _TEXTS:
         if not isinstance(getattr(kind, name, None), str):
-            raise TypeError(f"kind: got {title} with {name} = {told(getattr(kind, name, None))}, want a string")
+            raise TypeError(f"kind: got {title} with {name} = {quote(getattr(kind, name, None))}, want a string")
     if not kind.name.isidentifier():
         raise ValueError(f"kind: got {title} with name = {kind.name!r}, want letters, digits and underscores")
     if kind.measure not in _MEASURES:
@@ -65,7 +65,7 @@ def _check_maps(kind: type[Distribution]) -> None:
     if isinstance(maps, property):  # the maps depend on a parameter and cannot be checked here
         return
     if not isinstance(maps, Maps) or not all(isinstance(func, wp.Function) for func in (maps.sample, maps.pdf)):
-        raise TypeError(f"kind: got {kind.__name__} with maps = {told(maps)}, want Maps(sample, pdf, invert) of wp.funcs")
+        raise TypeError(f"kind: got {kind.__name__} with maps = {quote(maps)}, want Maps(sample, pdf, invert) of wp.funcs")
     for func in filter(None, (maps.sample, maps.pdf, maps.invert)):
         after = list(func.input_types)[1:]
         if len(after) != len(kind.parameters):
@@ -79,4 +79,4 @@ def check_twin(twin: Any) -> Twin | None:
     """Check that a twin is a pair of functions or None, and return the twin."""
     if twin is None or (isinstance(twin, tuple) and len(twin) == 2 and all(map(callable, twin))):
         return twin
-    raise TypeError(f"twin: got {told(twin)}, want two functions in float64, (directions, density)")
+    raise TypeError(f"twin: got {quote(twin)}, want two functions in float64, (directions, density)")

@@ -24,7 +24,7 @@ def along(integrand: Integrand, directions: np.ndarray, workers: int) -> np.ndar
     if len(made):
         memory = Memory.of(None)
         with memory.loan() as loan:
-            inputs = [len(made), loan.put(directions), loan.output(made), integrand.data_for(loan)]
+            inputs = [len(made), loan.lend(directions), loan.output(made), integrand.data_for(loan)]
             kernel, tasks = _kernel(integrand.function, integrand.struct), -(-len(made) // _BLOCK)
             run(kernel, tasks, inputs, memory.device, workers=workers, work=len(made))
     return made[:, : integrand.channels]

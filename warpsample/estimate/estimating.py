@@ -10,7 +10,7 @@ from warpsample.estimate.result import Estimate, has_value
 from warpsample.estimate.runner import Runner
 from warpsample.estimate.split import SplitRunner, SplitSum
 from warpsample.estimate.strata import strata_of
-from warpsample.estimate.tolerance import count_within, error_of
+from warpsample.estimate.tolerance import error_of, find_count
 from warpsample.host.progress import bar, log
 
 _MISSED = 1.1  # times the tolerance: the error's own error is a few percent
@@ -26,7 +26,7 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
         runner = SplitRunner(plan, summed, loan) if isinstance(summed, SplitSum) else Runner(plan, summed, loan)
         if plan.tolerance is None or len(plan.at) == 0:
             return runner.result(options.seed, plan.count)
-        count, trial = count_within(runner, plan.tolerance)
+        count, trial = find_count(runner, plan.tolerance)
         log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
         main = runner.result(options.seed, count)
         if count == plan.count and error_of(main, has_value(main.status)) > _MISSED * plan.tolerance:

@@ -12,11 +12,11 @@ import warp as wp
 
 from warpsample.estimate.source.content import function_content
 from warpsample.estimate.source.definitions import NUMBERS, latest, names_in, naming_function, returned
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import cpu
 from warpsample.host.device_memory import Loan, at_home
 from warpsample.host.locks import once
-from warpsample.host.neighbours import kind_told
+from warpsample.host.neighbours import describe_type
 
 WANTED = "a wp.func (w: wp.vec3[, lobe: funcs.Lobe[, data: the struct of `data`]]) -> float or wp.vec3, annotated"
 
@@ -101,7 +101,7 @@ class Integrand:
             return (self.data if loan.memory.in_place else with_arrays(self.data, loan.clone)).__ctype__()
         data = type(self.data).from_buffer_copy(self.data)
         for name, array in self.arrays:
-            setattr(data, name, loan.put(array))
+            setattr(data, name, loan.lend(array))
         return data
 
 
@@ -116,7 +116,7 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand", d
     """
     data, struct = _own(data, device or cpu())
     if not isinstance(function, wp.Function) or function.func is None:
-        raise TypeError(f"{argument}: got {told(function)}, want {WANTED}")
+        raise TypeError(f"{argument}: got {quote(function)}, want {WANTED}")
     function = latest(function)
     names = list(signature(function.func).parameters)
     missing = [name for name in names if name not in function.input_types]
@@ -152,7 +152,7 @@ def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
         return None, NoData
     struct = getattr(data, "_cls", None)  # the type that annotates a kernel's argument
     if struct is None or not hasattr(data, "__ctype__"):
-        raise TypeError(f"data: got {told(data)}, want an instance of a wp.struct, or None")
+        raise TypeError(f"data: got {quote(data)}, want an instance of a wp.struct, or None")
     own = data._cls()
     own.assign(data)
     for name, array in _arrays_in(own):
@@ -160,7 +160,7 @@ def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
             wants = "cpu" if device.is_cpu else f"cpu or {device}"
             raise ValueError(f"data: got an array {name} on {array.device}, want it on {wants}")
         if not isinstance(array, wp.array | None) and not at_home(device):
-            raise TypeError(f"data: got {kind_told(array)} as {name}, want a wp.array for {device}")
+            raise TypeError(f"data: got {describe_type(array)} as {name}, want a wp.array for {device}")
     return own, struct
 
 

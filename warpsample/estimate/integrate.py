@@ -13,7 +13,7 @@ from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, RaySum, plan_of, reach_of
 from warpsample.estimate.result import Estimate, PointStatus, has_status
 from warpsample.estimate.source.definitions import naming_function
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.options import RayKeywords, with_options
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.surface import SurfacePoints
@@ -85,7 +85,7 @@ def integrate(
     plan = plan_of(at, count, distribution=distribution, tangents=True, **options)
     summed = RaySum(integrand_of(integrand, data, device=plan.options.memory.device), reach=reach_of(max_distance))
     if mesh is None and max_distance is not None:
-        raise ValueError(f"max_distance: got {told(max_distance)} without a mesh, want it with one")
+        raise ValueError(f"max_distance: got {quote(max_distance)} without a mesh, want it with one")
     first = _first_of(plan)
     with naming_function("integrand"):
         found = estimate(first, summed)

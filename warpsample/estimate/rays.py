@@ -20,12 +20,12 @@ LAST_UNIFORM: wp.float32 = wp.constant(wp.float32(1.0 - 2.0**-24))
 
 
 @once
-def spread_of(slots: Slots) -> wp.Function:
+def build_ray_writer(slots: Slots) -> wp.Function:
     """Build the Warp function that writes the directions of a chunk of a stratum's rays."""
     sample, directions = slots.sequence.sample, directions_of(slots)
 
     @wp.func
-    def spread(lobes: Lobes, point: ShadingPoint, stratum: wp.int32, first: wp.int32, length: wp.int32):
+    def write_rays(lobes: Lobes, point: ShadingPoint, stratum: wp.int32, first: wp.int32, length: wp.int32):
         """Write the directions of `length` rays of a stratum to the chunk, starting at ray number `first`.
 
         The rays of the first replicate come before those of the second. Each replicate of each stratum has its own stream.
@@ -51,7 +51,7 @@ def spread_of(slots: Slots) -> wp.Function:
             k += 1
         directions(lobes, point, length)
 
-    return spread
+    return write_rays
 
 
 @once

@@ -13,7 +13,7 @@ from warpsample.estimate.intervals import Interval, interval_of
 from warpsample.estimate.lobes import NONFINITE_VALUE
 from warpsample.host.arguments import check_choice, check_number
 from warpsample.host.extras import missing
-from warpsample.host.neighbours import kind_told
+from warpsample.host.neighbours import describe_type
 from warpsample.host.summary import Summary
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import mesh_of
@@ -179,7 +179,7 @@ class PointResult(Summary):
             {'point': 9, 'component': 3}
         """
         if not isinstance(points, SurfacePoints):
-            raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints")
+            raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
         if len(points) != len(self.status):
             raise ValueError(f"points: got {len(points)}, want the {len(self.status)} of the numbers")
         try:

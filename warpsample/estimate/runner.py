@@ -93,26 +93,26 @@ class Runner:
             placement=self.placement,
             first_point=options.first_point + rows.start,
             first_row=rows.start,
-            normals=loan.put(self.at.normal, rows),
-            active=loan.put(options.active, rows),
+            normals=loan.lend(self.at.normal, rows),
+            active=loan.lend(options.active, rows),
             samples_per_stratum=strata.samples_per_stratum,
             bands=strata.bands,
             sectors=strata.sectors,
-            shafts=loan.put(strata.shafts) if strata.shafts.size and skip and options.tracer.skips else 0,
+            shafts=loan.lend(strata.shafts) if strata.shafts.size and skip and options.tracer.skips else 0,
             skip=skip,
             edge=options.sequence.edge_variance(strata.samples_per_stratum),
             falloff=self.summed.falloff or 0.0,
             parameters=self.plan.distribution.kernel_parameters(loan).__ctype__(),
             tables=self.plan.distribution.lend_tables(loan, rows),
-            tangents=loan.put(self.plan.tangent, rows),
+            tangents=loan.lend(self.plan.tangent, rows),
         )
         if self.traced and self.at.scene.has_glass:
             part.glass = self.at.scene.glass(options.workers)
         part.placement.points = rows.stop - rows.start
-        part.placement.ids = loan.put(options.ids, rows)
+        part.placement.ids = loan.lend(options.ids, rows)
         if self.traced:
-            part.placement.origins = loan.put(self.at.position.owner, rows)
-            part.placement.normals = loan.put(self.at.side, rows)
+            part.placement.origins = loan.lend(self.at.position.owner, rows)
+            part.placement.normals = loan.lend(self.at.side, rows)
         return part
 
     def _run(self, loan: Loan, lobes: LobesArgs, chosen: np.ndarray | None) -> None:
@@ -125,7 +125,7 @@ class Runner:
         rows = rows if chosen is None else rows[chosen[rows]]
         if len(rows) == 0:
             return
-        lobes.placement.order = loan.put(rows)
+        lobes.placement.order = loan.lend(rows)
         accelerator = AcceleratorArgs()
         if self.traced:
             accelerator = options.tracer.accelerator(self.at.scene, memory.device, options.workers)

@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsample.estimate.integrand import Lobe, density_setter
 from warpsample.estimate.lobes import BLOCKERS, GLASS, Lobes, lobe_of
-from warpsample.estimate.rays import spread_of
+from warpsample.estimate.rays import build_ray_writer
 from warpsample.estimate.slots import Slots
 from warpsample.host.locks import once
 from warpsample.maths.memory import float_at, set_vec3, vec3_at
@@ -127,7 +127,7 @@ def weighing(slots: Slots) -> wp.Function:
 @once
 def stratum_sum(slots: Slots) -> wp.Function:
     """Build the Warp function that sums the rays of one stratum."""
-    spread, weigh, struct = spread_of(slots), weighing(slots), slots.struct
+    write_rays, weigh, struct = build_ray_writer(slots), weighing(slots), slots.struct
     any_hit, constant, counts, channels = slots.any_hit, slots.constant, slots.counts, slots.channels
     prepare, block, share_left = prepare_rays(slots.prepare), rays_blocked(slots.query, slots.wide), share_of(slots)
     glass = slots.glass and any_hit
@@ -165,7 +165,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
         lobe = lobe_of(lobes, point)
         for first in range(0, 2 * each, CHUNK):
             length = wp.min(CHUNK, 2 * each - first)
-            spread(lobes, point, stratum, first, whole_vectors(length))
+            write_rays(lobes, point, stratum, first, whole_vectors(length))
             rays = weigh(lobe, data, point, length)
             left = rays
             if found != 0:

@@ -30,7 +30,7 @@ _ROUNDS = 8
 _PRIOR = 16.0  # weight of the prior on edges, as a number of points: for few points, and where no ray has hit anything
 
 
-def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
+def find_count(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
     """Find the number of rays per point with which the root mean square of the standard errors reaches `tolerance`.
 
     Returns:
@@ -111,12 +111,12 @@ class _Trial:
         good = chosen & (has_value(found.status))
         error = error_of(found, good)
         alike = counts_with_the_strata_of(self.count, traced) == counts_with_the_strata_of(count, traced)
-        if self.count and alike and error > 0.0 and self._apart(count):
+        if self.count and alike and error > 0.0 and self._is_far_from_last(count):
             self.rate = min(max(log(self.error / error) / log(count / self.count), _SLOWEST), _FASTEST)
         self.count, self.error, self.rays = count, error, self.rays + found.rays
         self.cast = float(found.rays[good].mean()) / count if good.any() else 0.0
 
-    def _apart(self, count: int) -> bool:
+    def _is_far_from_last(self, count: int) -> bool:
         """Return whether a round's `count` differs enough from the last round's to estimate the exponent."""
         if self.runner.traced:
             return count >= _APART * self.count

@@ -11,7 +11,7 @@ from typing_extensions import Unpack
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.plan import RaySum, plan_of, reach_of
 from warpsample.estimate.result import Estimate, Share
-from warpsample.estimate.weights import DIRECTION, OPEN, above_plane
+from warpsample.estimate.weights import DIRECTION, OPEN, build_sky_integrand
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import as_unit
 from warpsample.host.options import RayKeywords, with_options
@@ -143,7 +143,7 @@ def sky_view_factor(
     plan = plan_of(PlacedPoints.of(mesh, points), count, **options)
     reach = reach_of(max_distance)
     axis = as_unit(up, "up")
-    found = estimate(plan, RaySum(above_plane(axis), reach=reach, result=Share))
+    found = estimate(plan, RaySum(build_sky_integrand(axis), reach=reach, result=Share))
     normal = np.asarray(points.normal, np.float64)
     with np.errstate(invalid="ignore"):
         cosine = normal @ axis / np.linalg.norm(normal, axis=1)

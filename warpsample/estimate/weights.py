@@ -86,12 +86,12 @@ DIRECTION = Integrand(itself, 3, WeightsArgs(), Weights)
 """Integrand that is the direction itself, for bent normals."""
 
 
-def above_plane(up: Any) -> Integrand:
+def build_sky_integrand(up: Any) -> Integrand:
     """Return the integrand of the sky: 1 above the plane perpendicular to the unit vector `up`, 0 below the plane."""
     return Integrand(above, 1, WeightsArgs(x=up[0], y=up[1], z=up[2]), Weights, binary=True)
 
 
-def seen_in(pixels: np.ndarray, up: Any) -> Integrand:
+def build_environment_integrand(pixels: np.ndarray, up: Any) -> Integrand:
     """Return the integrand of an environment picture (H, W, 3) of radiances, contiguous float32, with unit vector `up`."""
     height, width = pixels.shape[:2]
     data = WeightsArgs(x=up[0], y=up[1], z=up[2], width=width, height=height)

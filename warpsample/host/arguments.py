@@ -15,7 +15,7 @@ _LONGEST = 80  # characters of a value in a message
 _FLAGS = (bool, np.bool_)
 
 
-def told(value: Any) -> str:
+def quote(value: Any) -> str:
     """Return the text of a value for an error message: one line of at most 80 characters. Raise no error."""
     try:
         text = repr(value)
@@ -32,7 +32,7 @@ def check_flag(value: Any, argument: str) -> bool:
         TypeError: the value is neither True nor False; "no" and 2 are true to Python, and are refused here.
     """
     if not isinstance(value, _FLAGS):
-        raise TypeError(f"{argument}: got {told(value)}, want True or False")
+        raise TypeError(f"{argument}: got {quote(value)}, want True or False")
     return bool(value)
 
 
@@ -45,7 +45,7 @@ def check_choice(value: Any, argument: str, choices: Sequence[str]) -> str:
     """
     if not isinstance(value, str) or value not in choices:
         kind = ValueError if isinstance(value, str) else TypeError
-        raise kind(f"{argument}: got {told(value)}, want one of {', '.join(choices)}")
+        raise kind(f"{argument}: got {quote(value)}, want one of {', '.join(choices)}")
     return value
 
 
@@ -62,7 +62,7 @@ def check_file(value: Any, argument: str, wants: str) -> Path:
         FileNotFoundError: the file is missing, or is a folder, a device or a pipe; reading a pipe may never end.
     """
     if not isinstance(value, str | PathLike) or not isinstance(fspath(value), str):
-        raise TypeError(f"{argument}: got {told(value)}, want the path of {wants}")
+        raise TypeError(f"{argument}: got {quote(value)}, want the path of {wants}")
     path = Path(value)
     if flaw := _flaw(path):
         raise FileNotFoundError(f"{argument}: got {str(path)!r}, which is {flaw}, want {wants}")
@@ -114,9 +114,9 @@ def check_integer(value: Any, argument: str, low: int, high: int, wants: str | N
     try:
         number = index(None if isinstance(value, (*_FLAGS, np.ma.MaskedArray)) else value)
     except TypeError:
-        raise TypeError(f"{argument}: got {told(value)}, want {wants}") from None
+        raise TypeError(f"{argument}: got {quote(value)}, want {wants}") from None
     if not low <= number <= high:
-        raise ValueError(f"{argument}: got {told(number)}, want {wants}")
+        raise ValueError(f"{argument}: got {quote(number)}, want {wants}")
     return number
 
 
@@ -129,13 +129,13 @@ def check_number(value: Any, argument: str, low: float, high: float) -> float:
     """
     wants = f"a number from {low:g} to {high:g}"
     if not isinstance(value, Real) or isinstance(value, bool):
-        raise TypeError(f"{argument}: got {told(value)}, want {wants}")
+        raise TypeError(f"{argument}: got {quote(value)}, want {wants}")
     try:
         number = float(value)
     except OverflowError:  # an int beyond float64
         number = inf if value > 0 else -inf
     if not low <= number <= high:
-        raise ValueError(f"{argument}: got {told(value)}, want {wants}")
+        raise ValueError(f"{argument}: got {quote(value)}, want {wants}")
     return number
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.kernel_cache import start
 from warpsample.host.locks import once
 from warpsample.host.neighbours import as_ndarray
@@ -41,13 +41,13 @@ def _device(device: Any) -> wp.Device:
     """Return the device of a name; raise the errors of `check_device`."""
     known = ", ".join(str(d) for d in wp.get_devices())
     if not isinstance(device, str | wp.Device):
-        raise TypeError(f"device: got {told(device)}, want one of {known}")
+        raise TypeError(f"device: got {quote(device)}, want one of {known}")
     try:
         if device == "cuda" and not wp.is_cuda_available():  # get_device would print errors of a driver that is missing
             raise ValueError("there is none")
         return wp.get_device(device)
     except Exception as error:  # Warp raises several types for a device that does not exist
-        raise ValueError(f"device: got {told(device)}, want one of {known}") from error
+        raise ValueError(f"device: got {quote(device)}, want one of {known}") from error
 
 
 def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarray:
@@ -58,7 +58,7 @@ def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarra
     """
     array = as_ndarray(value, argument, wants)
     if array.dtype.kind not in "fiu":
-        raise TypeError(f"{argument}: got {f'dtype {array.dtype}' if array.ndim else told(value)}, want {wants}")
+        raise TypeError(f"{argument}: got {f'dtype {array.dtype}' if array.ndim else quote(value)}, want {wants}")
     if array.dtype in (np.float32, np.float64):
         return array
     with np.errstate(over="ignore"):
@@ -77,7 +77,7 @@ def check_active(active: Any, points: int) -> np.ndarray | None:
     wants = f"an array of bool of shape {(points,)}, one for each point"
     mask = as_ndarray(active, "active", wants)
     if mask.dtype not in (np.bool_, np.uint8):
-        raise TypeError(f"active: got {f'dtype {mask.dtype}' if mask.ndim else told(active)}, want {wants}")
+        raise TypeError(f"active: got {f'dtype {mask.dtype}' if mask.ndim else quote(active)}, want {wants}")
     if mask.shape != (points,):
         raise ValueError(f"active: got shape {mask.shape}, want {wants}")
     return np.array(mask, order="C").view(np.uint8)  # a copy: results may be written to its memory
@@ -110,7 +110,7 @@ def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not a
     vector = as_real(value, argument, wants)
     largest = float(np.abs(vector).max()) if vector.shape == (3,) else 0.0
     if not 0.0 < largest < inf:
-        raise ValueError(f"{argument}: got {told(value)}, want {wants}")
+        raise ValueError(f"{argument}: got {quote(value)}, want {wants}")
     # By a power of two, which changes no digit, so that no square over- or underflows.
     x, y, z = (ldexp(v, -frexp(largest)[1]) for v in vector.tolist())
     length = hypot(x, y, z)
@@ -127,5 +127,5 @@ def as_view(value: Any, argument: str) -> tuple[float, float, float]:
     wants = "three finite numbers, not all 0, the last at least 0"
     view = as_unit(value, argument, wants)
     if view[2] < 0.0:
-        raise ValueError(f"{argument}: got {told(value)}, want {wants}")
+        raise ValueError(f"{argument}: got {quote(value)}, want {wants}")
     return view

@@ -98,7 +98,7 @@ class Loan:
 
     def __init__(self, memory: Memory) -> None:
         self.memory = memory
-        self._held: list[Array] = []
+        self._inputs: list[Array] = []
         self._results: list[tuple[np.ndarray, wp.array]] = []
 
     def __enter__(self) -> "Loan":
@@ -113,9 +113,9 @@ class Loan:
                 array[...] = there.numpy()  # waits for the kernels
         finally:
             self._results.clear()
-            self._held.clear()
+            self._inputs.clear()
 
-    def put(self, array: Array | None, rows: slice = slice(None)) -> int:
+    def lend(self, array: Array | None, rows: slice = slice(None)) -> int:
         """Return the address of rows of an input array, in the memory of the kernels; 0 for None.
 
         `rows` is a slice of `Memory.parts`, or all rows. In place it is not used: kernels get the whole array.
@@ -154,5 +154,5 @@ class Loan:
 
     def _keep(self, array: Array) -> int:
         """Keep an array alive until the end of the loan; return its address."""
-        self._held.append(array)
+        self._inputs.append(array)
         return address_of(array)

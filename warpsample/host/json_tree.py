@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import check_flag, check_integer, told
+from warpsample.host.arguments import check_flag, check_integer, quote
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Part:
         values = self.values(key, default)
         finite = [value for value in values if type(value) in (int, float) and abs(value) <= sys.float_info.max]
         if not len(finite) == len(values) == len(default):
-            raise ValueError(f"{self.at(key)}: got {told(values)}, want {len(default)} finite numbers")
+            raise ValueError(f"{self.at(key)}: got {quote(values)}, want {len(default)} finite numbers")
         return np.array(finite, np.float64)
 
     def text(self, key: str) -> str:
@@ -106,7 +106,7 @@ def parsed(content: bytes) -> Part:
     except UnicodeDecodeError:
         raise ValueError("its JSON is no UTF-8") from None
     if not isinstance(found, dict):
-        raise ValueError(f"its JSON is {told(found)}, want an object")
+        raise ValueError(f"its JSON is {quote(found)}, want an object")
     return Part(found)
 
 
@@ -128,7 +128,7 @@ def _object(members: list[tuple[str, Any]]) -> dict[str, Any]:
     made = dict(members)
     if len(made) < len(members):
         name, _ = Counter(name for name, _ in members).most_common(1)[0]
-        raise ValueError(f"its JSON has an object with two members {told(name)}")
+        raise ValueError(f"its JSON has an object with two members {quote(name)}")
     return made
 
 
@@ -139,7 +139,7 @@ def _refuse_constant(name: str) -> float:
 def _of_kind(value: Any, path: str, kind: type, wants: str) -> Any:
     """Check that a JSON value is of a Python type, and return it; raise a TypeError otherwise."""
     if not isinstance(value, kind):
-        raise TypeError(f"{path}: got {told(value)}, want {wants}")
+        raise TypeError(f"{path}: got {quote(value)}, want {wants}")
     return value
 
 

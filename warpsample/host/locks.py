@@ -53,20 +53,20 @@ def imported(name: str) -> ModuleType:
 
 def once(factory: Callable[..., T]) -> Callable[..., T]:
     """Decorate a function like `functools.cache`, but two threads never make the same value. A known value needs no lock."""
-    known: dict[tuple[Any, ...], T] = {}
+    values: dict[tuple[Any, ...], T] = {}
 
     @wraps(factory)
     def get(*arguments: Any, **named: Any) -> T:
         key = (*arguments, *named.items()) if named else arguments
-        value = known.get(key, _UNKNOWN)
+        value = values.get(key, _UNKNOWN)
         return make(partial(get_new, key, arguments, named)) if value is _UNKNOWN else value
 
     def get_new(key: tuple[Any, ...], arguments: tuple[Any, ...], named: dict[str, Any]) -> T:
-        if key not in known:
-            known[key] = factory(*arguments, **named)
-        return known[key]
+        if key not in values:
+            values[key] = factory(*arguments, **named)
+        return values[key]
 
-    get.known = known  # type: ignore[attr-defined]
+    get.cache = values  # type: ignore[attr-defined]
     return get
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.kernel_cache import start
 
 _NUMPY_KNOWS = ("__array__", "__array_interface__", "__array_struct__")
@@ -29,7 +29,7 @@ def address_of(array: Any) -> int:
     return array.__array_interface__["data"][0]
 
 
-def kind_told(value: Any) -> str:
+def describe_type(value: Any) -> str:
     """Return a noun phrase for the type of a value, for an error message."""
     if isinstance(value, wp.array):
         return "a wp.array"
@@ -57,7 +57,7 @@ def _from_cuda(value: Any, argument: str) -> Any:
     except Exception as error:  # of the value's own code, or of Warp
         known = ", ".join(map(str, wp.get_devices()))
         raise TypeError(
-            f"{argument}: got {kind_told(value)} on a CUDA device, which Warp makes no array of ({_reason(error)}), "
+            f"{argument}: got {describe_type(value)} on a CUDA device, which Warp makes no array of ({_reason(error)}), "
             f"want an array without gradients on one of {known}"
         ) from error
 
@@ -102,7 +102,7 @@ def _to_array(value: Any, argument: str, wants: str) -> Any:
         return np.from_dlpack(value) if only_dlpack else np.asarray(value)
     except Exception as error:  # of the value's own code
         raise TypeError(
-            f"{argument}: got {told(value)}, which NumPy makes no array of ({_reason(error)}), want {wants}"
+            f"{argument}: got {quote(value)}, which NumPy makes no array of ({_reason(error)}), want {wants}"
         ) from error
 
 

@@ -129,7 +129,7 @@ class CallOptions:
     def of(
         cls, points: int, *, seed: Any = 0, first_point: Any = 0, ids: Any = None, active: Any = None, **how: Any
     ) -> "CallOptions":
-        """Check the options of a call over `points` points; `ids` are those of SurfacePoints, `how` is as for `by`."""
+        """Check the options of a call over `points` points; `ids` are those of SurfacePoints, `how` is as for `replace`."""
         return cls(
             seed=check_seed(seed),
             first_point=check_first_point(first_point, points, ids),
@@ -138,7 +138,7 @@ class CallOptions:
             **_ways(**how),
         )
 
-    def by(self: Options, **how: Any) -> Options:
+    def replace(self: Options, **how: Any) -> Options:
         """Check `device`, `workers` and `progress`, and return a copy with them.
 
         A wp.array `given` to the call, as the argument of the name `argument`, is computed with on its own device.

@@ -21,8 +21,8 @@ log.addHandler(logging.NullHandler())
 
 _PATIENCE = 1.0  # seconds before a wait is reported
 
-_seen: ContextVar[bool] = ContextVar("seen", default=False)
-_shown: ContextVar[tuple[Any, Any, bool] | None] = ContextVar("shown", default=None)
+_is_on: ContextVar[bool] = ContextVar("is_on", default=False)
+_display: ContextVar[tuple[Any, Any, bool] | None] = ContextVar("display", default=None)
 _NO_BAR = nullcontext()
 _check: ContextVar[Callable[[], None] | None] = ContextVar("check", default=None)
 
@@ -45,18 +45,21 @@ def _bar(what: str, total: int | None) -> Iterator[None]:
     columns = TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
     disable = not (console.is_terminal or console.is_jupyter)
     with Progress(*columns, console=console, disable=disable, transient=True) as display:
-        token, seen = _shown.set((display, display.add_task(what, total=total), total is not None)), _seen.set(not disable)
+        token, seen = (
+            _display.set((display, display.add_task(what, total=total), total is not None)),
+            _is_on.set(not disable),
+        )
         try:
             yield
         finally:
-            _shown.reset(token)
-            _seen.reset(seen)
+            _display.reset(token)
+            _is_on.reset(seen)
 
 
 @contextmanager
 def awaited(what: str) -> Iterator[None]:
     """Print a line on stderr if the work within a `with` statement takes more than a second; a bar stays below the line."""
-    if not (_seen.get() or _is_terminal()):
+    if not (_is_on.get() or _is_terminal()):
         yield
         return
     timer = threading.Timer(_PATIENCE, _print_line, [f"warpsample: {what}\n"])
@@ -108,7 +111,7 @@ def begin(tasks: int, work: int) -> Callable[[int], None] | None:
 
 def _bar_of(tasks: int, work: int) -> Callable[[int], None] | None:
     """Return the function that moves the bar; None without a bar, or for short work."""
-    shown = _shown.get()
+    shown = _display.get()
     if shown is None or work < LEAST_WORK:
         return None
     display, task, together = shown

@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arrays import Array, cpu
-from warpsample.host.neighbours import address_of, as_array, as_ndarray, from_cuda, kind_told, own_memory
+from warpsample.host.neighbours import address_of, as_array, as_ndarray, describe_type, from_cuda, own_memory
 
 _SHORTEST, _LONGEST = 1e-30, 1e30  # length of a float64 vector whose components keep their digits in float32
 _FLOATS = (np.dtype(np.float32), np.dtype(np.float64))  # compared with a type, a dtype takes three times as long
@@ -142,7 +142,7 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
             raise ValueError(f"out: got an array that is {flaw}, want {want}")
         vectors = Vectors(out, out.shape[:-1], out.shape[-1] if out.ndim else 0, like.device)
     else:
-        raise TypeError(f"out: got {kind_told(out)}, want {kind_told(like.owner)}, as the normals are")
+        raise TypeError(f"out: got {describe_type(out)}, want {describe_type(like.owner)}, as the normals are")
     if (*vectors.shape, vectors.width) != (*shape, 3):
         raise ValueError(f"out: got shape {(*vectors.shape, vectors.width)}, want {want}")
     first, other = vectors.address, like.address

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
-from warpsample.host.neighbours import kind_told
+from warpsample.host.arguments import quote
+from warpsample.host.neighbours import describe_type
 from warpsample.mesh.joining import joined_parts
 from warpsample.mesh.parts import Named
 from warpsample.mesh.polygons import faces_of_cells
@@ -55,7 +55,7 @@ def _scene(parts: Iterator[Placed], value: Any, argument: str) -> Named:
     """Join all parts of a scene into one mesh; raise a ValueError if no part has a face."""
     held = [part for part in parts if len(part[1])]
     if not held:
-        raise ValueError(f"{argument}: got {kind_told(value)} without a face: {told(value)}, want one with surfaces")
+        raise ValueError(f"{argument}: got {describe_type(value)} without a face: {quote(value)}, want one with surfaces")
     return joined_parts(held)
 
 

@@ -25,7 +25,7 @@ def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) ->
     """
     vertices, faces, offset, size, known = [], [], 0, 0, 0
     for part in parts:
-        points, triangles = _placed(*part)
+        points, triangles = _transform_part(*part)
         vertices.append(points)
         triangles = triangles.astype(np.int32, copy=False)
         faces.append(triangles + np.int32(offset) if offset else triangles)
@@ -74,7 +74,7 @@ def joined_corners(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | No
     return np.concatenate(found[1:] or found)
 
 
-def _placed(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+def _transform_part(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
     """Return the points of a part after its matrix, and its triangles with the winding reversed if the matrix mirrors."""
     if matrix is None:
         return points, triangles

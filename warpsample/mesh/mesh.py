@@ -8,11 +8,11 @@ from weakref import ref
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import Array, as_real
-from warpsample.host.known import digest_of, find_or_make, remember
 from warpsample.host.locks import once_property
-from warpsample.host.neighbours import as_ndarray, kind_told
+from warpsample.host.neighbours import as_ndarray, describe_type
+from warpsample.host.shared_values import digest_of, find_or_make, remember
 from warpsample.host.summary import Summary
 from warpsample.mesh.foreign import KINDS, arrays_of
 from warpsample.mesh.indexed import check_faces, check_vertices
@@ -266,8 +266,8 @@ def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
     if found is not None:
         return Mesh(*found)
     if isinstance(value, str | PurePath):
-        raise TypeError(f"{argument}: got {told(value)}, want a mesh; warpsample.load_mesh reads files")
-    raise TypeError(f"{argument}: got {kind_told(value)}, want {wants}, {KINDS}")
+        raise TypeError(f"{argument}: got {quote(value)}, want a mesh; warpsample.load_mesh reads files")
+    raise TypeError(f"{argument}: got {describe_type(value)}, want {wants}, {KINDS}")
 
 
 def unit_or_zero(vectors: np.ndarray) -> np.ndarray:

@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real
-from warpsample.host.known import digest_of
 from warpsample.host.locks import read_only
+from warpsample.host.shared_values import digest_of
 
 _ROUNDED = 2.0**-22  # rounding error of a sum of two float32 fractions
 
@@ -27,7 +27,7 @@ def check_share(value: Any, argument: str, faces: int) -> np.ndarray | None:
     wrong = np.flatnonzero(~((share >= 0.0) & (share <= 1.0)))
     if len(wrong):
         where = f" in face {wrong[0]}" if share.ndim else ""
-        raise ValueError(f"{argument}: got {told(float(share.flat[wrong[0]]))}{where}, want {wants}")
+        raise ValueError(f"{argument}: got {quote(float(share.flat[wrong[0]]))}{where}, want {wants}")
     return read_only(np.broadcast_to(share.astype(np.float32), (faces,)))
 
 

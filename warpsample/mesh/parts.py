@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.locks import read_only
 from warpsample.host.neighbours import as_ndarray
 
@@ -27,7 +27,7 @@ def check_names(names: Any) -> tuple[str, ...]:
     """Return the names of parts as a tuple of strings; raise a TypeError for anything but a sequence of strings."""
     made = tuple(names) if isinstance(names, Sequence) and not isinstance(names, str) else (None,)
     if not all(isinstance(name, str) for name in made):
-        raise TypeError(f"parts: got {told(names)}, want a sequence of names")
+        raise TypeError(f"parts: got {quote(names)}, want a sequence of names")
     return made
 
 
@@ -41,7 +41,7 @@ def check_part(part: Any, faces: int, names: int) -> np.ndarray:
     wants = f"({faces},) whole numbers from -1 to {names - 1}, one for each face"
     array = as_ndarray(part, "part", wants)
     if array.dtype.kind not in "iu":
-        raise TypeError(f"part: got {f'dtype {array.dtype}' if array.ndim else told(part)}, want {wants}")
+        raise TypeError(f"part: got {f'dtype {array.dtype}' if array.ndim else quote(part)}, want {wants}")
     if array.shape != (faces,):
         raise ValueError(f"part: got shape {array.shape}, want {wants}")
     if array.min() < -1 or array.max() >= names:

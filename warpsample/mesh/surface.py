@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import Array, as_real
 from warpsample.host.neighbours import as_ndarray
 from warpsample.host.summary import Summary
@@ -259,7 +259,7 @@ def check_uv(uv: Any, faces: int) -> np.ndarray:
 def _check_face(value: Any) -> np.ndarray:
     face = as_ndarray(value, "face")
     if face.dtype.kind not in "iu" and face.size:
-        raise TypeError(f"face: got {f'dtype {face.dtype}' if face.ndim else told(value)}, want whole numbers")
+        raise TypeError(f"face: got {f'dtype {face.dtype}' if face.ndim else quote(value)}, want whole numbers")
     if face.size and not (face.min() >= -1 and face.max() < 2**31):
         raise ValueError(f"face: got numbers from {face.min()} to {face.max()}, want -1 (none) or the number of a face")
     return face.astype(np.int32, copy=False)
@@ -270,7 +270,7 @@ def _check_rows(value: Any, points: int) -> np.ndarray:
     if rows.shape == (0,):
         return np.zeros(0, np.int64)  # an empty list is of float64 to NumPy
     if rows.dtype.kind not in "biu":
-        raise TypeError(f"rows: got {f'dtype {rows.dtype}' if rows.ndim else told(value)}, want whole numbers or bool")
+        raise TypeError(f"rows: got {f'dtype {rows.dtype}' if rows.ndim else quote(value)}, want whole numbers or bool")
     if rows.ndim != 1 or (rows.dtype == bool and len(rows) != points):
         raise ValueError(f"rows: got shape {rows.shape}, want (N,) whole numbers, or ({points},) bool")
     if rows.dtype != bool and rows.size and not (rows.min() >= 0 and rows.max() < points):
@@ -282,7 +282,7 @@ def _check_id(value: Any) -> np.ndarray:
     id = as_ndarray(value, "id")
     if id.dtype.kind not in "iu" and id.size:
         raise TypeError(
-            f"id: got {f'dtype {id.dtype}' if id.ndim else told(value)}, want whole numbers of 64 bits, as "
+            f"id: got {f'dtype {id.dtype}' if id.ndim else quote(value)}, want whole numbers of 64 bits, as "
             "numpy.array(id, numpy.uint64) holds them"
         )
     if id.size and id.min() < 0:
@@ -293,5 +293,5 @@ def _check_id(value: Any) -> np.ndarray:
 def _check_raised(value: Any) -> np.ndarray:
     raised = as_ndarray(value, "raised")
     if raised.dtype != bool:
-        raise TypeError(f"raised: got {f'dtype {raised.dtype}' if raised.ndim else told(value)}, want bool")
+        raise TypeError(f"raised: got {f'dtype {raised.dtype}' if raised.ndim else quote(value)}, want bool")
     return np.ascontiguousarray(raised)

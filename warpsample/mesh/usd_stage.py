@@ -73,7 +73,7 @@ def _read(path: Path, what: str) -> list[tuple[np.ndarray, np.ndarray, np.ndarra
         stage = _open(path)
         return str(UsdGeom.GetStageUpAxis(stage)) if what == UP else list(_parts(stage, int(what) if what else None))
     except Tf.ErrorException as error:
-        raise ValueError(_said(error, path)) from None
+        raise ValueError(_describe_error(error, path)) from None
 
 
 def _open(path: Path) -> Any:
@@ -158,7 +158,7 @@ def _check_counts(section: str, counts: bytes, length: int) -> None:
             raise ValueError(f"its section {section!r} declares {declared:,} entries in {length:,} bytes")
 
 
-def _said(error: Any, path: Path) -> str:
+def _describe_error(error: Any, path: Path) -> str:
     """Return the first line of a usd-core error, without the path and the name of its parser."""
     try:
         reason = error.args[0].commentary.strip().partition("\n")[0]

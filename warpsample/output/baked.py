@@ -14,11 +14,11 @@ from warpsample.host.files import write_arrays
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.bake_table import OPTIONS, kind_of
-from warpsample.output.kept_glb import keeps, write_kept
+from warpsample.output.kept_glb import keeps, write_kept_file
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
 from warpsample.output.pictured import write_png
 from warpsample.output.quantities import quantity_of
-from warpsample.output.upward import placed_upright, up_of
+from warpsample.output.upward import compute_upright_placement, up_of
 from warpsample.radiation.exchange.matrix_files import write_matrix
 
 _KEPT = 0.01  # fraction of its area that a face may gain or lose by the float32 of a .glb
@@ -157,7 +157,7 @@ def _write_npz(file: BinaryIO, baked: Baked, **more: np.ndarray) -> None:
     """Write points, results, the arrays `more` and the arguments as JSON."""
     points = baked.points
     arrays = {"position": points.position, "normal": points.normal, "face": points.face, **baked.arrays, **more}
-    options = baked.quantity.told(baked.run.options)
+    options = baked.quantity.recorded_options(baked.run.options)
     record = baked.run.recorded | {name: str(value) for name, value in options.items()}
     write_arrays(file, {**arrays, "run": np.array(json.dumps(record))})
 
@@ -191,7 +191,7 @@ def _write_glb(file: BinaryIO, baked: Baked) -> None:
     """
     if keeps(baked.run.mesh, baked.run.output, baked.run.at):
         columns = {f"_{name}": array.astype(np.float32) for name, array in baked.columns.items()}
-        write_kept(file, baked.run.mesh, {"COLOR_0": baked.quantity.colours(baked.found), **columns})
+        write_kept_file(file, baked.run.mesh, {"COLOR_0": baked.quantity.colours(baked.found), **columns})
         return
     local, middle = _local(baked.mesh)
     faces, times = baked.mesh.faces, 3 if baked.run.at == "faces" else 1
@@ -200,7 +200,9 @@ def _write_glb(file: BinaryIO, baked: Baked) -> None:
     attributes = {"COLOR_0": _repeated(baked.quantity.colours(baked.found), times, np.uint8)}
     # names of custom attributes begin with an underscore
     attributes |= {f"_{name}": _repeated(array, times, np.float32) for name, array in baked.columns.items()}
-    write_glb(file, vertices, corners, attributes, placed_upright(middle, up_of(baked.quantity, baked.run.options)))
+    write_glb(
+        file, vertices, corners, attributes, compute_upright_placement(middle, up_of(baked.quantity, baked.run.options))
+    )
 
 
 def _repeated(array: np.ndarray, times: int, dtype: type) -> Lazy:

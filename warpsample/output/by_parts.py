@@ -11,7 +11,7 @@ from warpsample.host.tables import write_csv
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.part_means import part_means
 from warpsample.output.baked import Baked
-from warpsample.output.pictured import draw_picture, shown_values
+from warpsample.output.pictured import draw_picture, get_picture_values
 
 
 def write_parts(baked: Baked, city: City | None) -> None:
@@ -48,7 +48,7 @@ def _means_of_faces(baked: Baked) -> np.ndarray:
     """Return the (F,) mean of the shown values over the part of each face; NaN for faces without a part or a value."""
     mesh = baked.mesh
     assert mesh.part is not None
-    value = shown_values(baked)
+    value = get_picture_values(baked)
     means = part_means(
         mesh.part, mesh.face_areas, baked.points.face, value, np.zeros(len(value)), count=len(mesh.parts)
     ).value

@@ -19,7 +19,7 @@ from warpsample.host.engine import check_memory, check_space, check_workers
 from warpsample.host.files import check_output, complete_or_absent, new_archive, write_array
 from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
-from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.files.linked_files import list_linked_files
 from warpsample.mesh.points.arrays import carry_to_points, read_array
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
@@ -144,7 +144,7 @@ def _write_cloud(
 def _check(run: DirectionsRun) -> None:
     if run.output.suffix not in SUFFIXES:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
-    check_output(run.output, "--output", run.mesh, *files_beside(run.mesh))
+    check_output(run.output, "--output", run.mesh, *list_linked_files(run.mesh))
     check_places(run.points, run.at)
     check_integer(run.samples, "--samples", 1, 2**31 - 1)
     check_seed(run.seed)

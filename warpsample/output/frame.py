@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import check_first_point, told
-from warpsample.host.neighbours import as_ndarray, kind_told
+from warpsample.host.arguments import check_first_point, quote
+from warpsample.host.neighbours import as_ndarray, describe_type
 from warpsample.host.tables import frame_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -39,9 +39,9 @@ def to_frame(found: Any, points: SurfacePoints, mesh: Any = None, *, first_point
         ['id', 'area', 'face', 'x', 'y'] 9360.0
     """
     if not isinstance(points, SurfacePoints):
-        raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints")
+        raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
     if not is_dataclass(found) or isinstance(found, type):
-        raise TypeError(f"found: got {told(found)}, want the result of a call over points")
+        raise TypeError(f"found: got {quote(found)}, want the result of a call over points")
     first = check_first_point(first_point, len(points), points.id)
     columns = {"id": np.uint64(first) + np.arange(len(points), dtype=np.uint64) if points.id is None else points.id}
     columns |= {} if mesh is None else _of_faces(points.face, as_mesh(mesh))

@@ -16,7 +16,7 @@ def keeps(source: Path, output: Path, at: str | None) -> bool:
     return source.suffix.lower() in (".glb", ".gltf") and output.suffix == ".glb" and at == "vertices"
 
 
-def describe_kept(source: Path) -> list[str]:
+def describe_kept_file(source: Path) -> list[str]:
     """Return notes on a copied .glb: replaced colours, meshes placed several times, and materials.
 
     Raises:
@@ -30,7 +30,7 @@ def describe_kept(source: Path) -> list[str]:
     return [*notes, *describe_materials(file.part, primitives)]
 
 
-def write_kept(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]) -> None:
+def write_kept_file(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]) -> None:
     """Write the source with further attributes of the vertices, (V,) or (V, 4) by name; uint8 represents 0 to 1."""
     file, primitives = _open(source)
     for one in primitives:

@@ -14,7 +14,7 @@ _FRONT = "vertices", "faces"
 _MOST_CELLS = 2000  # cells along the sides of a picture of a raster
 
 
-def shown_values(baked: Any) -> np.ndarray:
+def get_picture_values(baked: Any) -> np.ndarray:
     """Return the (P,) values to show: the value, or the length of three components; NaN for points without a value."""
     value = baked.found.value.astype(np.float64)
     length = np.linalg.norm(value, axis=1) if value.ndim == 2 else value
@@ -32,7 +32,7 @@ def draw_picture(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
     """Draw a .png of the values, or of the (F,) means over parts in `of_faces`, and return its content."""
     if baked.mesh is None:
         return _draw_map(baked)
-    value, at, what = shown_values(baked), baked.run.at, baked.run.at or "points"
+    value, at, what = get_picture_values(baked), baked.run.at, baked.run.at or "points"
     if of_faces is not None:
         value, at, what = of_faces, "faces", f"faces, with the means over {len(baked.mesh.parts):,} surfaces"
     scene = (baked.mesh if at in _FRONT else baked.points).to_polydata()
@@ -53,7 +53,7 @@ def draw_picture(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
 
 def _draw_map(baked: Any) -> bytes:
     """Draw a .png of the cells of a raster, and return its content; large rasters are shown by every k-th cell."""
-    value = shown_values(baked).reshape(baked.shape)
+    value = get_picture_values(baked).reshape(baked.shape)
     step = -(-max(baked.shape) // _MOST_CELLS)
     largest = float(np.nanmax(value, initial=0.0))
     high = float(largest if baked.quantity.unit else max(largest, baked.quantity.white)) or 1.0

@@ -14,7 +14,7 @@ from warpsample.estimate.result import PointStatus
 from warpsample.host.files import check_output, write_bytes
 from warpsample.output.baked import Baked
 from warpsample.output.by_parts import part_table
-from warpsample.output.pictured import draw_picture, shown_values, title_of
+from warpsample.output.pictured import draw_picture, get_picture_values, title_of
 from warpsample.plotting.rendering import check_rendering
 
 _BINS, _MOST_ROWS = 40, 200
@@ -45,7 +45,7 @@ def write_report(path: Path, baked: Baked, city: Any) -> None:
         "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport content='width=device-width'>",
         f"<title>{escape(title)}</title><style>{_STYLE}</style><h1>{escape(title)}</h1>",
         *_draw(baked),
-        f"<h2>Histogram</h2>{_histogram(shown_values(baked), title_of(baked))}",
+        f"<h2>Histogram</h2>{_histogram(get_picture_values(baked), title_of(baked))}",
         f"<h2>Statistics</h2>{_table(_statistics(baked))}",
         *_by_part(baked, city),
         f"<h2>Arguments</h2>{_table(_arguments(baked).items())}",
@@ -82,7 +82,7 @@ def _histogram(value: np.ndarray, title: str) -> str:
 
 def _statistics(baked: Baked) -> Iterator[tuple[str, str]]:
     """Yield the number of points, mean, standard error, quartiles and number of rays."""
-    found, value = baked.found, shown_values(baked)
+    found, value = baked.found, get_picture_values(baked)
     good = value[np.isfinite(value)]
     yield "points", f"{len(value):,}"
     for status, count in zip(*np.unique(found.status, return_counts=True), strict=True):
@@ -111,7 +111,7 @@ def _by_part(baked: Baked, city: Any) -> Iterator[str]:
 
 def _arguments(baked: Baked) -> Mapping[str, Any]:
     """Return all arguments of the run, keyed by option name."""
-    return baked.run.recorded | baked.quantity.told(baked.run.options) | baked.run.more
+    return baked.run.recorded | baked.quantity.recorded_options(baked.run.options) | baked.run.more
 
 
 def _table(rows: Iterable[Iterable[Any]], header: Iterable[str] = ()) -> str:

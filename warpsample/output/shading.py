@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.host.arguments import check_file, check_integer, check_seed, told
+from warpsample.host.arguments import check_file, check_integer, check_seed, quote
 from warpsample.host.engine import check_workers
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
@@ -100,12 +100,12 @@ def _groups(path: Path, mesh: Mesh) -> tuple[list[str], np.ndarray]:
     names = list(dict.fromkeys(lines))
     for name in names:
         if not name or set(name) & set(',"'):
-            raise ValueError(f"groups: got {str(path)!r} with the name {told(name)}, want names without commas and quotes")
+            raise ValueError(f"groups: got {str(path)!r} with the name {quote(name)}, want names without commas and quotes")
     number = {name: i for i, name in enumerate(names)}
     group = np.array([number[line] for line in lines])
     empty = np.flatnonzero(np.bincount(group, mesh.face_areas, len(names)) <= 0.0)
     if len(empty):
-        raise ValueError(f"groups: got {str(path)!r} with the name {told(names[empty[0]])} of no area, want some of each")
+        raise ValueError(f"groups: got {str(path)!r} with the name {quote(names[empty[0]])} of no area, want some of each")
     return names, group
 
 

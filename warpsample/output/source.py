@@ -14,14 +14,14 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output
 from warpsample.mesh.files import SUFFIXES, load_mesh
-from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.files.linked_files import list_linked_files
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints, face_centers
 from warpsample.output.bake_rules import check_table, is_by_parts
 from warpsample.output.bake_table import CITY
 from warpsample.output.baked import BakeRun, check_glb
 from warpsample.output.faces_option import with_optics
-from warpsample.output.kept_glb import describe_kept, keeps
+from warpsample.output.kept_glb import describe_kept_file, keeps
 from warpsample.output.places import check_places, points_on
 from warpsample.output.quantities import quantity_of
 from warpsample.output.report import check_report
@@ -80,7 +80,7 @@ def input_files(run: BakeRun, quantity: Quantity) -> list[Path]:
     """Return the files that a run reads."""
     files = [run.options.get(option) for option in quantity.files]
     files += [Path(run.context)] if run.context else []
-    return [Path(file) for file in (run.mesh, *files_beside(run.mesh), *files) if file is not None]
+    return [Path(file) for file in (run.mesh, *list_linked_files(run.mesh), *files) if file is not None]
 
 
 def _read_context(name: str | None) -> Any:
@@ -94,7 +94,7 @@ def _read_context(name: str | None) -> Any:
 def _check_glb(run: BakeRun, mesh: Mesh) -> list[str]:
     """Check that a .glb can hold the values, and return sentences on the parts that it replaces."""
     if run.kind != CITY and keeps(run.mesh, run.output, run.at):
-        return describe_kept(run.mesh)
+        return describe_kept_file(run.mesh)
     if run.output.suffix == ".glb":
         check_glb(run, mesh)
     return []

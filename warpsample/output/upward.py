@@ -51,7 +51,7 @@ def up_of(quantity: Quantity, options: Mapping[str, Any]) -> Any:
     return options.get("up") or quantity.default("up") if quantity.takes("up") else None
 
 
-def placed_upright(middle: np.ndarray, up: Any) -> dict[str, list[float]]:
+def compute_upright_placement(middle: np.ndarray, up: Any) -> dict[str, list[float]]:
     """Return the translation and rotation of a node of a .glb that turn `up` to +y and move vertices to their middle.
 
     Args:

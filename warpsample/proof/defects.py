@@ -21,6 +21,7 @@ from warpsample.proof.streams import judge_stream
 from warpsample.proof.twins.sequences import pcg4d
 from warpsample.proof.verify import LAWS, Law, Verdict, judge
 from warpsample.proof.wrong import WrongSampler
+from warpsample.proof.wrong_lights import WRONG_LIGHTS
 from warpsample.proof.wrong_lobes import WRONG_LOBES
 from warpsample.proof.wrong_microfacets import WRONG_MICROFACETS
 from warpsample.proof.wrong_pictures import WRONG_PICTURES
@@ -183,6 +184,7 @@ _SAMPLERS = (
     WRONG_LOBES
     | WRONG_MICROFACETS
     | WRONG_PICTURES
+    | WRONG_LIGHTS
     | {
         "sphere scaled by 0.98": WrongSampler(_RIGHT, sample=partial(_scaled_sphere, 0.98)),
         "sphere scaled by 0.99999": WrongSampler(_RIGHT, sample=partial(_scaled_sphere, 0.99999)),

@@ -1,6 +1,6 @@
 """Polar coordinates on the sphere, the disk and the plane, so that one test serves all three measures."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 import numpy as np
@@ -14,6 +14,7 @@ class Sampler(Protocol):
 
     measure: str
     symmetric: bool
+    support: str
     stretch: tuple[tuple[float, ...], ...] | None
     largest_angle: float
     thinnest_tail: float
@@ -39,11 +40,13 @@ class Chart:
         low: smallest value of a.
         high: largest value of a that the laws consider, inside or outside the support.
         azimuths: range of phi: 2 pi, or 1 where there is no azimuth.
+        cornered: whether densities may jump or bend where phi is a multiple of an eighth of a turn.
     """
 
     low: float
     high: float
     azimuths: float
+    cornered: bool = field(default=False, kw_only=True)
 
     def polar(self, w: np.ndarray) -> np.ndarray:
         """Return the polar coordinate a of directions (angle to the normal, or radius), float64; NaN for a NaN."""
@@ -116,6 +119,37 @@ class StretchedSphere(Chart):
         return w.astype(np.float64) @ np.linalg.inv(np.array(self.matrix)).T
 
 
+class StretchedSquare(StretchedSphere):
+    """Coordinates (a, phi) of o = (sin a b.x, sin a b.y, cos a) for directions M o / abs(M o), with b on a square's rim.
+
+    The square has the corners (±1, ±1), and b goes round the rim evenly in phi. Up to a = pi/4 lie the directions to the
+    parallelogram of the points M (x, y, 1) with x and y from -1 to 1.
+    """
+
+    def polar(self, w: np.ndarray) -> np.ndarray:
+        """Return the coordinate a of directions, float64; NaN for a NaN."""
+        o = self._unstretched(w)
+        return np.arctan2(np.abs(o[..., :2]).max(axis=-1), o[..., 2])
+
+    def azimuth(self, w: np.ndarray) -> np.ndarray:
+        """Return the coordinate phi of directions as a fraction of 2 pi, in [0, 1], float64."""
+        x, y = np.moveaxis(self._unstretched(w)[..., :2], -1, 0)
+        upright = np.abs(x) >= np.abs(y)
+        longer = np.where(upright, x, y)
+        along = np.where(upright, y, -x) / np.where(longer == 0.0, 1.0, longer)
+        return (np.where(upright, np.where(x < 0.0, 0.5, 0.0), np.where(y < 0.0, 0.75, 0.25)) + along / 8.0) % 1.0
+
+    def element(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
+        """Return the solid angle per da dphi: sin a, times the rim's length over 2 pi, times abs(det M) / abs(M o)^3."""
+        return super().element(a, turns) * 4.0 / np.pi
+
+    def _stretched(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
+        """Return the vectors M o at coordinates a and phi."""
+        a, turns = np.broadcast_arrays(a, turns)
+        rim = [1.0 - np.clip(8.0 * np.abs((turns - start) % 1.0 - 0.5) - 1.0, 0.0, 2.0) for start in (0.5, 0.75)]
+        return np.stack([*(np.sin(a) * b for b in rim), np.cos(a)], axis=-1) @ np.array(self.matrix).T
+
+
 SPHERE = Chart(0.0, np.pi, 2.0 * np.pi)
 DISK = Chart(0.0, 2.0, 2.0 * np.pi)
 PLANE = Chart(-np.pi, np.pi, 1.0)
@@ -123,8 +157,12 @@ _CHARTS = {"per steradian": SPHERE, "per unit area": DISK, "per radian": PLANE}
 
 
 def chart_of(sampler: Sampler) -> Chart:
-    """Return the chart for the measure of a sampler's density and, if it has one, for its stretch."""
-    return _CHARTS[sampler.measure] if sampler.stretch is None else StretchedSphere(0.0, np.pi, 2.0 * np.pi, sampler.stretch)
+    """Return the chart for the measure of a sampler's density and, if it has one, for its stretch and its support."""
+    if sampler.stretch is None:
+        return _CHARTS[sampler.measure]
+    kind = StretchedSquare if sampler.support == "rectangle" else StretchedSphere
+    cornered = sampler.support in ("rectangle", "triangle")
+    return kind(0.0, np.pi, 2.0 * np.pi, sampler.stretch, cornered=cornered)
 
 
 def support_of(sampler: Sampler) -> tuple[float, float]:

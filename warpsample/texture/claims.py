@@ -60,7 +60,7 @@ def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int],
     marks = np.zeros(len(corners), np.int32)
     boxes, tasks, rows = _split_into_tasks(corners, usable, size)
     with memory.loan() as loan:
-        shared_inputs = loan.put(corners), loan.put(boxes), loan.put(tasks), rows
+        shared_inputs = loan.lend(corners), loan.lend(boxes), loan.lend(tasks), rows
         with memory.loan() as inner:
             outputs = [inner.output(array, zero=True) if array.size else 0 for array in (nearest, owners, centre_counts)]
             inputs = [*shared_inputs, *size, samples, len(corners), _SEED, *outputs]
@@ -68,7 +68,7 @@ def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int],
                 run(claim_texels(), len(tasks), inputs, memory.device, workers=1, work=texels * samples)
         overlapped = int(np.count_nonzero(centre_counts > 1))
         if overlapped:
-            inputs = [*shared_inputs, size[0], loan.put(centre_counts), loan.output(marks, zero=True)]
+            inputs = [*shared_inputs, size[0], loan.lend(centre_counts), loan.output(marks, zero=True)]
             run(mark_overlaps(), len(tasks), inputs, memory.device, workers=1, work=texels)
     id, face = _list_points(nearest, owners, samples, len(corners))
     return Claims(id, face, int(np.count_nonzero(nearest)), overlapped, marks > 0)
@@ -80,7 +80,7 @@ def compute_weights(
     """Return the (P, 3) float64 barycentric weights of the points of `Claims` on their faces."""
     weights = np.empty((len(id), 3))
     with memory.loan() as loan:
-        inputs = [loan.put(corners), loan.put(id), loan.put(face), width, samples, _SEED, loan.output(weights)]
+        inputs = [loan.lend(corners), loan.lend(id), loan.lend(face), width, samples, _SEED, loan.output(weights)]
         if len(id):
             run(weigh_corners(), len(id), inputs, memory.device, workers=workers, work=8 * len(id))
     return weights

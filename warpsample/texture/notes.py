@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.json_tree import Part
-from warpsample.mesh.files.beside import uris_of
+from warpsample.mesh.files.linked_files import uris_of
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.primitives import Primitive
 from warpsample.texture.texture_points import TexturePoints

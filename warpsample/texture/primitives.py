@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.json_tree import Part
-from warpsample.mesh.files.gltf import placed_primitives, surface
+from warpsample.mesh.files.gltf import iterate_primitives, surface
 from warpsample.mesh.files.gltf_data import Data
 from warpsample.mesh.mesh import Mesh
 
@@ -52,7 +52,7 @@ def list_primitives(tree: Part, data: Data) -> list[Primitive]:
     known = tree.parts("materials")
     faces, vertices = 0, 0
     found: dict[tuple[int, int], Primitive] = {}
-    for one in placed_primitives(tree):
+    for one in iterate_primitives(tree):
         points, triangles = surface(one.primitive, data)
         rows = slice(faces, faces + len(triangles)), slice(vertices, vertices + len(points))
         faces, vertices = rows[0].stop, rows[1].stop

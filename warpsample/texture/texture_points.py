@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from warpsample.host.arguments import check_choice, check_flag, check_integer, told
+from warpsample.host.arguments import check_choice, check_flag, check_integer, quote
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property
 from warpsample.host.options import CallOptions
@@ -94,7 +94,7 @@ class TexturePoints(Summary):
             43 [[0.0625, 0.9375, 0.0], [0.125, 0.875, 0.0]]
         """
         if not isinstance(rows, slice):
-            raise TypeError(f"rows: got {told(rows)}, want a slice")
+            raise TypeError(f"rows: got {quote(rows)}, want a slice")
         id, face = np.ascontiguousarray(self.id[rows]), np.ascontiguousarray(self.face[rows])
         how = {"samples": self.samples, "memory": self.options.memory, "workers": self.options.workers}
         weights = compute_weights(self.corners, id, face, self.size[0], **how)
@@ -158,7 +158,7 @@ class TexturePoints(Summary):
             made = self._texel_rows.errors(values, flat, self.size[0])
         else:
             raise TypeError(
-                f"errors: got {told(errors)}, want the Estimate with its values: errors of {self.samples} samples need them"
+                f"errors: got {quote(errors)}, want the Estimate with its values: errors of {self.samples} samples need them"
             )
         return self._image(made, own, gutter)
 
@@ -276,10 +276,10 @@ def check_size(size: Any, samples: int, argument: str = "size") -> tuple[int, in
     wants = f"a whole number from 1 to {_MOST_SIDE}, or two, width and height"
     both = size if isinstance(size, Sequence) and not isinstance(size, str | bytes) else (size, size)
     if len(both) != 2:
-        raise ValueError(f"{argument}: got {told(size)}, want {wants}")
+        raise ValueError(f"{argument}: got {quote(size)}, want {wants}")
     width, height = (check_integer(side, argument, 1, _MOST_SIDE, wants) for side in both)
     if width * height * samples > MOST_TEXELS:
         raise ValueError(
-            f"{argument}: got {told(size)} with {samples} samples per texel, want at most {MOST_TEXELS:,} samples in all"
+            f"{argument}: got {quote(size)} with {samples} samples per texel, want at most {MOST_TEXELS:,} samples in all"
         )
     return width, height

@@ -6,7 +6,7 @@ from typing import Any
 
 import warp as wp
 
-from warpsample.host.neighbours import address_of, kind_told
+from warpsample.host.neighbours import address_of, describe_type
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.options import RayOptions
@@ -90,6 +90,6 @@ def _check_pair(start: Triples, way: Triples) -> None:
         raise ValueError(f"directions: got shape {(*way.shape, 3)}, want ({rows}3) or ({rows}n, 3) to match the origins")
     if start.device != way.device or isinstance(start.owner, wp.array) != isinstance(way.owner, wp.array):
         raise ValueError(
-            f"directions: got {kind_told(way.owner)} on {way.device}, "
-            f"want {kind_told(start.owner)} on {start.device}, like the origins"
+            f"directions: got {describe_type(way.owner)} on {way.device}, "
+            f"want {describe_type(start.owner)} on {start.device}, like the origins"
         )

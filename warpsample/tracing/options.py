@@ -32,14 +32,14 @@ class RayOptions(CallOptions):
         The options are those of `RayKeywords`; `shared` is as for `CallOptions.of`.
         """
         options = CallOptions.of(points, **shared)
-        return cls(**vars(options), sequence=sequences.get(sequence))._by_tracer(skip, tracer)
+        return cls(**vars(options), sequence=sequences.get(sequence))._with_tracer(skip, tracer)
 
-    def by(self, *, skip: bool = True, tracer: str = "auto", **how: Any) -> "RayOptions":
+    def replace(self, *, skip: bool = True, tracer: str = "auto", **how: Any) -> "RayOptions":
         """Check options of how rays are cast, such as `tracer`, and return a copy with them.
 
-        `how` is as for `CallOptions.by`.
+        `how` is as for `CallOptions.replace`.
         """
-        return super().by(**how)._by_tracer(skip, tracer)
+        return super().replace(**how)._with_tracer(skip, tracer)
 
-    def _by_tracer(self, skip: bool, tracer: str) -> "RayOptions":
+    def _with_tracer(self, skip: bool, tracer: str) -> "RayOptions":
         return replace(self, skip=check_flag(skip, "skip"), tracer=tracer_of(tracer, self.memory.device))

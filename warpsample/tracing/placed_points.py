@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.neighbours import kind_told
+from warpsample.host.neighbours import describe_type
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -65,7 +65,7 @@ class PlacedPoints:
             TypeError, ValueError: an argument of a wrong type or value; the message names it.
         """
         if not isinstance(points, SurfacePoints):
-            raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints, such as the result of sample_surface")
+            raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints, such as the result of sample_surface")
         return cls(points, as_mesh(mesh))
 
     def __len__(self) -> int:

@@ -138,9 +138,9 @@ def _iterate_parts(memory: Memory, asked: RaysArgs, given: GivenRays, hits: Hits
             part = RaysArgs.from_buffer_copy(asked)
             part.placement.points = points.stop - points.start
             part.count = (rays.stop - rays.start) // part.placement.points
-            part.placement.origins = loan.put(given.origins.owner.reshape(-1, 3), points)
-            part.placement.normals = loan.put(normals, points)
-            part.directions = loan.put(given.directions.owner.reshape(-1, 3), rays)
+            part.placement.origins = loan.lend(given.origins.owner.reshape(-1, 3), points)
+            part.placement.normals = loan.lend(normals, points)
+            part.directions = loan.lend(given.directions.owner.reshape(-1, 3), rays)
             part.distance = loan.output(hits.distance.reshape(-1), rays)
             part.face = loan.output(hits.face.reshape(-1), rays)
             yield part

@@ -12,7 +12,7 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Estimate
-from warpsample.host.arguments import check_choice, check_integer, check_scale, told
+from warpsample.host.arguments import check_choice, check_integer, check_scale, quote
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.points.arrays import arrays_of, carry_to_points
 from warpsample.mesh.points.sampling import sample_surface
@@ -88,7 +88,7 @@ class WarpsampleAccessor:
         """Return the array of a name of the dataset, with one row for each of some points on its surface."""
         arrays = arrays_of(self._dataset)
         if name not in arrays:
-            raise ValueError(f"distribution: got @{name}, want an array of the dataset: {told(', '.join(sorted(arrays)))}")
+            raise ValueError(f"distribution: got @{name}, want an array of the dataset: {quote(', '.join(sorted(arrays)))}")
         return carry_to_points(arrays[name], name, self.mesh, points)
 
     def _points(self, at: At) -> SurfacePoints:

@@ -11,7 +11,7 @@ from warpsample.plotting.panels import add_scale, add_text, add_title, columns_o
 from warpsample.plotting.rendering import save_scene
 from warpsample.plotting.scenes import draw_mesh
 from warpsample.plotting.style import OPENNESS
-from warpsample.texture.shown import ShownOcclusion
+from warpsample.texture.occlusion_picture import OcclusionPicture
 
 if TYPE_CHECKING:
     import pyvista
@@ -20,7 +20,7 @@ _POINTS = 20_000  # of the summary: its mean is known to 0.002 or better
 _LABEL = "occlusion texture of the file; 0: occluded, 1: open"
 
 
-def sample_occlusion(mesh: Mesh, occlusion: ShownOcclusion) -> tuple[np.ndarray, int]:
+def sample_occlusion(mesh: Mesh, occlusion: OcclusionPicture) -> tuple[np.ndarray, int]:
     """Sample the occlusion texture of a mesh at P random points, uniform by area; return (P,) values and a face count.
 
     The count is the number of faces with texture; the points are on these faces.
@@ -36,7 +36,7 @@ def sample_occlusion(mesh: Mesh, occlusion: ShownOcclusion) -> tuple[np.ndarray,
     return occlusion.picture[row, column] / 255.0, int(pictured.sum())
 
 
-def describe_occlusion(mesh: Mesh, occlusion: ShownOcclusion) -> str:
+def describe_occlusion(mesh: Mesh, occlusion: OcclusionPicture) -> str:
     """Describe the occlusion texture of a mesh in one line: the number of faces with texture, and the values by area."""
     values, faces = sample_occlusion(mesh, occlusion)
     count = f"baked occlusion on {faces:,} of {len(mesh.faces):,} faces"
@@ -47,7 +47,7 @@ def describe_occlusion(mesh: Mesh, occlusion: ShownOcclusion) -> str:
 
 
 def occlusion_scene(
-    mesh: Mesh, occlusion: ShownOcclusion, *, up: str, size: tuple[int, int], off_screen: bool
+    mesh: Mesh, occlusion: OcclusionPicture, *, up: str, size: tuple[int, int], off_screen: bool
 ) -> "pyvista.Plotter":
     """Build a plotter that shows a mesh twice: in one colour, and with its occlusion texture and a colour bar."""
     plotter = columns_over_caption(2, describe_occlusion(mesh, occlusion), off_screen, size)
@@ -66,7 +66,7 @@ def occlusion_scene(
 
 
 def show_occlusion(
-    mesh: Mesh, occlusion: ShownOcclusion, *, up: str, size: tuple[int, int], path: Path | None = None
+    mesh: Mesh, occlusion: OcclusionPicture, *, up: str, size: tuple[int, int], path: Path | None = None
 ) -> str:
     """Show the occlusion texture of a mesh in a window, or write a .png or .html file; return a line about the values."""
     plotter = occlusion_scene(mesh, occlusion, up=up, size=size, off_screen=path is not None)

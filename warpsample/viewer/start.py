@@ -12,7 +12,7 @@ from warpsample.host.arguments import check_integer, check_seed
 from warpsample.mesh.mesh import Mesh
 from warpsample.plotting.rendering import save_scene
 from warpsample.plotting.scenes import clouds_on_mesh
-from warpsample.texture.shown import ShownOcclusion
+from warpsample.texture.occlusion_picture import OcclusionPicture
 from warpsample.viewer.choice import Choice, default_density
 from warpsample.viewer.lobes import lobe_of
 from warpsample.viewer.window import Viewer
@@ -57,7 +57,7 @@ def _parse_density(name: str) -> Distribution:
 
 
 def window(
-    mesh: Mesh, points: int, chosen: Choice, *, up: str, size: tuple[int, int], occlusion: ShownOcclusion | None
+    mesh: Mesh, points: int, chosen: Choice, *, up: str, size: tuple[int, int], occlusion: OcclusionPicture | None
 ) -> None:
     """Open the window of the viewer, and return when a user closes the window."""
     Viewer(mesh, points, chosen, up=up, size=size, occlusion=occlusion).plotter.show(title="warpsample")
@@ -71,7 +71,7 @@ def save(
     up: str,
     size: tuple[int, int],
     path: Path,
-    occlusion: ShownOcclusion | None = None,
+    occlusion: OcclusionPicture | None = None,
 ) -> str:
     """Save the viewer as a .png, or its clouds on the mesh as an .html, without a window; return a line of description."""
     viewer = Viewer(mesh, points, chosen, up=up, size=size, off_screen=True, occlusion=occlusion)

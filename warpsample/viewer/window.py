@@ -14,7 +14,7 @@ from warpsample.plotting.charts import LobeCharts
 from warpsample.plotting.rendering import MOST_NORMALS, VIEW, describe_counts, limit_counts
 from warpsample.plotting.scenes import draw_frame, draw_mesh, draw_normals, look_from
 from warpsample.plotting.style import INK, LOBE, font_file
-from warpsample.texture.shown import ShownOcclusion
+from warpsample.texture.occlusion_picture import OcclusionPicture
 from warpsample.viewer import widgets
 from warpsample.viewer.choice import Choice, format_distribution
 from warpsample.viewer.clouds import all_clouds, one_cloud
@@ -56,7 +56,7 @@ class Viewer:
         up: str = "y",
         size: tuple[int, int] = (1600, 900),
         off_screen: bool = False,
-        occlusion: ShownOcclusion | None = None,
+        occlusion: OcclusionPicture | None = None,
     ):
         """Build the window: menus and sliders, the mesh with clouds of directions, the enlarged cloud, and the charts.
 
@@ -188,7 +188,7 @@ class Viewer:
         self._add_text("Directions at the pinned point; surface: the compared density", 0.98, "top")
         self._add_text("Double-click on the mesh to pin another point.", 0.02, "bottom")
 
-    def _draw_mesh(self, mesh: Mesh, up: str, occlusion: ShownOcclusion | None) -> None:
+    def _draw_mesh(self, mesh: Mesh, up: str, occlusion: OcclusionPicture | None) -> None:
         """Add the mesh to the window, with normals, empty clouds, pin, caption and mouse picking."""
         self.plotter.subplot(*_MESH)
         texture = None if occlusion is None else (occlusion.picture, occlusion.uv)

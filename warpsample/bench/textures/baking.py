@@ -11,12 +11,12 @@ import numpy as np
 import typer
 
 from warpsample.bench.record import SEED, Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.reporting.tables import TableView
 from warpsample.bench.rows import Spread, ToolRow, column, optional_column
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import measure_peak_megabytes
 from warpsample.bench.running.turns import run_tools
 from warpsample.bench.scenes import bunny
-from warpsample.bench.tables import TableView
 from warpsample.bench.textures.lookups import LookupPlaces, sample_places
 from warpsample.bench.textures.painters import TEXTURE_TOOLS, Textured
 from warpsample.estimate.visibility import ambient_occlusion

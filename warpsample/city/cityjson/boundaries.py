@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.json_tree import Part
 from warpsample.mesh.holes import Outlines
 
@@ -31,11 +31,11 @@ def read_outlines(geometry: Part, vertices: int) -> Outlines:
     others = [corner for corner in corners if type(corner) is not int] if set(map(type, corners)) - {int} else []
     if others:
         raise TypeError(
-            f"{at}: got the corner {told(others[0])}, want whole numbers, nested as deep as in a {geometry.text('type')}"
+            f"{at}: got the corner {quote(others[0])}, want whole numbers, nested as deep as in a {geometry.text('type')}"
         )
     if corners and not 0 <= min(corners) <= max(corners) < vertices:
         wrong = min(corners) if min(corners) < 0 else max(corners)
-        raise ValueError(f"{at}: got the vertex {told(wrong)}, want one of the {vertices:,} vertices, counted from 0")
+        raise ValueError(f"{at}: got the vertex {quote(wrong)}, want one of the {vertices:,} vertices, counted from 0")
     sizes = np.array([len(ring) - (len(ring) > 1 and ring[0] == ring[-1]) for ring in rings], np.int64)
     held = np.array(corners, np.int64)
     if sizes.sum() < len(held):  # some rings repeat their first corner, against the specification
@@ -60,7 +60,7 @@ def read_semantics(geometry: Part, surfaces: int) -> np.ndarray:
     numbers = _flatten_values(semantics.content.get("values"), geometry.values("boundaries"), depth, at)
     wrong = [n for n in numbers if n is not None and not (type(n) is int and 0 <= n < surfaces)]
     if wrong:
-        raise ValueError(f"{at}: got {told(wrong[0])}, want null or the number of one of the {surfaces} surfaces")
+        raise ValueError(f"{at}: got {quote(wrong[0])}, want null or the number of one of the {surfaces} surfaces")
     return np.array([-1 if n is None else n for n in numbers], np.int32)
 
 
@@ -86,7 +86,7 @@ def _read_faces(geometry: Part) -> list[list[Any]]:
 
 def _check_list(value: Any, at: str, wants: str) -> list[Any]:
     if type(value) is not list:
-        raise TypeError(f"{at}: got {told(value)}, want {wants}")
+        raise TypeError(f"{at}: got {quote(value)}, want {wants}")
     return value
 
 
@@ -98,7 +98,7 @@ def _flatten_values(values: Any, boundaries: Sequence[Any], depth: int, at: str)
     if values is None:
         values = [None] * len(boundaries)
     if type(values) is not list or len(values) != len(boundaries):
-        raise ValueError(f"{at}: got {told(values)}, want null or a list of {len(boundaries)}, as in the boundaries")
+        raise ValueError(f"{at}: got {quote(values)}, want null or a list of {len(boundaries)}, as in the boundaries")
     if depth == 1:
         return values
     parts = zip(values, boundaries, strict=True)

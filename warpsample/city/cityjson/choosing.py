@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from warpsample.city.cityjson.boundaries import DEPTHS
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.json_tree import Part
 
 INSTANCE = "GeometryInstance"
@@ -24,7 +24,7 @@ def as_lod(value: Any, argument: str) -> float:
     """
     is_number = type(value) in (int, float) and 0 <= value < 100
     if not is_number and not (isinstance(value, str) and re.fullmatch(r"\d(\.\d+)?", value)):
-        raise ValueError(f"{argument}: got {told(value)}, want a level of detail, such as 2.2")
+        raise ValueError(f"{argument}: got {quote(value)}, want a level of detail, such as 2.2")
     return float(value)
 
 
@@ -36,7 +36,7 @@ def list_surface_geometries(thing: Part, templates: list[Part]) -> list[Choice]:
         geometry = templates[placed.index("template", templates)] if is_instance else placed
         kind = geometry.text("type")
         if kind not in DEPTHS and kind not in _NO_SURFACES:
-            raise ValueError(f"{geometry.at('type')}: got {told(kind)}, want one of {', '.join((*DEPTHS, *_NO_SURFACES))}")
+            raise ValueError(f"{geometry.at('type')}: got {quote(kind)}, want one of {', '.join((*DEPTHS, *_NO_SURFACES))}")
         if kind in DEPTHS:
             made.append((number, geometry, as_lod(geometry.content.get("lod"), geometry.at("lod"))))
     return made
@@ -86,10 +86,10 @@ def list_ancestors(objects: dict[str, Part], name: str) -> list[str]:
     while left:
         for parent in objects[left.pop()].texts("parents"):
             if parent == name:
-                raise ValueError(f"its object {told(name)} is its own ancestor")
+                raise ValueError(f"its object {quote(name)} is its own ancestor")
             if parent in objects and parent not in found:
                 found[parent] = None
                 left.append(parent)
         if len(found) > _MOST_ANCESTORS:
-            raise ValueError(f"its object {told(name)} has more than {_MOST_ANCESTORS} ancestors")
+            raise ValueError(f"its object {quote(name)} has more than {_MOST_ANCESTORS} ancestors")
     return list(found)

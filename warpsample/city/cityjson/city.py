@@ -19,11 +19,11 @@ from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
 from warpsample.city.cityjson.surfaces import CitySurfaces, Rows, tabulate_surfaces, warn_of_overlaps
 from warpsample.city.cityjson.writing import ERROR, Editor
-from warpsample.host.arguments import check_file, check_flag, check_seed, naming_file, told
+from warpsample.host.arguments import check_file, check_flag, check_seed, naming_file, quote
 from warpsample.host.arrays import as_real
 from warpsample.host.files import check_output, write_bytes
 from warpsample.host.locks import read_only
-from warpsample.host.neighbours import kind_told
+from warpsample.host.neighbours import describe_type
 from warpsample.host.summary import Summary
 from warpsample.mesh.holes import Outlines
 from warpsample.mesh.mesh import Mesh
@@ -117,7 +117,7 @@ class City(Summary):
             [0.7 0.9 0.4] True
         """
         if not isinstance(points, SurfacePoints | None):
-            raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints")
+            raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
         face = np.arange(len(self.surface)) if points is None else points.face
         value = as_real(values, "values")
         error = np.zeros(value.shape) if error is None else as_real(error, "error")
@@ -228,7 +228,7 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
 
 def _check_target(path: Any, source: Path) -> Path:
     if not isinstance(path, str | PathLike):
-        raise TypeError(f"path: got {told(path)}, want the path of {_FILE}")
+        raise TypeError(f"path: got {quote(path)}, want the path of {_FILE}")
     suffix = source.suffix or ".json"  # of the example
     if Path(path).suffix != suffix:
         raise ValueError(f"path: got {str(path)!r}, want a file that ends in {suffix}, as the input does")
@@ -238,7 +238,7 @@ def _check_target(path: Any, source: Path) -> Path:
 
 def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
     if not isinstance(results, Mapping) or not all(isinstance(name, str) and name for name in results):
-        raise TypeError(f"results: got {told(results)}, want a dict from names of attributes to numbers")
+        raise TypeError(f"results: got {quote(results)}, want a dict from names of attributes to numbers")
     columns = {name: as_real(column, f"results[{name!r}]") for name, column in results.items()}
     for name, column in columns.items():
         if column.shape != (count,):

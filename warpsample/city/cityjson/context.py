@@ -6,7 +6,7 @@ from warnings import warn
 import numpy as np
 
 from warpsample.city.cityjson.units import Units
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.locks import imported
 from warpsample.mesh.mesh import mesh_of
 
@@ -48,7 +48,9 @@ def _check_map(grid: Any, units: Units) -> None:
     """Raise a ValueError for a raster on another map, or for a raster without a CRS unless the city is in metres."""
     if grid.crs is None:
         if (units.metres != 1.0).any():
-            raise ValueError(f"context: got a raster without a CRS beside a city in {told(units.name)}, want one with a CRS")
+            raise ValueError(
+                f"context: got a raster without a CRS beside a city in {quote(units.name)}, want one with a CRS"
+            )
     elif units.crs is None:
         message = f"context: got a raster in {grid.crs.name} beside a city without a known reference system"
         warn(f"{message}; the city is taken to be in metres on the same map", stacklevel=6)

@@ -16,7 +16,7 @@ from warpsample.city.cityjson.choosing import (
 )
 from warpsample.city.cityjson.documents import read_each
 from warpsample.city.cityjson.units import Units
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.engine import check_memory
 from warpsample.host.json_tree import Part
 from warpsample.mesh.holes import Outlines
@@ -240,7 +240,7 @@ def _place_template(
     matrix = _read_matrix(placed)
     anchors = placed.indices("boundaries", points)
     if len(anchors) != 1:
-        raise ValueError(f"{placed.at('boundaries')}: got {told(anchors)}, want one vertex")
+        raise ValueError(f"{placed.at('boundaries')}: got {quote(anchors)}, want one vertex")
     used, corners = np.unique(outlines.corners, return_inverse=True)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         corners = _reverse_rings(corners, outlines.sizes)
@@ -266,7 +266,7 @@ def _read_rows(rows: object, at: str) -> np.ndarray:
     """Convert a list of [x, y, z] lists of a JSON file to an (n, 3) float64 array, and check that all numbers are finite."""
     wants = "lists of three numbers"
     if type(rows) is not list or any(type(row) is not list or len(row) != 3 for row in rows):
-        raise ValueError(f"{at}: got {told(rows)}, want {wants}")
+        raise ValueError(f"{at}: got {quote(rows)}, want {wants}")
     others = {type(number) for row in rows for number in row} - {int, float}
     if others:
         raise TypeError(f"{at}: got a number of type {others.pop().__name__}, want {wants}")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from warpsample.city.cityjson.gathering import Gathered
 from warpsample.city.cityjson.kinds import BY_NORMAL, classify_by_normal, is_built
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.tables import frame_of
 from warpsample.mesh.holes import Outlines
 
@@ -120,7 +120,7 @@ def warn_of_overlaps(path: Path, objects: np.ndarray, covered: np.ndarray, areas
     if len(bad):
         warn(
             f"path: got {str(path)!r} with {len(bad):,} of {len(areas):,} polygons that cross themselves or are far from "
-            f"flat, the first of object {told(objects[bad[0]])}; their triangles overlap",
+            f"flat, the first of object {quote(objects[bad[0]])}; their triangles overlap",
             stacklevel=4,
         )
 

@@ -8,7 +8,7 @@ from warnings import warn
 import numpy as np
 
 from warpsample.city.cityjson.steepness import looks_like_degrees
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.extras import missing
 from warpsample.host.json_tree import Part
 from warpsample.host.locks import imported
@@ -73,7 +73,7 @@ class Units:
 
     def warn(self, path: Path, points: np.ndarray) -> None:
         """Warn of unknown units, and of a map that distorts lengths at the points (V, 3)."""
-        message = f"got {str(path)!r} in {told(self.name)}"
+        message = f"got {str(path)!r} in {quote(self.name)}"
         if self.doubt:
             taken = "" if self.crs else "; its coordinates are taken as metres"
             warn(f"path: {message}, {self.doubt}{taken}", stacklevel=3)

@@ -12,7 +12,7 @@ import numpy as np
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import reader_of
-from warpsample.host.arguments import check_flag, check_number, told
+from warpsample.host.arguments import check_flag, check_number, quote
 
 _SIDES = (((0, 1), (1, 1), (1, 0)), ((-1, 0), (1, 0), (0, 0)), ((0, -1), (0, 0), (0, 1)), ((1, 0), (0, 1), (1, 1)))
 """Sides of a cell, in a raster with north at the top: offset of the neighbour, (rows, columns), and both ends of the edge,
@@ -176,7 +176,7 @@ def _read_on_same_cells(ground: RasterReader, source: Any, argument: str) -> Ras
 def check_for_crowns(argument: str, value: Any, default: float) -> None:
     """Raise a ValueError if an option of tree crowns differs from its default although no raster of crowns is given."""
     if not isinstance(value, Real) or value != default:
-        raise ValueError(f"{argument}: got {told(value)} without canopy, want canopy, too")
+        raise ValueError(f"{argument}: got {quote(value)} without canopy, want canopy, too")
 
 
 def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 
 _UNDECLARED = (-9999.0, -99999.0, -32767.0, -32768.0)
 """Nodata values that are recognized without a tag: many programs write these numbers, and no place on Earth is as low."""
@@ -68,7 +68,7 @@ class Coding:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
             nodata = array.rio.nodata
         except (TypeError, ValueError, OverflowError):
-            raise ValueError(f"source: got an xarray.DataArray of attributes {told(given)}, want numbers") from None
+            raise ValueError(f"source: got an xarray.DataArray of attributes {quote(given)}, want numbers") from None
         return cls(nodata, scale, offset)
 
     def heights(self, values: np.ndarray) -> np.ndarray:

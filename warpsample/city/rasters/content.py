@@ -7,7 +7,7 @@ from hashlib import sha256
 import numpy as np
 
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.host.known import digest_of
+from warpsample.host.shared_values import digest_of
 
 _BLOCK = 64, 256
 """Rows and columns of a block; readers read whole blocks."""

@@ -45,13 +45,13 @@ class FarField:
 
     Attributes:
         own: The raster's own cells, pooled in blocks of `size` x `size`.
-        beyond: Another raster for the terrain beyond the edges, or None.
+        surroundings: Another raster for the terrain beyond the edges, or None.
         size: Side of a cell of the nearest ring, in cells of the raster; a power of 2.
         outline: The raster without heights.
     """
 
     own: Bounds
-    beyond: Bounds | None
+    surroundings: Bounds | None
     size: int
     outline: Grid
 
@@ -109,7 +109,7 @@ class FarField:
 
         Return the upper heights, the lower heights and the transform of each ring.
         """
-        levels = [self._read_other(near, size) for size in dict.fromkeys((1, self.size))] if self.beyond else []
+        levels = [self._read_other(near, size) for size in dict.fromkeys((1, self.size))] if self.surroundings else []
         inner, size = near, self.size
         reach = _FINENESS * size
         while any(part.start > low or part.stop < high for part, (low, high) in zip(inner, self._extent(), strict=True)):
@@ -130,10 +130,10 @@ class FarField:
         """Return the first and last row, and the first and last column, that the two rasters cover together."""
         rows, columns = self.outline.height.shape
         x, y = [0.0, columns], [0.0, rows]
-        if self.beyond:
-            height, width = self.beyond.upper.shape
+        if self.surroundings:
+            height, width = self.surroundings.upper.shape
             for corner in ((0, 0), (width, 0), (0, height), (width, height)):
-                column, row = self.beyond.transform @ corner
+                column, row = self.surroundings.transform @ corner
                 x.append(column)
                 y.append(row)
         return [(min(y), max(y)), (min(x), max(x))]
@@ -148,8 +148,8 @@ class FarField:
         where = Affine.translation(window[1].start, window[0].start) @ Affine.scale(size)
         shape = len(rows), len(columns)
         upper, lower = _scatter_extremes(self.own, where, shape)
-        if self.beyond:
-            highest, lowest = _scatter_extremes(self.beyond, where, shape)
+        if self.surroundings:
+            highest, lowest = _scatter_extremes(self.surroundings, where, shape)
             upper = np.where(whole, upper, np.fmax(upper, highest))
             lower = np.where(whole, lower, np.where(none, lowest, np.nan))
         return upper, lower, where
@@ -176,7 +176,7 @@ class FarField:
         whole, beyond = self._mask_own_blocks(*large, self.size)
         chosen = outside if size == self.size else outside & ~whole & ~beyond
         where = Affine.translation(near[1].start, near[0].start) @ Affine.scale(size)
-        heights = _scatter_extremes(self.beyond, where, (len(rows), len(columns)))
+        heights = _scatter_extremes(self.surroundings, where, (len(rows), len(columns)))
         return (*(np.where(chosen, height, np.nan) for height in heights), where)
 
     def _lower_by_curvature(

@@ -58,7 +58,7 @@ def sky_by_horizons(quantity: Quantity, mesh: Mesh, points: SurfacePoints, optio
     own = {name: options.get(name, quantity.parameters[name]) for name in _OPTIONS}
     at = PlacedPoints.of(mesh, points)
     cast = RayOptions.of(len(at), seed=own["seed"], ids=at.id)
-    cast = cast.by(skip=own["skip"], tracer="wide", workers=own["workers"], progress=own["progress"])
+    cast = cast.replace(skip=own["skip"], tracer="wide", workers=own["workers"], progress=own["progress"])
     return _search_horizons(Plan.of(at, own["count"], cast), reach_of(own["max_distance"]), quantity.call is sky_view_factor)
 
 

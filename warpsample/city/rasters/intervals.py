@@ -8,7 +8,7 @@ import xarray as xr
 from warpsample.estimate.intervals import interval_of
 from warpsample.estimate.result import Estimate
 from warpsample.host.arguments import check_number
-from warpsample.host.neighbours import kind_told
+from warpsample.host.neighbours import describe_type
 
 _LEVEL = 0.95
 _DEGREES = np.float64(9.0)
@@ -58,7 +58,7 @@ def interval(dataset: xr.Dataset, level: float = _LEVEL) -> xr.Dataset:
         True True
     """
     if not isinstance(dataset, xr.Dataset):
-        raise TypeError(f"dataset: got {kind_told(dataset)}, want an xarray.Dataset of warpsample.rasters")
+        raise TypeError(f"dataset: got {describe_type(dataset)}, want an xarray.Dataset of warpsample.rasters")
     if not {"value", "half_width"} <= set(dataset):
         raise ValueError(f"dataset: got one of {', '.join(map(str, dataset)) or 'nothing'}, want value and half_width")
     level = check_number(level, "level", 0.01, 0.9999)

@@ -15,7 +15,7 @@ from warpsample.city.rasters.intervals import half_width_of
 from warpsample.city.rasters.scenery import Scenery, Seen
 from warpsample.estimate.plan import Plan
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -42,7 +42,7 @@ def check_transmittance(value: Any) -> np.ndarray:
     """
     shares = np.atleast_1d(as_real(value, "transmittance", _WANTS)).astype(np.float64)
     if shares.shape not in ((1,), (_MONTHS,), (_DAYS,)) or not ((shares >= 0.0) & (shares <= 1.0)).all():
-        raise ValueError(f"transmittance: got {told(value)}, want {_WANTS}")
+        raise ValueError(f"transmittance: got {quote(value)}, want {_WANTS}")
     return shares
 
 
@@ -96,7 +96,7 @@ def compute_through_crowns(
     if quantity.call is irradiation:
         names = ("weather", "period", "ground_albedo", "patches", "up", "north")
         light = light_of(**{name: given[name] for name in names})
-        cast = RayOptions.of(len(points), seed=given["seed"], ids=points.id).by(workers=given["workers"])
+        cast = RayOptions.of(len(points), seed=given["seed"], ids=points.id).replace(workers=given["workers"])
         found = compute_irradiation_through(scenery, points, light, transmittance, count=given["count"], options=cast)
         return _scale_estimate(found, np.ones(()))
     weather = read_weather(given["weather"], given["period"])

@@ -39,7 +39,7 @@ from warpsample.city.rasters.transforms import (
     transform_of,
 )
 from warpsample.host.arrays import as_real
-from warpsample.host.neighbours import kind_told
+from warpsample.host.neighbours import describe_type
 
 _HEIGHT_UNIT = re.compile(rb"^Zunits\s+(\w+)", re.IGNORECASE | re.MULTILINE)
 _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
@@ -74,7 +74,7 @@ def reader_of(source: Any) -> RasterReader:
         return _data_array_reader(source)
     if isinstance(source, tuple) and len(source) == 3:
         return _array_reader(*source)
-    raise TypeError(f"source: got {kind_told(source)}, want {_WANTS}")
+    raise TypeError(f"source: got {describe_type(source)}, want {_WANTS}")
 
 
 def ground_of(source: Any) -> RasterReader:
@@ -110,10 +110,10 @@ def _file_reader(path: str) -> RasterReader:
             check_arc_grid(path, file.shape)
         band = bands[0]
         read = partial(_band, path, band, Coding.of_file(path, file, band))
-        return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or _height_unit_beside(path), read)
+        return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or _read_prj_unit(path), read)
 
 
-def _height_unit_beside(path: str) -> str:
+def _read_prj_unit(path: str) -> str:
     """Return the unit of heights in the .prj of an Arc raster, which GDAL does not read; "" if there is none."""
     projection = Path(path).with_suffix(".prj")
     found = _HEIGHT_UNIT.search(projection.read_bytes()) if projection.is_file() else None

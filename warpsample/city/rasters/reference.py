@@ -7,7 +7,7 @@ import numpy as np
 import pyproj
 from pyproj.exceptions import CRSError, ProjError
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 
 _FOOT, _SURVEY_FOOT = 0.3048, 1200.0 / 3937.0
 _METRES = dict.fromkeys(("m", "metre", "metres", "meter", "meters"), 1.0)
@@ -43,7 +43,7 @@ def crs_of(crs: Any) -> pyproj.CRS | None:
     try:
         found = pyproj.CRS.from_user_input(crs)
     except CRSError as error:
-        raise ValueError(f"source: got {told(crs)} for its CRS, want one that pyproj knows, or None") from error
+        raise ValueError(f"source: got {quote(crs)} for its CRS, want one that pyproj knows, or None") from error
     check_map(found, "source", f"{REPROJECT} or gdalwarp")
     return found
 

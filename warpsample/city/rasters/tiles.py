@@ -21,7 +21,7 @@ from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import check_heights, ground_of, reader_of
 from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, join_triangles
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.host.arguments import check_choice, check_integer, told
+from warpsample.host.arguments import check_choice, check_integer, quote
 from warpsample.host.progress import log
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -90,7 +90,7 @@ class RasterRun:
         shares = check_transmittance(transmittance)
         check_dates(quantity, shares)
         if margin is not None and tile is None:
-            raise ValueError(f"margin: got {told(margin)} without tile, want tile, too")
+            raise ValueError(f"margin: got {quote(margin)} without tile, want tile, too")
         tile = None if tile is None else check_integer(tile, "tile", 1, 2**31 - 1)
         margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
         reader, other = ground_of(source), None

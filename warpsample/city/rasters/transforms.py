@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 from affine import Affine
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 
 _DEGREES = 360.0, 90.0  # largest longitude and latitude
 _STEEP = 50.0
@@ -32,7 +32,7 @@ def affine_of(transform: object) -> Affine:
         return Affine(*(float(number) for number in tuple(transform)[:6]))
     except (TypeError, ValueError):
         raise TypeError(
-            f"source: got {told(transform)} for its transform, want an affine.Affine or its numbers a, b, c, d, e, f"
+            f"source: got {quote(transform)} for its transform, want an affine.Affine or its numbers a, b, c, d, e, f"
         ) from None
 
 

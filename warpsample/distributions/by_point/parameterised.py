@@ -11,7 +11,7 @@ from warpsample.distributions.by_point.tables import Layout, layout_of, lend_tab
 from warpsample.distributions.parameters import SIZES, pack_parameters, parameter_types
 from warpsample.host.arguments import check_number
 from warpsample.host.device_memory import Loan
-from warpsample.host.known import digest_of
+from warpsample.host.shared_values import digest_of
 
 Range: TypeAlias = tuple[float, float] | None
 

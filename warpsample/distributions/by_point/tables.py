@@ -71,9 +71,9 @@ def lend_tables(loan: Loan, tables: list[np.ndarray], rows: slice) -> int:
         return 0
     if loan.memory.in_place and not loan.memory.device.is_cpu:  # normals in a wp.array on CUDA: tables need a copy there
         owned = [wp.array(table, dtype=wp.float32, device=loan.memory.device) for table in tables]
-        addresses = np.array([loan.put(table) for table in owned], np.uint64)
-        return loan.put(wp.array(addresses, dtype=wp.uint64, device=loan.memory.device))
-    return loan.put(np.array([loan.put(table, rows) for table in tables], np.uint64))
+        addresses = np.array([loan.lend(table) for table in owned], np.uint64)
+        return loan.lend(wp.array(addresses, dtype=wp.uint64, device=loan.memory.device))
+    return loan.lend(np.array([loan.lend(table, rows) for table in tables], np.uint64))
 
 
 @once

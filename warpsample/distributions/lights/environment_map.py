@@ -19,7 +19,7 @@ from warpsample.distributions.lights.pixel_table import build_table, read_shares
 from warpsample.distributions.parameters import Parameters, bind_parameters, pack_parameters, split_address
 from warpsample.distributions.record import Cases, Distribution, Maps
 from warpsample.host.device_memory import Loan
-from warpsample.host.known import digest_of, find_or_make
+from warpsample.host.shared_values import digest_of, find_or_make
 
 _SEAM, _NARROW = 2.0**-10, 2.0**-5  # of the unit square
 
@@ -166,8 +166,8 @@ def _put(loan: Loan, table: np.ndarray) -> int:
     if (
         loan.memory.in_place and not loan.memory.device.is_cpu
     ):  # arguments in wp.arrays on CUDA: the table needs a copy there
-        return loan.put(wp.array(table, dtype=wp.uint8, device=loan.memory.device))
-    return loan.put(table)
+        return loan.lend(wp.array(table, dtype=wp.uint8, device=loan.memory.device))
+    return loan.lend(table)
 
 
 RECORD = EnvironmentMap

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real, as_unit
 from warpsample.host.picture import read_picture
 
@@ -75,7 +75,7 @@ def frame_of(up: Any, north: Any) -> tuple[Any, Any, np.ndarray]:
     across = np.cross(north, z)
     length = np.sqrt(across @ across)
     if length < _LEAST_SINE:
-        raise ValueError(f"north: got {told(north)}, want a vector that is not along up")
+        raise ValueError(f"north: got {quote(north)}, want a vector that is not along up")
     x = across / length
     return up, north, np.stack([x, np.cross(z, x), z])
 

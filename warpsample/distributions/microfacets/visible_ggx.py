@@ -181,9 +181,9 @@ class VisibleGGX(VisibleNormals):
     density = "D(m)max(0,v·m)/σ(v), σ=(v_z+√(α_x²v_x²+α_y²v_y²+v_z²))/2"
     source = "Heitz2014, equation 3; sampled as in Dupuy2023, section 3"
     limits = (
-        "the density is blurred by rounding at the horizon of the view, v·m = 0; "
-        "the error of the inverse is measured for u[0] from 0.06 to 0.94, away from the poles of the spherical cap; "
-        "with alpha_y the direction is within 5e-7, because the stretch adds to the rounding of the isotropic map"
+        "the density is blurred by rounding at the horizon of the view, v·m = 0. "
+        "The error of the inverse is measured for u[0] from 0.06 to 0.94, away from the poles of the spherical cap. "
+        "With alpha_y the direction is within 5e-7, because the stretch adds to the rounding of the isotropic map"
     )
     worst_angle = 5e-7
     # Views from above, from the side and from the horizon; then brushed surfaces.

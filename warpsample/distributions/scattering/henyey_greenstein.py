@@ -23,7 +23,7 @@ def _versines(w: wp.vec3) -> wp.vec2:
 
 
 @wp.func
-def _spread(w: wp.vec3, g: wp.float32) -> wp.float32:
+def _squared_distance(w: wp.vec3, g: wp.float32) -> wp.float32:
     """Return 1 + g^2 - 2 g cos of the angle between w and +z, as a sum of two numbers that are not negative."""
     versines = _versines(w)
     edge = wp.where(g > 0.0, 1.0 - g, 1.0 + g)
@@ -56,7 +56,7 @@ def square_to_henyey_greenstein_pdf(w: wp.vec3, g: wp.float32) -> wp.float32:
 
     The density is (1 - g^2) / (4 pi (1 + g^2 - 2 g cos theta)^(3/2)), with theta the angle between w and +z.
     """
-    inverse = 1.0 / _spread(w, g)
+    inverse = 1.0 / _squared_distance(w, g)
     density = 0.25 * INV_PI * (1.0 - g) * (1.0 + g) * inverse * wp.sqrt(inverse)
     return wp.where(w[2] == w[2], density, 0.0)
 
@@ -67,7 +67,7 @@ def henyey_greenstein_to_square(w: wp.vec3, g: wp.float32) -> wp.vec2:
 
     u[0] = (1 + g) (1 - cos theta) / (r (1 - g + r)) with r^2 = 1 + g^2 - 2 g cos theta, u[1] the azimuth in turns.
     """
-    r = wp.sqrt(_spread(w, g))
+    r = wp.sqrt(_squared_distance(w, g))
     share = (1.0 + g) * _versines(w)[0] / (r * (1.0 - g + r))
     return wp.vec2(clamp_uniform(share), turns_of(w[0], w[1]))
 

@@ -7,7 +7,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Cases, Distribution, Maps
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real
 from warpsample.maths.angles import sincos_turns_double, turns_of
 from warpsample.maths.numerics import INV_PI_DOUBLE, ONE, ZERO, clamp_uniform, root_double
@@ -122,7 +122,7 @@ class LinearlyTransformedCosine(Distribution):
     polar = False
     worst_round_trip = 1e-5
     limits = (
-        "the support is the hemisphere about M⁻ᵀz; the density is blurred by rounding at the horizon of o; the error of the "
+        "the support is the hemisphere about M⁻ᵀz. The density is blurred by rounding at the horizon of o. The error of the "
         "inverse is measured for u[0] above 0.01, and grows with the condition of M, because M⁻¹ stretches the rounding of w"
     )
     # The cosine lobe, one as of a rough mirror, a long one along y, a narrow one that leans, and a mirrored one that reaches
@@ -148,7 +148,7 @@ class LinearlyTransformedCosine(Distribution):
         matrix = as_real(self.matrix, "matrix", _WANTS)
         usable = matrix.shape == (3, 3) and not np.isnan(scaled := _scale(matrix[None])[0]).any()
         if not usable:
-            raise ValueError(f"matrix: got {told(self.matrix)}, want {_WANTS}")
+            raise ValueError(f"matrix: got {quote(self.matrix)}, want {_WANTS}")
         object.__setattr__(self, "matrix", tuple(map(tuple, scaled.tolist())))
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:

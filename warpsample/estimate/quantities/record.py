@@ -106,7 +106,7 @@ class Quantity:
         """Convert command-line options to arguments of the quantity's Python function, keyed by argument name."""
         return {ARGUMENTS.get(name, name): value for name, value in options.items()}
 
-    def told(self, options: Mapping[str, Any]) -> dict[str, Any]:
+    def recorded_options(self, options: Mapping[str, Any]) -> dict[str, Any]:
         """Return all options of a run, including defaults, to record in an output file, keyed by command-line name."""
         names = [OPTIONS.get(name, name) for name in self.parameters if name not in _NOT_RECORDED]
         return {name: options.get(name, self.default(name)) for name in names}

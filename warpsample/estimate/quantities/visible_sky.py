@@ -9,7 +9,7 @@ from warpsample.estimate.estimating import estimate
 from warpsample.estimate.plan import RaySum, plan_of, reach_of
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Share
-from warpsample.estimate.weights import above_plane
+from warpsample.estimate.weights import build_sky_integrand
 from warpsample.host.arrays import as_unit
 from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
@@ -63,7 +63,7 @@ def visible_sky(
     """
     plan = plan_of(PlacedPoints.of(mesh, points), count, distribution=UniformHemisphere(), **options)
     reach = reach_of(max_distance)
-    return estimate(plan, RaySum(above_plane(as_unit(up, "up")), reach=reach, result=Share))  # type: ignore[return-value]
+    return estimate(plan, RaySum(build_sky_integrand(as_unit(up, "up")), reach=reach, result=Share))  # type: ignore[return-value]
 
 
 _ON_RASTERS = (

@@ -15,7 +15,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.estimate.source.definitions import called, is_function, latest, names_in, reached
-from warpsample.host.known import digest_of
+from warpsample.host.shared_values import digest_of
 
 WHAT = "what"
 """Key of the name of the function or the struct in a content."""
@@ -38,10 +38,10 @@ def function_content(function: wp.Function) -> dict[str, Any]:
     parts: dict[str, list[Any]] = {}
     users = called(latest(function))
     for one in reached(users):
-        parts.setdefault(_name(one.func), []).append(_told(one))  # two functions may have one name
+        parts.setdefault(_name(one.func), []).append(_list_parts(one))  # two functions may have one name
     for one in users:
         parts[_name(one.func)].append([[code, _number(value)] for code, value in one.adj.deferred_static_expressions])
-    return {WHAT: _name(function.func), **{name: sha256(repr(told).encode()).hexdigest() for name, told in parts.items()}}
+    return {WHAT: _name(function.func), **{name: sha256(repr(facts).encode()).hexdigest() for name, facts in parts.items()}}
 
 
 def data_content(data: Any, function: Any) -> dict[str, Any]:
@@ -97,13 +97,13 @@ def _is_address(value: Any, raw: Any, kind: Any) -> bool:
     return kind is wp.uint64 and raw != 0
 
 
-def _told(function: wp.Function) -> list[Any]:
+def _list_parts(function: wp.Function) -> list[Any]:
     """Return the parts of a user's function that determine the results: source, types, constants and defaults."""
     constants, types, _ = function.adj.get_references()
     static = function.adj.resolved_static_expressions
-    told = [function.adj.source, function.native_snippet]
-    told += [_kind(kind) for kind in (*types, *function.input_types.values())]
-    return told + [[name, _number(value)] for one in (constants, static, function.defaults) for name, value in one.items()]
+    facts = [function.adj.source, function.native_snippet]
+    facts += [_kind(kind) for kind in (*types, *function.input_types.values())]
+    return facts + [[name, _number(value)] for one in (constants, static, function.defaults) for name, value in one.items()]
 
 
 def _number(value: Any) -> str:

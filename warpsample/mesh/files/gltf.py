@@ -13,7 +13,7 @@ import numpy as np
 
 from warpsample.host.json_tree import Part, parsed
 from warpsample.mesh.files.gltf_data import Data, binary
-from warpsample.mesh.files.gltf_scene import placed_nodes
+from warpsample.mesh.files.gltf_scene import iterate_nodes
 from warpsample.mesh.files.skins import Skin, posed
 from warpsample.mesh.joining import joined, joined_corners, joined_parts, outward
 from warpsample.mesh.parts import Named
@@ -59,7 +59,7 @@ def read_corners(path: Path, name: str) -> np.ndarray:
     where a node mirrors. Other attributes, such as "TEXCOORD_0", are unchanged. Primitives without the attribute have NaN.
     """
     with opened(path) as (tree, data):
-        return joined_corners(_attributes(placed, data, name) for placed in placed_primitives(tree))
+        return joined_corners(_attributes(placed, data, name) for placed in iterate_primitives(tree))
 
 
 @contextmanager
@@ -105,10 +105,10 @@ class PlacedPrimitive:
     skin: Skin | None
 
 
-def placed_primitives(tree: Part) -> Iterator[PlacedPrimitive]:
+def iterate_primitives(tree: Part) -> Iterator[PlacedPrimitive]:
     """Yield the triangle primitives in the scene, once for each placement."""
     meshes = tree.parts("meshes")
-    for node, matrix, skin in placed_nodes(tree):
+    for node, matrix, skin in iterate_nodes(tree):
         if "mesh" in node:
             number = node.index("mesh", meshes)
             yield from (PlacedPrimitive(node, number, i, p, matrix, skin) for i, p in _faced(meshes[number]))
@@ -163,7 +163,7 @@ def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, 
     """Yield points, triangles, matrix and name for each placement of a mesh in the scene; each mesh is read once."""
     meshes = tree.parts("meshes")
     found: dict[int, tuple[np.ndarray, np.ndarray] | None] = {}
-    for node, matrix, skin in placed_nodes(tree):
+    for node, matrix, skin in iterate_nodes(tree):
         if "mesh" not in node:
             continue
         number = node.index("mesh", meshes)
@@ -181,13 +181,13 @@ def _skinned(
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """Return points and triangles of a mesh posed by joints; the node's matrix applies only to primitives without joints."""
 
-    def placed(primitive: Part) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+    def pose_primitive(primitive: Part) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
         """Return points, triangles and matrix of a primitive, posed by its joints."""
         points, triangles = surface(primitive, data)
         poses = skin.poses(primitive, data)
         return (points, triangles, matrix) if poses is None else (posed(points, poses), outward(triangles, matrix), None)
 
-    return joined(placed(primitive) for _, primitive in faced) if faced else None
+    return joined(pose_primitive(primitive) for _, primitive in faced) if faced else None
 
 
 def surface(primitive: Part, data: Data) -> tuple[np.ndarray, np.ndarray]:

@@ -9,7 +9,7 @@ from urllib.parse import unquote
 
 import numpy as np
 
-from warpsample.host.arguments import check_file, told
+from warpsample.host.arguments import check_file, quote
 from warpsample.host.json_tree import Part, parsed
 
 _WHOLE = {5121: "<u1", 5123: "<u2", 5125: "<u4"}
@@ -56,7 +56,7 @@ class Data:
         """Return the accessor that `by[key]` refers to and its (V, k) numbers of any type, without a copy."""
         shape = self.accessors[by.index(key, self.accessors)].text("type")
         if shape not in _WIDTHS:
-            raise ValueError(f"{by.at(key)}: got numbers that are {told(shape)}, want one of {', '.join(_WIDTHS)}")
+            raise ValueError(f"{by.at(key)}: got numbers that are {quote(shape)}, want one of {', '.join(_WIDTHS)}")
         return self._numbers(by, key, shape=shape, width=_WIDTHS[shape], kinds=_KINDS | _WHOLE)
 
     def picture(self, image: Part, path: Path) -> bytes:
@@ -73,7 +73,7 @@ class Data:
         found, code, count = accessor.text("type"), accessor.whole("componentType"), accessor.whole("count")
         if found != shape or code not in kinds:
             wants = f"{shape} of {' or '.join(map(str, sorted(kinds)))}"
-            raise ValueError(f"{by.at(key)}: got numbers that are {told(found)} of {code}, want {wants}")
+            raise ValueError(f"{by.at(key)}: got numbers that are {quote(found)} of {code}, want {wants}")
         kind, begin = np.dtype(kinds[code]), accessor.whole("byteOffset", 0)
         size = width * kind.itemsize
         view = self.views[accessor.index("bufferView", self.views)]
@@ -142,7 +142,7 @@ def content_of(path: Path, uri: str, length: int, by: Part) -> memoryview:
         except ValueError:
             raise ValueError(f"{by.at('uri')}: got data that are no base64") from None
     if _SCHEME.match(uri) or Path(unquote(uri)).anchor:
-        raise ValueError(f"{by.at('uri')}: got {told(uri)}, want the name of a file, or data")
+        raise ValueError(f"{by.at('uri')}: got {quote(uri)}, want the name of a file, or data")
     file = check_file(path.parent / unquote(uri), by.at("uri"), "a file")
     with file.open("rb") as stream:
         _check_length(length, file.stat().st_size)

@@ -12,7 +12,7 @@ from warpsample.mesh.files.skins import Skin
 _AFFINE = 1e-6  # largest deviation of a matrix' last column from (0, 0, 0, 1): float32 rounding
 
 
-def placed_nodes(tree: Part) -> Iterator[tuple[Part, np.ndarray, Skin | None]]:
+def iterate_nodes(tree: Part) -> Iterator[tuple[Part, np.ndarray, Skin | None]]:
     """Yield the nodes of the scene, parents first, each with its matrix for row vectors and its skin or None."""
     nodes = tree.parts("nodes")
     places = dict(_places(tree, nodes))

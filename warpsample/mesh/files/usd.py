@@ -31,7 +31,7 @@ def read(path: Path) -> Named:
         ModuleNotFoundError: usd-core is not installed; the message explains how to install it.
         ValueError: usd-core cannot open the file or a file that it refers to, or a surface is not a mesh, such as a sphere.
     """
-    return joined_parts(_parts(_found(path)))
+    return joined_parts(_parts(_run_usd_stage(path)))
 
 
 def read_corners(path: Path, number: int) -> np.ndarray:
@@ -39,15 +39,15 @@ def read_corners(path: Path, number: int) -> np.ndarray:
 
     Prims without the set have NaN. Set 0 is the primvar "st", or the first primvar by name. Errors are those of `read`.
     """
-    return joined_corners(part[:3] for part in _parts(_found(path, str(number))))[..., :2]
+    return joined_corners(part[:3] for part in _parts(_run_usd_stage(path, str(number))))[..., :2]
 
 
 def read_up_axis(path: Path) -> str:
     """Read the axis that points up in a USD file, "Y" or "Z", with the errors of `read`."""
-    return _found(path, UP).decode()
+    return _run_usd_stage(path, UP).decode()
 
 
-def _found(path: Path, what: str = "") -> bytes:
+def _run_usd_stage(path: Path, what: str = "") -> bytes:
     """Run `usd_stage` on a file in a new process and return its output."""
     if find_spec("pxr") is None:
         raise missing(f"path: got {path.name!r}, which needs usd-core", "pxr")
@@ -64,7 +64,7 @@ def _parts(found: bytes) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, s
     """Yield points, triangles, matrix and name of each mesh in the output of `usd_stage`."""
     at = 0
 
-    def taken(kind: type, rows: int, columns: int) -> np.ndarray:
+    def read_array(kind: type, rows: int, columns: int) -> np.ndarray:
         """Return the next array of the output, and advance."""
         nonlocal at
         array = np.frombuffer(found, kind, rows * columns, at).reshape(rows, columns)
@@ -72,6 +72,6 @@ def _parts(found: bytes) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, s
         return array
 
     while at < len(found):
-        points, faces, name = taken(np.int64, 1, 3)[0]
-        arrays = taken(np.float64, points, 3), taken(np.int32, faces, 3), taken(np.float64, 4, 4)
-        yield *arrays, taken(np.uint8, 1, name).tobytes().decode()
+        points, faces, name = read_array(np.int64, 1, 3)[0]
+        arrays = read_array(np.float64, points, 3), read_array(np.int32, faces, 3), read_array(np.float64, 4, 4)
+        yield *arrays, read_array(np.uint8, 1, name).tobytes().decode()

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import check_file, naming_file, told
+from warpsample.host.arguments import check_file, naming_file, quote
 from warpsample.mesh.files.ply import read_elements
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.polydata import pyvista
@@ -38,7 +38,7 @@ def read_array(path: Any, name: str, argument: str) -> np.ndarray:
     with naming_file(argument, path, "arrays"):
         arrays = {".ply": _ply, ".vtp": _vtp, ".npz": _npz}[path.suffix.lower()](path)
     if name not in arrays:
-        raise ValueError(f"distribution: got @{name}, want an array of {path.name}: {told(', '.join(sorted(arrays)))}")
+        raise ValueError(f"distribution: got @{name}, want an array of {path.name}: {quote(', '.join(sorted(arrays)))}")
     return arrays[name]
 
 

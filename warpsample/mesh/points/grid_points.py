@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import check_choice, check_number, told
+from warpsample.host.arguments import check_choice, check_number, quote
 from warpsample.host.arrays import as_unit
 from warpsample.host.neighbours import as_ndarray
 from warpsample.mesh.flat_parts import axes_in_plane, flat_parts
@@ -76,7 +76,7 @@ def _check_faces(value: Any, faces: int) -> np.ndarray:
     wants = f"({faces},) bool, one for each face"
     mask = as_ndarray(value, "faces", wants)
     if mask.dtype != bool:
-        raise TypeError(f"faces: got {f'dtype {mask.dtype}' if mask.ndim else told(value)}, want {wants}")
+        raise TypeError(f"faces: got {f'dtype {mask.dtype}' if mask.ndim else quote(value)}, want {wants}")
     if mask.shape != (faces,):
         raise ValueError(f"faces: got shape {mask.shape}, want {wants}")
     return mask

@@ -105,8 +105,8 @@ def _random_points(mesh: Mesh, count: int, options: CallOptions, barycentric: bo
     last = int(np.searchsorted(mesh.area_sums, mesh.area_sums[-1]))  # last face with an area above 0
     guide = guide_to(mesh.area_sums[: last + 1], count)
     with memory.loan() as whole:
-        surface = [len(mesh.vertices), last, *map(whole.put, (mesh.vertices, mesh.faces, mesh.area_sums, guide))]
-        surface += [(len(guide) - 1).bit_length() - 1, whole.put(mesh.face_normals)]
+        surface = [len(mesh.vertices), last, *map(whole.lend, (mesh.vertices, mesh.faces, mesh.area_sums, guide))]
+        surface += [(len(guide) - 1).bit_length() - 1, whole.lend(mesh.face_normals)]
         for rows in memory.parts(count, size // count):
             points = rows.stop - rows.start
             with memory.loan() as loan:

@@ -43,22 +43,22 @@ def thinned(points: "SurfacePoints", count: int | None, radius: float | None, ar
     With `radius`, that is the distance. With `count`, the distance is searched for, as large as possible for `count` points.
     """
 
-    def kept(distance: float) -> np.ndarray:
+    def select_rows(distance: float) -> np.ndarray:
         """Return the rows of the points that are accepted for a distance."""
         return np.flatnonzero(_stay(points, distance, workers))
 
     if count is None:
         assert radius is not None
-        return kept(radius)
-    return _distance_of(count, np.sqrt(_FILLED * area / count), kept)[:count]
+        return select_rows(radius)
+    return _distance_of(count, np.sqrt(_FILLED * area / count), select_rows)[:count]
 
 
-def _distance_of(count: int, guess: float, kept: Callable[[float], np.ndarray]) -> np.ndarray:
+def _distance_of(count: int, guess: float, select_rows: Callable[[float], np.ndarray]) -> np.ndarray:
     """Search for the largest distance that accepts at least `count` points; return the rows of the accepted points."""
     low, high, best = 0.0, np.inf, None
     distance = guess
     for _ in range(_ROUNDS):
-        rows = kept(distance)
+        rows = select_rows(distance)
         if len(rows) >= count:
             low, best = distance, rows
             if len(rows) <= _TOO_MANY * count:
@@ -67,7 +67,7 @@ def _distance_of(count: int, guess: float, kept: Callable[[float], np.ndarray]) 
             high = distance
         foretold = distance * np.sqrt(max(len(rows), 1) / (count * (1.0 + _TOO_MANY) / 2.0))
         distance = foretold if low < foretold < high else 2.0 * low if np.isinf(high) else (low + high) / 2.0
-    return kept(0.0) if best is None else best
+    return select_rows(0.0) if best is None else best
 
 
 def _stay(points: "SurfacePoints", distance: float, workers: int) -> np.ndarray:

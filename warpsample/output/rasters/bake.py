@@ -17,9 +17,9 @@ from warpsample.city.rasters.content import digests_of, place_of, unchanging
 from warpsample.city.rasters.reading import files_read
 from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.estimate.quantities.record import ARGUMENTS, Quantity
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.files import WriteError, check_output, write_bytes
-from warpsample.host.known import digest_of
+from warpsample.host.shared_values import digest_of
 from warpsample.output.bake_rules import check_table
 from warpsample.output.bake_table import STORE
 from warpsample.output.baked import BakeRun
@@ -272,8 +272,8 @@ def check_unchanged(
     for name, now in about.items():
         if kept.get(name) != now:
             raise ValueError(
-                f"{name.rpartition('_')[0] or name}: got {name} {told(now)}, which was {told(kept.get(name))} when the run "
-                f"began; with the original file {store} can be resumed"
+                f"{name.rpartition('_')[0] or name}: got {name} {quote(now)}, which was {quote(kept.get(name))} when the "
+                f"run began; with the original file {store} can be resumed"
             )
     return run
 

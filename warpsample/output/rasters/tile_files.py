@@ -12,11 +12,11 @@ from zipfile import BadZipFile
 import numpy as np
 
 from warpsample.city.rasters.tiles import RasterRun
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.engine import check_space
 from warpsample.host.files import WriteError, complete_or_absent, read_arrays, write_arrays, write_bytes
 from warpsample.host.interrupts import uninterrupted
-from warpsample.output.data_beside import locked_folder
+from warpsample.output.linked_data import locked_folder
 from warpsample.output.rasters.bake import RasterJob, Tiles, read_unchanging, summarize_tile
 
 ABOUT, DIGESTS = "about.json", "digests.npz"
@@ -79,7 +79,7 @@ class TileFiles:
             kept = self.about()
             for name in dict.fromkeys((*about, *kept)):
                 if kept.get(name) != about.get(name):
-                    was, now = told(kept.get(name)), told(about.get(name))
+                    was, now = quote(kept.get(name)), quote(about.get(name))
                     raise ValueError(f"--output: got {str(self.path)!r} of {name} {was}, want one of {name} {now}")
         whole = np.array([self._is_whole(index, run) for index in range(run.grid[0] * run.grid[1])])
         cells = run.reader.shape[0] * run.reader.shape[1]
@@ -105,7 +105,7 @@ class TileFiles:
         spans = list(own.spans())
         for index in tiles:
             arrays = own.numbers(spans[index])
-            put_tile_file(self.path, index, own, arrays)
+            write_tile_file(self.path, index, own, arrays)
             yield summarize_tile(arrays)
 
     def tiles(self, run: RasterRun) -> Tiles:
@@ -138,7 +138,7 @@ def write_digests(folder: Path, digests: Mapping[str, np.ndarray]) -> None:
         write_arrays(stream, digests)
 
 
-def put_tile_file(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.ndarray]) -> None:
+def write_tile_file(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.ndarray]) -> None:
     """Write a tile into a folder; the file appears complete."""
     with complete_or_absent(tile_file(folder, index)) as stream:
         write_arrays(stream, {name: arrays[name] for name in run.names})

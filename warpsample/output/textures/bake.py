@@ -9,9 +9,9 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from warpsample.host.files import complete_or_absent, write_arrays
-from warpsample.mesh.files.beside import files_beside, pictures_beside
+from warpsample.mesh.files.linked_files import list_linked_files, list_linked_pictures
 from warpsample.output.baked import BakeRun
-from warpsample.output.data_beside import write_with_data
+from warpsample.output.linked_data import write_with_data
 from warpsample.output.quantities import quantity_of
 from warpsample.output.run_record import RunRecord
 from warpsample.output.textures.images import Filled, fill_texture
@@ -98,8 +98,8 @@ def _write_scene(file: GlbFile, source: TextureSource, found: list[list[Picture]
         with complete_or_absent(run.output) as stream:
             file.write(stream)
         return notes
-    ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": files_beside}
-    data = write_with_data(run.output, DATA, **ways, inputs=[*source.inputs, *pictures_beside(run.output)])
+    ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": list_linked_files}
+    data = write_with_data(run.output, DATA, **ways, inputs=[*source.inputs, *list_linked_pictures(run.output)])
     if data.stem != run.output.stem:
         notes.append(f"its data are in {data.name}: {run.output.with_suffix(DATA).name} belongs to another file")
     return notes
@@ -126,7 +126,7 @@ def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Fil
         stream.write(encode_exr({"": found.value, "standard_error": found.error}))
     else:
         texture = {f"texture_{item.name}": str(getattr(how, item.name)) for item in fields(how)}
-        options = {name: str(value) for name, value in quantity_of(run.quantity).told(run.options).items()}
+        options = {name: str(value) for name, value in quantity_of(run.quantity).recorded_options(run.options).items()}
         uv = found.job.points.corners / np.array(how.size)
         arrays = {"value": found.value, "standard_error": found.error, "covered": found.job.points.covered, "uv": uv}
         write_arrays(stream, {**arrays, "run": np.array(json.dumps(run.recorded | options | texture))})

@@ -6,12 +6,12 @@ from pathlib import Path
 from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output
 from warpsample.mesh.files import load_mesh
-from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.files.linked_files import list_linked_files
 from warpsample.mesh.mesh import Mesh
 from warpsample.output.bake_rules import check_table
 from warpsample.output.baked import BakeRun
-from warpsample.output.data_beside import check_data_beside
 from warpsample.output.faces_option import with_optics
+from warpsample.output.linked_data import check_linked_data
 from warpsample.output.quantities import quantity_of
 from warpsample.output.source import input_files
 from warpsample.output.textures.choice import texture_options
@@ -112,7 +112,7 @@ def _check_scene(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[Te
 
 def _inputs(run: BakeRun, how: TextureOptions) -> list[Path]:
     """Return the files that a run reads."""
-    high = [] if how.high is None else [how.high, *files_beside(how.high)]
+    high = [] if how.high is None else [how.high, *list_linked_files(how.high)]
     return [*input_files(run, quantity_of(run.quantity)), *high]
 
 
@@ -122,4 +122,4 @@ def _check(run: BakeRun, how: TextureOptions) -> None:
     Memory.of(run.options.get("device"))
     check_output(run.output, "--output", *_inputs(run, how))
     if run.output.suffix == ".gltf":
-        check_data_beside(run.output, DATA, "--output")
+        check_linked_data(run.output, DATA, "--output")

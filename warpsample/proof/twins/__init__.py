@@ -8,12 +8,12 @@ import numpy as np
 
 from warpsample.distributions.own import Twin, user_distributions
 from warpsample.distributions.record import Distribution
-from warpsample.proof.twins import microfacets, pictures, shapes
+from warpsample.proof.twins import lights, microfacets, pictures, shapes
 from warpsample.proof.twins.angles import frames, polar_angle, spherical
 
 __all__ = ["check_twin", "density", "directions", "frames", "names", "polar_angle", "spherical"]
 
-_TWINS = {**shapes.TWINS, **microfacets.TWINS, **pictures.TWINS}
+_TWINS = {**shapes.TWINS, **microfacets.TWINS, **lights.TWINS, **pictures.TWINS}
 
 
 def check_twin(distribution: Distribution) -> Twin:

@@ -42,11 +42,11 @@ class InOrder:
         self._take = take
         self._next = 0
         self._early: dict[int, Block] = {}
-        self._taking = threading.Lock()
+        self._lock = threading.Lock()
 
-    def put(self, number: int, block: Block) -> None:
+    def add_block(self, number: int, block: Block) -> None:
         """Add a numbered block, and pass all blocks that are next in order to the function; numbers start at 0."""
-        with self._taking:
+        with self._lock:
             self._early[number] = block
             while self._next in self._early:
                 self._take(self._early.pop(self._next))
@@ -130,7 +130,7 @@ class Casting:
 
         def part() -> None:
             for first in firsts:
-                blocks.put(first // size, self._cast_block(rays, tree, rows[first : first + size], surfaces))
+                blocks.add_block(first // size, self._cast_block(rays, tree, rows[first : first + size], surfaces))
 
         if size >= len(rows):
             part()

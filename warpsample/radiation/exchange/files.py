@@ -11,7 +11,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from warpsample.estimate.result import Skipped
-from warpsample.host.arguments import check_file, naming_file, told
+from warpsample.host.arguments import check_file, naming_file, quote
 from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_arrays
 from warpsample.radiation.exchange.closure import rows_of
 from warpsample.radiation.exchange.row_factors import matrices_of
@@ -35,7 +35,7 @@ def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
         TypeError, ValueError: no path, a name of an unknown format, or a file that cannot be written.
     """
     if not isinstance(path, str | Path):
-        raise TypeError(f"{argument}: got {told(path)}, want {WANTS}")
+        raise TypeError(f"{argument}: got {quote(path)}, want {WANTS}")
     path = Path(path)
     if path.suffix not in (".npz", ".vf") and not path.name.startswith(_SPARSE):
         raise ValueError(f"{argument}: got {str(path)!r}, want {WANTS}")

@@ -4,7 +4,7 @@ from typing import BinaryIO
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 
 _BLOCK = 1 << 22  # numbers that are written at a time
 _COLOURS = 3
@@ -39,7 +39,7 @@ def read_matrix(content: bytes, argument: str = "matrix") -> np.ndarray:
     fields = {key.strip(): text.strip() for key, text in fields.items()}
     shape = tuple(int(fields[key]) if fields.get(key, "").isdecimal() else 0 for key in ("NROWS", "NCOLS", "NCOMP"))
     if not empty or fields.get("FORMAT") != "float" or min(shape) < 1:
-        raise ValueError(f"{argument}: got {told(head)}, want {_WANTS}")
+        raise ValueError(f"{argument}: got {quote(head)}, want {_WANTS}")
     numbers = len(content) - len(head) - len(empty)
     if numbers != 4 * shape[0] * shape[1] * shape[2]:
         raise ValueError(f"{argument}: got {numbers:,} bytes of numbers, want 4 x {' x '.join(map(str, shape))}")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real
 from warpsample.host.summary import Summary
 from warpsample.host.tables import frame_of
@@ -141,5 +141,5 @@ def _check_numbers(value: Any, argument: str, low: float, high: float) -> np.nda
     array = as_real(value, argument).astype(np.float64)
     if array.size and not (array.min() >= low and array.max() <= high):
         at_least = "above 0" if low > 0.0 else f"from {low:g}"
-        raise ValueError(f"{argument}: got {told(value)}, want finite numbers {at_least} to {high:g}")
+        raise ValueError(f"{argument}: got {quote(value)}, want finite numbers {at_least} to {high:g}")
     return array

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import imported
 
@@ -39,7 +39,7 @@ def radiosity_of(matrix: "csr_array", emission: Any, reflectance: Any) -> np.nda
         leaving = followed(matrix, columns.reshape(rows, math.prod(columns.shape[1:])), share)
     if not np.isfinite(leaving).all():
         raise ValueError(
-            f"emission: got {told(emission)}, want smaller numbers: the sum of all reflections exceeds the range of float64"
+            f"emission: got {quote(emission)}, want smaller numbers: the sum of all reflections exceeds the range of float64"
         )
     return leaving.reshape(columns.shape)
 
@@ -86,5 +86,5 @@ def _check_finite(value: Any, argument: str) -> np.ndarray:
     """Return `value` as a float64 array; raise a ValueError if a number is not finite."""
     array = as_real(value, argument).astype(np.float64)
     if not np.isfinite(array).all():
-        raise ValueError(f"{argument}: got {told(value)}, want finite numbers")
+        raise ValueError(f"{argument}: got {quote(value)}, want finite numbers")
     return array

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.engine import check_memory
 from warpsample.host.neighbours import as_ndarray
 from warpsample.mesh.mesh import Mesh
@@ -98,7 +98,7 @@ def _group_by_part(mesh: Mesh, groups: str) -> tuple[np.ndarray, tuple[str, ...]
     Faces without a part get a group named "".
     """
     if groups != "part":
-        raise ValueError(f"groups: got {told(groups)}, want 'part', or an array with a number or a name for each face")
+        raise ValueError(f"groups: got {quote(groups)}, want 'part', or an array with a number or a name for each face")
     if mesh.part is None:
         raise ValueError("groups: got 'part' for a mesh without named parts, want an array")
     apart = mesh.part < 0

@@ -20,7 +20,7 @@ from warpsample.host.locks import imported, making
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.exchange.radiosity import followed
-from warpsample.radiation.reflection.lobes_seen import Targets, lobes_seen
+from warpsample.radiation.reflection.lobe_shares import Targets, trace_lobes
 from warpsample.radiation.reflection.patches import Patches
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.options import RayOptions
@@ -48,17 +48,17 @@ class Probes:
 
     Attributes:
         at: P sample positions, P / N on each patch, patch by patch.
-        beyond: (N, columns) means of the light outside the mesh over the patches' lobes.
+        light_outside: (N, columns) means of the light outside the mesh over the patches' lobes.
         options: Options of further rays.
     """
 
     at: PlacedPoints
-    beyond: "csr_array"
+    light_outside: "csr_array"
     options: RayOptions
 
     def means(self, values: np.ndarray, columns: int) -> np.ndarray:
         """Average (P, columns) numbers over the sample positions of each patch; return (N, columns) float64."""
-        return values.reshape(self.beyond.shape[0], -1, columns).mean(axis=1, dtype=np.float64)
+        return values.reshape(self.light_outside.shape[0], -1, columns).mean(axis=1, dtype=np.float64)
 
 
 class DistantLight(Protocol):
@@ -115,7 +115,7 @@ class Reflections:
         drawn = {name: getattr(options, name) for name in ("first_point", "active", "workers")}
         for number, leaving in enumerate(self.leaving):
             seed = _derive_seed("lobes", number, options.seed)
-            for rows, seen in lobes_seen(Targets(self.patches), points, count, seed=seed, **drawn):
+            for rows, seen in trace_lobes(Targets(self.patches), points, count, seed=seed, **drawn):
                 apart = _merge_entries(seen.patches, shape[1]) @ leaving - mean[rows]
                 mean[rows] += apart / (number + 1)
                 squares[rows] += np.square(apart) * (number / (number + 1))
@@ -177,11 +177,11 @@ def _compute_radiosity(patches: Patches, distant: DistantLight, count: int, opti
     rays = -(-max(count // (_FEWER * REPLICATES), _FEWEST_RAYS // number, _LEAST_RAYS) // places)
     points, share = patches.places(places, options.seed), patches.reflectance
     how = {"seed": options.seed, "together": places, "workers": options.workers}
-    found = [seen for _, seen in lobes_seen(distant.targets(patches, options.workers), points, rays, **how)]
+    found = [seen for _, seen in trace_lobes(distant.targets(patches, options.workers), points, rays, **how)]
     stacked = imported("scipy.sparse").vstack
     between = _merge_entries(stacked([seen.patches for seen in found], format="csr"), distant.size)
-    beyond = stacked([seen.beyond for seen in found], format="csr")
-    probes = Probes(PlacedPoints.of(patches.mesh, points), beyond, options)
+    light_outside = stacked([seen.light_outside for seen in found], format="csr")
+    probes = Probes(PlacedPoints.of(patches.mesh, points), light_outside, options)
     leaving = np.empty((number, distant.size), np.float32)
     for first in range(0, distant.size, _TOGETHER):
         columns = slice(first, min(first + _TOGETHER, distant.size))

@@ -17,13 +17,13 @@ from warpsample.estimate.plan import Plan, RaySum, plan_of
 from warpsample.estimate.result import Estimate, PointStatus, has_status
 from warpsample.estimate.source.definitions import naming_function
 from warpsample.estimate.split import SplitSum, add_spreads
-from warpsample.estimate.weights import seen_in
-from warpsample.host.arguments import check_choice, told
+from warpsample.estimate.weights import build_environment_integrand
+from warpsample.host.arguments import check_choice, quote
 from warpsample.host.arrays import as_unit
 from warpsample.host.locks import imported
 from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.reflection.lobes_seen import Targets
+from warpsample.radiation.reflection.lobe_shares import Targets
 from warpsample.radiation.reflection.patches import Patches, patches_of
 from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, cached_reflections, reflections_of
 from warpsample.radiation.sky.picture_light import Picture, Sampling
@@ -109,12 +109,14 @@ def irradiance(
     plan = plan_of(at, count, **options)
     axis, patches = as_unit(up, "up"), patches_of(at.mesh, refine)
     if patches is not None and plan.tolerance is not None:
-        raise ValueError(f"tolerance: got {told(plan.tolerance)} for a mesh with a reflectance, want None")
+        raise ValueError(f"tolerance: got {quote(plan.tolerance)} for a mesh with a reflectance, want None")
     if sampling is not None:
         check_choice(sampling, "sampling", _SAMPLINGS)
     if isinstance(radiance, wp.Function):
         if sampling not in (None, "cosine"):
-            raise ValueError(f"sampling: got {told(sampling)} for a radiance given as a function, want cosine, or a picture")
+            raise ValueError(
+                f"sampling: got {quote(sampling)} for a radiance given as a function, want cosine, or a picture"
+            )
         with naming_function("radiance"):
             integrand = integrand_of(radiance, argument="radiance", device=plan.options.memory.device)
             summed = RaySum(integrand, unit=pi, result=Irradiance)
@@ -124,7 +126,9 @@ def irradiance(
         picture = Picture.of(as_picture(radiance, "radiance", "an array of numbers, a path or a wp.func"), axis)
         sampling = sampling or "both"
         summed = picture.summed(sampling, Irradiance)
-        light = _RadianceLight(summed, seen_in(picture.pixels, axis), picture.colours, f"{picture.known_by} {sampling}")
+        light = _RadianceLight(
+            summed, build_environment_integrand(picture.pixels, axis), picture.colours, f"{picture.cache_key} {sampling}"
+        )
         found = light.at(plan)
     return found if patches is None else _add_reflected(found, _compute_reflected(patches, light, plan))
 
@@ -137,13 +141,13 @@ class _RadianceLight:
         summed: sum over rays that gives the irradiance.
         integrand: radiance as a function of the direction.
         size: number of colours, 1 or 3.
-        known_by: text that identifies the light in the cache of reflected light; None: the function identifies it.
+        cache_key: text that identifies the light in the cache of reflected light; None: the function identifies it.
     """
 
     summed: RaySum | SplitSum
     integrand: Integrand
     size: int
-    known_by: str | None = None
+    cache_key: str | None = None
 
     def at(self, plan: Plan) -> Irradiance:
         """Compute the irradiance of the points of a call's plan from this light, without reflections."""
@@ -160,13 +164,13 @@ class _RadianceLight:
         """
         csr_array = imported("scipy.sparse").csr_array
 
-        def beyond(directions: np.ndarray) -> "csr_array":
+        def light_outside(directions: np.ndarray) -> "csr_array":
             radiance = along(self.integrand, directions, workers)[:, : self.size]
             number, columns = np.where(np.isfinite(radiance), radiance, np.float32(0.0)).ravel(), np.arange(self.size)
             ends = np.arange(0, len(number) + 1, self.size)
             return csr_array((number, np.tile(columns, len(radiance)), ends), shape=radiance.shape)
 
-        return Targets(patches, beyond)
+        return Targets(patches, light_outside)
 
     def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
         """Return the irradiance of reflecting patches by this light.
@@ -174,7 +178,7 @@ class _RadianceLight:
         It is that of the rays of the patches, or of further rays if some of the rays are drawn from a picture.
         """
         if isinstance(self.summed, RaySum):
-            return pi * probes.beyond.toarray()[:, columns]
+            return pi * probes.light_outside.toarray()[:, columns]
         value = self.at(Plan.of(probes.at, _RAYS_OF_PLACE, probes.options)).value.reshape(len(probes.at), -1)
         return probes.means(np.ascontiguousarray(value[:, columns]), value[:, columns].shape[1])
 
@@ -186,7 +190,7 @@ def _compute_reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> R
     """
     if len(plan.at) == 0:
         return Reflected(*np.zeros((2, 0, light.size)), 0)
-    light_of = light.known_by or light.integrand.function
+    light_of = light.cache_key or light.integrand.function
     key = light_of, light.size, patches.cuts.tobytes(), plan.count, plan.options.seed
     found = cached_reflections(patches.mesh, key, lambda: reflections_of(patches, light, plan.count, plan.options))
     return found.at(plan.at.points, plan.count, plan.options)

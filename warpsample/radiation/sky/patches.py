@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from warpsample.host.arguments import check_choice, told
+from warpsample.host.arguments import check_choice, quote
 from warpsample.host.arrays import as_unit
 from warpsample.host.locks import read_only
 from warpsample.host.summary import Summary
@@ -89,8 +89,8 @@ def sky_patches(name: str = "tregenza", *, up: Any = (0.0, 0.0, 1.0), north: Any
     towards -= (towards @ zenith) * zenith
     length = np.linalg.norm(towards)
     if length < _PARALLEL:
-        wants = f"a direction not parallel to up {told(up)}, such as (0, 0, -1) for up = (0, 1, 0)"
-        raise ValueError(f"north: got {told(north)}, which is along up, want {wants}")
+        wants = f"a direction not parallel to up {quote(up)}, such as (0, 0, -1) for up = (0, 1, 0)"
+        raise ValueError(f"north: got {quote(north)}, which is along up, want {wants}")
     return _patches_of(name, multiple, zenith.tobytes(), (towards / length).tobytes())
 
 

@@ -15,8 +15,8 @@ from warpsample.estimate.pictures import by_cosine, by_picture, sampled_by
 from warpsample.estimate.plan import RaySum
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.split import SplitSum
-from warpsample.estimate.weights import seen_in
-from warpsample.host.known import find_or_make
+from warpsample.estimate.weights import build_environment_integrand
+from warpsample.host.shared_values import find_or_make
 
 Sampling = Literal["cosine", "picture", "both"]
 
@@ -45,7 +45,7 @@ class Picture:
         return cls(pixels, up, 1 if picture.ndim == 2 else 3)
 
     @cached_property
-    def known_by(self) -> str:
+    def cache_key(self) -> str:
         """Text that identifies the picture."""
         return f"{sha256(self.pixels.tobytes()).hexdigest()} {self.pixels.shape} {self.up}"
 
@@ -57,7 +57,7 @@ class Picture:
         """
         if not self.pixels.any():
             return None
-        return find_or_make(f"lobe of {self.known_by}", lambda: EnvironmentMap(mean_reading(self.pixels), self.up))
+        return find_or_make(f"lobe of {self.cache_key}", lambda: EnvironmentMap(mean_reading(self.pixels), self.up))
 
     @cached_property
     def share(self) -> float:
@@ -79,7 +79,7 @@ class Picture:
         share = {"cosine": 0.0, "picture": 1.0, "both": self.share}[sampling]
         lobe = self.lobe
         if share == 0.0 or lobe is None:
-            return RaySum(seen_in(self.pixels, self.up), unit=pi, result=result)
+            return RaySum(build_environment_integrand(self.pixels, self.up), unit=pi, result=result)
 
         def sum_by(function: Any) -> Any:
             return lambda ratio: RaySum(sampled_by(function, self.pixels, lobe, ratio), result=result)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from warpsample.estimate.result import PointResult
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 from warpsample.host.files import check_output, complete_or_absent, write_arrays
 from warpsample.radiation.exchange.matrix_files import write_matrix
 from warpsample.radiation.sky.patches import SkyPatches
@@ -84,7 +84,7 @@ class SkyMatrix(PointResult):
         """
         wants = f"the path of a file of {' or '.join(_FORMATS)}"
         if not isinstance(path, str | Path):
-            raise TypeError(f"path: got {told(path)}, want {wants}")
+            raise TypeError(f"path: got {quote(path)}, want {wants}")
         target = Path(path)
         if target.suffix not in _FORMATS:
             raise ValueError(f"path: got {str(path)!r}, want {wants}")

@@ -80,10 +80,10 @@ def sky_matrix(
     """
     plan = plan_of(PlacedPoints.of(mesh, points), count, tracer="wide", **options)
     sky = sky_patches(patches, up=up, north=north)
-    return sky_seen(plan, sky, None if fold is None else _check_fold(fold, len(sky)))
+    return compute_sky_matrix(plan, sky, None if fold is None else _check_fold(fold, len(sky)))
 
 
-def sky_seen(plan: Plan, sky: SkyPatches, fold: np.ndarray | None) -> SkyMatrix:
+def compute_sky_matrix(plan: Plan, sky: SkyPatches, fold: np.ndarray | None) -> SkyMatrix:
     """Compute the sky matrix at the points of a plan (a call's checked arguments), or its product with `fold`.
 
     `fold` has (K,) or (K, T) finite numbers.

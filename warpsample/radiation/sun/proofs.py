@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsample.host.locks import once
 from warpsample.maths.numerics import greater
-from warpsample.radiation.sun.view import Suns, View, known_triangles
+from warpsample.radiation.sun.view import Suns, View, blocker_mask
 from warpsample.tracing.placement import is_far_off
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.cover import covering_triangles
@@ -49,11 +49,11 @@ def highest(vectors: wp.uint64, n: wp.vec3) -> wp.float32:
 @wp.func
 def is_darkened(view: View, vectors: wp.uint64) -> wp.bool:
     """Return whether a triangle that blocked an earlier ray of the point blocks all rays of a shaft."""
-    known = known_triangles(view)
+    known = blocker_mask(view)
     if known == 0:
         return False
     return (
-        covering_triangles(view.known, vectors, view.point.o, COVER_MARGIN) & known
+        covering_triangles(view.blockers, vectors, view.point.o, COVER_MARGIN) & known
     ) != 0  # within reach: coordinates are below 1e36
 
 
@@ -63,8 +63,8 @@ def _may_be_hit(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
     if seen.starts == 0 and view.local == 0:
         return False
     aim_at(vectors, view.point)
-    known = known_triangles(view)
-    if known != 0 and (triangles_in(view.known, view.point.shaft) & known) != 0:
+    known = blocker_mask(view)
+    if known != 0 and (triangles_in(view.blockers, view.point.shaft) & known) != 0:
         return True
     return search_shaft(seen, view.point, view.local).state != EMPTY
 

@@ -6,7 +6,7 @@ from warpsample.distributions.uniform_cone import square_to_uniform_cone
 from warpsample.maths.frames import frame_about, to_world
 from warpsample.maths.memory import float_at, int_at, set_int, vec3_at, vec3i_at
 from warpsample.radiation.sun.suns import GROUP
-from warpsample.radiation.sun.view import CAST, KNOWN, NEXT, REMEMBERED, Suns, View, add, known_triangles, word
+from warpsample.radiation.sun.view import CAST, KNOWN, NEXT, REMEMBERED, Suns, View, add, blocker_mask, word
 from warpsample.sequences.fibonacci import fibonacci_sample
 from warpsample.sequences.hashing import stream_key
 from warpsample.tracing.placement import in_double, is_far_off, unit_in_double, vector_in_double
@@ -79,7 +79,7 @@ def _remember(suns: Suns, view: View, face: wp.int32):
     lane = word(view, NEXT)
     a = vec3_at(suns.vertices, corners[0])
     b = vec3_at(suns.vertices, corners[1])
-    store_triangle(view.known, lane, a, b, vec3_at(suns.vertices, corners[2]))
+    store_triangle(view.blockers, lane, a, b, vec3_at(suns.vertices, corners[2]))
     set_int(view.words, NEXT, (lane + 1) % TRIANGLES)
     set_int(view.words, KNOWN, wp.min(word(view, KNOWN) + 1, TRIANGLES))
 
@@ -94,8 +94,8 @@ def is_blocked(suns: Suns, whole: Accelerator, seen: Accelerator, view: View, k:
     reach = float_at(column, REACH)
     if not (reach > 0.0):
         return False
-    known = known_triangles(view)
-    if known != 0 and any_in_leaf(view.known, known, column, reach) >= 0:
+    known = blocker_mask(view)
+    if known != 0 and any_in_leaf(view.blockers, known, column, reach) >= 0:
         add(view, REMEMBERED, 1)
         return True
     add(view, CAST, 1)

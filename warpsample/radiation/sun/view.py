@@ -66,14 +66,14 @@ SunsArgs = type(Suns().__ctype__())
 class View:
     """Point from which the suns are tested, with its working memory and counters.
 
-    local: mask of the triangles of the point's local leaf. skips: whether rays may be skipped. known: address of the leaf of
-    triangles that blocked rays of the point. words: address of the point's counters.
+    local: mask of the triangles of the point's local leaf. skips: whether rays may be skipped. blockers: address of the leaf
+    of triangles that blocked rays of the point. words: address of the point's counters.
     """
 
     point: ShadingPoint
     local: wp.int32
     skips: wp.bool
-    known: wp.uint64
+    blockers: wp.uint64
     words: wp.uint64
 
 
@@ -82,7 +82,7 @@ def view_of(point: ShadingPoint) -> View:
     """Return the initial state of a point for the test of suns, without remembered triangles."""
     view = View()
     view.point = point
-    view.known = point.own
+    view.blockers = point.own
     view.words = point.own + _WORDS_BYTES
     return view
 
@@ -100,7 +100,7 @@ def add(view: View, i: wp.int32, more: wp.int32):
 
 
 @wp.func
-def known_triangles(view: View) -> wp.int32:
+def blocker_mask(view: View) -> wp.int32:
     """Return the bit mask of the triangles that a point remembers after a blocked ray."""
     return (1 << word(view, KNOWN)) - 1
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from warpsample.host.locks import imported
-from warpsample.radiation.reflection.lobes_seen import Targets
+from warpsample.radiation.reflection.lobe_shares import Targets
 from warpsample.radiation.reflection.patches import Patches
 from warpsample.radiation.reflection.reflections import Probes
 from warpsample.radiation.sky.patches import patches_at
@@ -44,12 +44,12 @@ class WeatherLight:
         """Return the light sources for rays of patches: the patches, and sky and ground where rays hit nothing."""
         sky, csr_array = self.light.sky, imported("scipy.sparse").csr_array
 
-        def beyond(directions: np.ndarray) -> "csr_array":
+        def light_outside(directions: np.ndarray) -> "csr_array":
             found = patches_at(sky, directions)
             column, one = np.where(found < 0, len(sky), found), np.ones(len(found), np.float32)
             return csr_array((one, column, np.arange(len(found) + 1)), shape=(len(found), len(sky) + 1))
 
-        return Targets(patches, beyond)
+        return Targets(patches, light_outside)
 
     def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
         """Return the irradiance of reflecting patches: sky and ground from rays, the sun at sample positions."""
@@ -57,9 +57,9 @@ class WeatherLight:
         if not self.series:
             bright = sum_hours(np.concatenate([np.pi * light.radiance, light.ground[None]]))
             direct = direct_light(probes.at, probes.options, _fewer_suns(light, probes.options.seed), False)
-            return (probes.beyond @ bright)[:, None] + probes.means(direct, 1)
+            return (probes.light_outside @ bright)[:, None] + probes.means(direct, 1)
         light = light.only(columns)
-        falling = probes.beyond @ np.concatenate([np.pi * light.radiance, light.ground[None]])
+        falling = probes.light_outside @ np.concatenate([np.pi * light.radiance, light.ground[None]])
         direct = direct_light(probes.at, probes.options, light, True)
         falling[:, np.searchsorted(light.sky_rows, light.sun_rows)] += probes.means(direct, len(light.sun))
         return falling

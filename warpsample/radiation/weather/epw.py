@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import told
+from warpsample.host.arguments import quote
 
 _HEADER = 8  # lines, the first LOCATION, the last DATA PERIODS
 _FIELDS = 16  # per row, up to the diffuse radiation; pvlib names 35 fields, and some files have fewer
@@ -46,7 +46,7 @@ def check_text(path: Path) -> str:
             date = "month {}, day {}, hour {}"
             raise ValueError(f"line {number} is for {date.format(*row[1:4])}, want {date.format(*right)}")
         if not _YEAR.fullmatch(row[0].strip()):
-            raise ValueError(f"line {number} is for the year {told(row[0])}, want one from 1800 to 2199")
+            raise ValueError(f"line {number} is for the year {quote(row[0])}, want one from 1800 to 2199")
     between, after = [""] * (_DIRECT - 4), [""] * (_PVLIB_FIELDS - _FIELDS)
     kept = [",".join([*row[:4], *between, *row[_DIRECT:_FIELDS], *after]) for row in rows]
     return "\n".join([lines[0], *["-"] * (_HEADER - 1), *kept])

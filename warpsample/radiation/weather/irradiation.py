@@ -17,7 +17,7 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.patches import patches_of
 from warpsample.radiation.reflection.reflections import Reflected, Reflections, reflections_of
 from warpsample.radiation.sky.result import SkySkipped
-from warpsample.radiation.sky.sky_matrix import sky_seen
+from warpsample.radiation.sky.sky_matrix import compute_sky_matrix
 from warpsample.radiation.weather.distant import WeatherLight, direct_light, sum_hours
 from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
@@ -145,9 +145,9 @@ def received(plan: Plan, light: Light, series: bool, reflections: Reflections | 
     if series:
         size = _BYTES * len(plan.at) * hours
         check_memory(size, f"{hours:,} hours of {len(plan.at):,} points", "pass fewer points, or a shorter period")
-    sky = sky_seen(plan, light.sky, light.radiance if series else sum_hours(light.radiance))
+    sky = compute_sky_matrix(plan, light.sky, light.radiance if series else sum_hours(light.radiance))
     options = replace(plan.options, seed=seed_for("ground", plan.options.seed))
-    ground = sky_seen(replace(plan, options=options), light.below, np.ones(len(light.below)))
+    ground = compute_sky_matrix(replace(plan, options=options), light.below, np.ones(len(light.below)))
     bright = light.ground if series else sum_hours(light.ground)
     found = {
         "direct": (direct_light(plan.at, plan.options, light, series), light.sun_rows),

@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.arguments import check_file, naming_file, told
+from warpsample.host.arguments import check_file, naming_file, quote
 from warpsample.host.extras import missing
-from warpsample.host.known import digest_of
 from warpsample.host.locks import imported
+from warpsample.host.shared_values import digest_of
 from warpsample.host.summary import Summary
 from warpsample.radiation.weather.epw import YEAR, check_text, radiation
 
@@ -129,14 +129,14 @@ def hours_of(period: Any) -> np.ndarray:
     if period is None:
         return np.ones(len(YEAR), bool)
     if isinstance(period, str) or not isinstance(period, Sequence) or not all(isinstance(text, str) for text in period):
-        raise TypeError(f"period: got {told(period)}, want {wants}")
+        raise TypeError(f"period: got {quote(period)}, want {wants}")
     found = [_PERIOD.fullmatch(text) for text in period]
     try:
         (first, last) = (_parse_hour(match, default) for match, default in zip(found, (0, 24), strict=True))  # type: ignore[arg-type]
     except (ValueError, TypeError, IndexError):
-        raise ValueError(f"period: got {told(period)}, want {wants}") from None
+        raise ValueError(f"period: got {quote(period)}, want {wants}") from None
     if first == last:
-        raise ValueError(f"period: got {told(period)}, which contains no hour, want {wants}")
+        raise ValueError(f"period: got {quote(period)}, which contains no hour, want {wants}")
     hour = np.arange(len(YEAR))
     return (first <= hour) & (hour < last) if first < last else (first <= hour) | (hour < last)
 

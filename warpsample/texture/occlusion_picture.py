@@ -9,7 +9,7 @@ import numpy as np
 
 from warpsample.host.arguments import check_number, naming_file
 from warpsample.host.json_tree import Part
-from warpsample.mesh.files.gltf import opened, placed_primitives, read_corners, surface
+from warpsample.mesh.files.gltf import iterate_primitives, opened, read_corners, surface
 from warpsample.mesh.files.gltf_data import Data
 from warpsample.mesh.files.uv import LAST_SET
 from warpsample.texture.pictures import import_library
@@ -19,7 +19,7 @@ _TRANSFORM = "KHR_texture_transform"
 
 
 @dataclass(frozen=True, eq=False)
-class ShownOcclusion:
+class OcclusionPicture:
     """Occlusion of a baked mesh as one picture with texture coordinates, as the viewer shows it.
 
     Attributes:
@@ -31,7 +31,7 @@ class ShownOcclusion:
     uv: np.ndarray
 
 
-def read_occlusion(path: Path) -> ShownOcclusion | None:
+def read_occlusion(path: Path) -> OcclusionPicture | None:
     """Read the occlusion textures of a glTF file, for the faces that `load_mesh` reads.
 
     Faces without occlusion are white, and so are faces with coordinates outside the image or with a texture transform.
@@ -46,7 +46,7 @@ def read_occlusion(path: Path) -> ShownOcclusion | None:
         return None
     with naming_file("mesh", path, "a glTF file with pictures"), opened(path) as (tree, data):
         faces, infos = [], []
-        for placed in placed_primitives(tree):
+        for placed in iterate_primitives(tree):
             faces.append(len(surface(placed.primitive, data)[1]))
             infos.append(_read_occlusion_info(tree, placed.primitive))
         kinds = list(dict.fromkeys(info for info in infos if info is not None))
@@ -82,7 +82,7 @@ def _read_grey_levels(tree: Part, data: Data, path: Path, image: int, strength: 
     return 1.0 + strength * (red - 1.0)
 
 
-def _join_pictures(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.ndarray]) -> ShownOcclusion:
+def _join_pictures(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.ndarray]) -> OcclusionPicture:
     """Join all pictures into one, in rows of a grid; faces of kind -1 get a white picture at the end.
 
     Each picture is framed by copies of its edge texels.
@@ -103,4 +103,4 @@ def _join_pictures(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.n
         shown = np.round(255.0 * np.clip(picture, 0.0, 1.0)).astype(np.uint8)
         whole[row : row + pitch, column : column + pitch] = np.pad(shown[np.ix_(*take)], 1, mode="edge")
     corner = np.stack([place % columns, place // columns], axis=1)[:, None]
-    return ShownOcclusion(whole, (pitch * corner + 1.0 + side * uv) / (columns * pitch))
+    return OcclusionPicture(whole, (pitch * corner + 1.0 + side * uv) / (columns * pitch))

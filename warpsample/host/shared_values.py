@@ -12,7 +12,7 @@ from warpsample.host.locks import making
 
 _KEPT = 4  # number of received values that are kept between tasks
 
-_known: WeakValueDictionary[str, Any] = WeakValueDictionary()
+_values: WeakValueDictionary[str, Any] = WeakValueDictionary()
 _received: deque[Any] = deque(maxlen=_KEPT)
 
 
@@ -28,7 +28,7 @@ def digest_of(*arrays: np.ndarray) -> str:
 def remember(digest: str, value: Any) -> None:
     """Register a value by its digest, so that `find_or_make` returns it in this and in forked processes while it exists."""
     with making:
-        _known.setdefault(digest, value)
+        _values.setdefault(digest, value)
 
 
 def find_or_make(digest: str, make: Callable[..., Any], *content: Any) -> Any:
@@ -37,8 +37,8 @@ def find_or_make(digest: str, make: Callable[..., Any], *content: Any) -> Any:
     The last few new values are kept: Dask sends a mesh with each task, and each time a tree would be built.
     """
     with making:
-        value = _known.get(digest)
+        value = _values.get(digest)
         if value is None:
-            value = _known[digest] = make(*content)
+            value = _values[digest] = make(*content)
             _received.append(value)
         return value

@@ -11,7 +11,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.host import known
+from warpsample.host import shared_values
 from warpsample.tracing.scene import scene_of
 
 BOX = trimesh.creation.box()
@@ -24,7 +24,7 @@ def box(scale=1.0):
 def arrive(mesh, protocol=pickle.HIGHEST_PROTOCOL):
     """The mesh as another process gets it: one that has never had it."""
     pickled = pickle.dumps(mesh, protocol)
-    known._known.pop(mesh.digest)
+    shared_values._values.pop(mesh.digest)
     return [pickle.loads(pickled), pickle.loads(pickled)]
 
 
@@ -66,7 +66,7 @@ def test_where_it_came_from_it_is_itself():
 def test_threads_get_the_same(monkeypatch):
     mesh, made = box(5.0), []
     pickled = pickle.dumps(mesh)
-    known._known.pop(mesh.digest)
+    shared_values._values.pop(mesh.digest)
     checked = ws.Mesh.__post_init__
     monkeypatch.setattr(ws.Mesh, "__post_init__", lambda self: (made.append(1), checked(self))[1])
     found, barrier = [], threading.Barrier(8)
@@ -86,13 +86,15 @@ def test_threads_get_the_same(monkeypatch):
 
 def test_only_the_last_few_are_kept():
     digests = []
-    for k in range(2 * known._KEPT):
+    for k in range(2 * shared_values._KEPT):
         mesh = box(10.0 + k)
         digests.append(mesh.digest)
         arrive(mesh)
     del mesh
     gc.collect()
-    assert [digest in known._known for digest in digests] == [False] * known._KEPT + [True] * known._KEPT
+    assert [digest in shared_values._values for digest in digests] == [False] * shared_values._KEPT + [
+        True
+    ] * shared_values._KEPT
 
 
 def test_a_digest_tells_every_content_apart():

@@ -1,23 +1,24 @@
 """Generate the tables, headlines and pictures of the benchmark pages from the files in `results/`.
 
 `README.md` shows the first kind of processor, AVX-512, and `AVX2.md` shows every other kind. The text around the tables is
-hand-written. `python -m warpsample.bench.readme` writes both pages without a new measurement.
+hand-written. `python -m warpsample.bench.reporting.readme` writes both pages without a new measurement.
 """
 
 import hashlib
 import re
 from pathlib import Path
 
-from warpsample.bench import benchmarks, pictures
+from warpsample.bench import benchmarks
+from warpsample.bench.reporting import pictures
+from warpsample.bench.reporting.tables import format_markdown
 from warpsample.bench.result import RESULTS, load_results
 from warpsample.bench.rows import format_digits
-from warpsample.bench.tables import format_markdown
 from warpsample.host.files import check_output, check_output_folder, write_bytes
 
-README = Path(__file__).parent / "README.md"
+README = Path(__file__).parents[1] / "README.md"
 SECOND_PAGE = "AVX2.md"
 """Name of the page for every processor but the first, in the folder of the README."""
-PICTURES = Path(__file__).parents[2] / "viz"
+PICTURES = Path(__file__).parents[3] / "viz"
 
 _BLOCK = re.compile(r"<!-- bench ([\w-]+) -->\n.*?<!-- end -->", re.DOTALL)
 _HEADLINE = re.compile(r"<!-- headline -->\n.*?<!-- end -->", re.DOTALL)

@@ -10,9 +10,9 @@ from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 from warpsample import sequences
+from warpsample.bench.reporting.picture_parts import LABELS, TITLES, draw_bars
+from warpsample.bench.reporting.tables import format_named, group_rows
 from warpsample.bench.rows import Spread, format_field, get_columns
-from warpsample.bench.running.picture_parts import LABELS, TITLES, draw_bars
-from warpsample.bench.tables import format_named, group_rows
 from warpsample.host.extras import missing
 from warpsample.host.files import write_bytes
 

@@ -27,7 +27,7 @@ except ModuleNotFoundError:  # Windows
 _BEAT, _PATIENCE = 0.01, 60.0  # seconds between two tries to lock a folder, and in all; a run holds the lock for moments
 
 
-def check_data_beside(path: Path, suffix: str, argument: str) -> None:
+def check_linked_data(path: Path, suffix: str, argument: str) -> None:
     """Raise a ValueError if no data file, such as a .bin, can be created in the folder of an output file.
 
     Raises:

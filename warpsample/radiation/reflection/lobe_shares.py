@@ -26,12 +26,12 @@ class Targets:
 
     Attributes:
         patches: N patches of faces.
-        beyond: Function from (M, 3) directions of rays that hit nothing to the (M, columns) sparse light from there; None if
-            this light is not needed.
+        light_outside: Function from (M, 3) directions of rays that hit nothing to the (M, columns) sparse light from
+            outside the mesh; None if this light is not needed.
     """
 
     patches: Patches
-    beyond: "Callable[[np.ndarray], csr_array] | None" = None
+    light_outside: "Callable[[np.ndarray], csr_array] | None" = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,11 +40,11 @@ class Shares:
 
     Attributes:
         patches: (P, N) shares of the lobes that patches fill; each ray has a separate entry.
-        beyond: (P, columns) means of the light outside the mesh over the lobes; None if not needed.
+        light_outside: (P, columns) means of the light outside the mesh over the lobes; None if not needed.
     """
 
     patches: "csr_array"
-    beyond: "csr_array | None"
+    light_outside: "csr_array | None"
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +94,7 @@ class RayHits:
     share: np.ndarray
 
 
-def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> Shares:
+def trace_shares(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> Shares:
     """Trace cosine-weighted rays and return the share of rays that reaches each light source.
 
     Shares are means over each `together` consecutive points.
@@ -113,11 +113,11 @@ def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | 
 
     found = np.flatnonzero(column >= 0)
     between = rows(found, column[found], len(targets.patches))
-    if targets.beyond is None:
+    if targets.light_outside is None:
         return Shares(between, None)
     away = np.flatnonzero(column == _DISTANT)
     distant = rows(away, np.arange(len(away), dtype=np.int32), len(away))
-    return Shares(between, distant @ targets.beyond(rays.way[hits.ray[away]]))
+    return Shares(between, distant @ targets.light_outside(rays.way[hits.ray[away]]))
 
 
 def _find_first_hits(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
@@ -151,7 +151,7 @@ def _find_hits_along(patches: Patches, rays: LobeRays, workers: int | None) -> R
     )
 
 
-def lobes_seen(
+def trace_lobes(
     targets: Targets,
     points: SurfacePoints,
     count: int,
@@ -174,4 +174,4 @@ def lobes_seen(
         if active is not None:
             drawn["active"] = active[rows].view(np.bool_)
         rays = LobeRays(some, sample_directions(some, count, sequence="fibonacci", **drawn).vectors)
-        yield rows, shares_seen(targets, rays, together, workers)
+        yield rows, trace_shares(targets, rays, together, workers)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from warpsample.host import files
-from warpsample.output import data_beside
+from warpsample.output import linked_data
 
 
 def names(path):
@@ -25,7 +25,7 @@ def names(path):
 
 def write(path, content, inputs=()):
     """A pair of `content`: the data hold it, and the file that names them too, so that a mixed pair shows."""
-    return data_beside.write_with_data(
+    return linked_data.write_with_data(
         path,
         ".bin",
         write_data=lambda stream: stream.write(content.encode()),
@@ -179,7 +179,7 @@ def test_an_interrupt_leaves_one_pair_and_nothing_else(tmp_path, monkeypatch):
 
         def trace(frame, event, _):
             nonlocal left
-            if frame.f_code.co_filename not in (data_beside.__file__, files.__file__):
+            if frame.f_code.co_filename not in (linked_data.__file__, files.__file__):
                 return None
             if event == "line":
                 left -= 1

@@ -13,7 +13,7 @@ _PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm")  # first words of 
 _WORDS = 20  # largest number of words of such a line that is read
 
 
-def files_beside(path: Path | None) -> list[Path]:
+def list_linked_files(path: Path | None) -> list[Path]:
     """Return the paths of the files that a .gltf, .glb or .obj refers to: buffers, materials and pictures.
 
     Returns an empty list for other formats and for files that cannot be read; reading such a file raises the error.
@@ -25,7 +25,7 @@ def files_beside(path: Path | None) -> list[Path]:
     return []
 
 
-def pictures_beside(path: Path) -> list[Path]:
+def list_linked_pictures(path: Path) -> list[Path]:
     """Return the paths of the pictures that a .gltf or .glb refers to; an empty list for files that cannot be read."""
     with suppress(OSError, TypeError, ValueError):
         if path.is_file() and path.suffix.lower() in (".gltf", ".glb"):

@@ -7,7 +7,7 @@ from lookups import lookup, on_surface
 from textured_scenes import changed, opened, picture, rich
 
 import warpsample as ws
-from warpsample.texture.shown import read_occlusion
+from warpsample.texture.occlusion_picture import read_occlusion
 
 
 @pytest.fixture
