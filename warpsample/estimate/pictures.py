@@ -69,4 +69,4 @@ def sampled_by(function: wp.Function, pixels: np.ndarray, lobe: EnvironmentMap, 
     data = SampledPictureArgs(x=x, y=y, z=z, width=width, height=height, ratio=ratio)
     arrays = (("pixels", pixels), ("table", lobe.table_array))
     is_cosine = function is by_cosine
-    return Integrand(function, 3, data, SampledPicture, reads_pdf=not is_cosine, upward=not is_cosine, arrays=arrays)
+    return Integrand(function, 3, data, SampledPicture, reads_pdf=not is_cosine, sparse=not is_cosine, arrays=arrays)

@@ -15,6 +15,7 @@ from warpsample.maths.numerics import (
     ZERO,
     clamp_uniform,
     fma,
+    polish,
     root_double,
     sincos_eighth,
 )
@@ -124,7 +125,7 @@ def draw_direction(u: wp.vec2, table: wp.uint64) -> wp.vec4:
     edge = wp.min(wp.float32(header[5]) / r, 0.5)
     across = wp.clamp(wp.float32(step - wp.float64(start)) / wp.float32(steps), edge, 1.0 - edge)
     cs = _circle((wp.float64(column) + wp.float64(across)) * header[3])
-    d = to_world(_frame_of(table), wp.vec3(r * cs[0], r * cs[1], wp.float32(ONE - TWO * v)))
+    d = polish(to_world(_frame_of(table), wp.vec3(r * cs[0], r * cs[1], wp.float32(ONE - TWO * v))))
     return wp.vec4(d[0], d[1], d[2], wp.float32(line[5] * wp.float64(steps)))
 
 

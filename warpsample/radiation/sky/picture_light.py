@@ -61,18 +61,20 @@ class Picture:
 
     @cached_property
     def share(self) -> float:
-        """Fraction of the rays that "both" draws from the picture: 0 for an even sky, up to 3/4 for one with a small sun.
+        """Fraction of the rays that "both" draws from the picture: 0 for an even or cloudy sky, 3/4 for a small sun.
 
-        It follows from the picture alone, so that the estimate stays unbiased: 3/4 of the part of the mean square of the
-        luminance that is not the square of the mean.
+        It follows from the picture alone, so that the estimate stays unbiased. With q the part of the mean square of the
+        luminance that is not the square of the mean, it rises from 0 at q = 1/2 to 3/4 at q = 1: below, few rays from the
+        picture would add more noise than they remove.
         """
         if self.lobe is None:
             return 0.0
         luminance = self.lobe.picture.astype(np.float64) / float(self.lobe.picture.max())
         weights = np.broadcast_to(solid_angles(*luminance.shape)[:, None], luminance.shape)
         mean = np.average(luminance, weights=weights)
-        share = _MOST * (1.0 - np.square(mean) / np.average(np.square(luminance), weights=weights))
-        return float(share) if share > _LEAST else 0.0
+        part = 1.0 - np.square(mean) / np.average(np.square(luminance), weights=weights)
+        share = _MOST * (2.0 * float(part) - 1.0)
+        return share if share > _LEAST else 0.0
 
     def summed(self, sampling: Sampling, result: type[Estimate]) -> RaySum | SplitSum:
         """Return the sum over the rays of a point that gives the irradiance, with a way of sampling and a type of result."""
