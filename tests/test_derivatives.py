@@ -54,6 +54,8 @@ def sizes(case):
         across = np.hypot(*case.view[:2])
         alpha = min(case.alpha, case.alpha_y or case.alpha)
         found["view"] = min(across or 1.0, np.hypot(case.view[2], alpha * across))
+    for name in {"corner", "edge_x", "edge_y"} & set(known):
+        found[name] = np.linalg.svd(case.stretch, compute_uv=False).min()
     for name in {"matrix", "corners"} & set(known):
         found[name] = np.linalg.svd(known[name], compute_uv=False).min()
     return found
@@ -102,9 +104,10 @@ def off_edges(case, w):
     """Return whether a density is differentiable at w: away from a clamped edge and from a blurred horizon."""
     if case.name == "offset_sphere":
         return min(case.rho, 1.0) ** 2 - norm(w[:, :2]) ** 2 > 1e-2 * min(case.rho, 1.0) ** 2
-    if case.support == "triangle":
-        weights = w @ np.linalg.inv(case.stretch).T
-        return weights.min(axis=1) > 1e-3 * norm(weights)
+    if case.support in ("triangle", "rectangle"):
+        o = w @ np.linalg.inv(case.stretch).T
+        gap = o.min(axis=1) if case.support == "triangle" else o[:, 2] - np.abs(o[:, :2]).max(axis=1)
+        return gap > 1e-3 * norm(o)
     if case.stretch is not None and case not in WITH_VIEW:
         return np.cos(chart_of(case).polar(w)) > 1e-3
     if case not in WITH_VIEW:

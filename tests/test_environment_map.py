@@ -338,3 +338,10 @@ def test_own_kernels_draw_pixels_with_gradients():
     assert area[inside] * p.numpy()[inside] == pytest.approx(1.0, rel=1e-4)
     tape.backward(grads={back: wp.array(np.ones((256, 2), np.float32), dtype=wp.vec2, device="cpu")})
     assert u.grad.numpy()[inside] == pytest.approx(1.0, abs=1e-3)  # there and back
+
+
+def test_a_picture_is_no_lobe_of_normals():
+    with pytest.raises(
+        ValueError, match="^lobe: got EnvironmentMap.*, whose directions are in world coordinates, want a lobe"
+    ):
+        ws.Reflection(ws.EnvironmentMap(np.ones((2, 4))), view=(0, 0, 1))

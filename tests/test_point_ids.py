@@ -158,7 +158,7 @@ def test_some_calls_differ_by_the_ids(scene):
 
 
 @pytest.mark.slow
-def test_integrands_are_told_the_ids(scene):
+def test_integrands_get_the_ids(scene):
     _mesh, points = scene
     ids = np.arange(POINTS)[::-1] * 3
     whole = ws.integrate(points, by_point, 8, first_point=0)

@@ -52,6 +52,8 @@ _LOBES = (
     "OffsetDisk",
     "OffsetSphere",
     "PowerCosine",
+    "Reflection",
+    "SphericalRectangle",
     "SphericalTriangle",
     "UniformCone",
     "UniformDisk",

@@ -19,11 +19,13 @@ from warpsample.distributions.offset_disk import OffsetDisk as OffsetDisk
 from warpsample.distributions.offset_sphere import OffsetSphere as OffsetSphere
 from warpsample.distributions.power_cosine import PowerCosine as PowerCosine
 from warpsample.distributions.lights.environment_map import EnvironmentMap as EnvironmentMap
+from warpsample.distributions.lights.spherical_rectangle import SphericalRectangle as SphericalRectangle
 from warpsample.distributions.lights.spherical_triangle import SphericalTriangle as SphericalTriangle
 from warpsample.distributions.scattering.henyey_greenstein import HenyeyGreenstein as HenyeyGreenstein
 from warpsample.distributions.scattering.linearly_transformed_cosine import (
     LinearlyTransformedCosine as LinearlyTransformedCosine,
 )
+from warpsample.distributions.scattering.reflection import Reflection as Reflection
 from warpsample.distributions.uniform_cone import UniformCone as UniformCone
 from warpsample.distributions.uniform_disk import UniformDisk as UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere as UniformHemisphere

@@ -3,6 +3,9 @@
 - `square_to_X(u, ...)` maps a point u of the unit square to a direction about +z. `square_to_X_pdf(w, ...)` returns the
   density of a direction w, per steradian unless the distribution lies in a plane. `X_to_square(w, ...)` is the inverse of
   `square_to_X`. Parameters, as float32, come last.
+- `normal_to_reflection(m, view)` reflects the view at a normal m, and `reflection_to_normal(w, view)` returns the normal.
+  The density of w is that of the normals times `normal_per_reflection(w, view)`. For visible normals,
+  `X_per_cosine(m, ...)` / 4 is the density of w without cancellation.
 - `sobol`, `fibonacci`, `r2`, `stratified`, `independent` and `philox` return a point of the unit square, a pure function of
   (seed: uint64, point: uint64, sample: uint32, count: uint32).
 - `any_hit(tree, origin, direction, max_distance)` tests if a ray hits the mesh. `nearest_hit` returns (distance, face), and
@@ -28,6 +31,11 @@ from warpsample.distributions.lights.pixel_draws import (
     square_to_environment_map,
     square_to_environment_map_pdf,
 )
+from warpsample.distributions.lights.spherical_rectangle import (
+    spherical_rectangle_to_square,
+    square_to_spherical_rectangle,
+    square_to_spherical_rectangle_pdf,
+)
 from warpsample.distributions.lights.spherical_triangle import (
     spherical_triangle_to_square,
     square_to_spherical_triangle,
@@ -50,19 +58,23 @@ from warpsample.distributions.microfacets.ggx import (
     square_to_ggx_pdf,
 )
 from warpsample.distributions.microfacets.visible_beckmann import (
+    anisotropic_visible_beckmann_per_cosine,
     anisotropic_visible_beckmann_to_square,
     square_to_anisotropic_visible_beckmann,
     square_to_anisotropic_visible_beckmann_pdf,
     square_to_visible_beckmann,
     square_to_visible_beckmann_pdf,
+    visible_beckmann_per_cosine,
     visible_beckmann_to_square,
 )
 from warpsample.distributions.microfacets.visible_ggx import (
+    anisotropic_visible_ggx_per_cosine,
     anisotropic_visible_ggx_to_square,
     square_to_anisotropic_visible_ggx,
     square_to_anisotropic_visible_ggx_pdf,
     square_to_visible_ggx,
     square_to_visible_ggx_pdf,
+    visible_ggx_per_cosine,
     visible_ggx_to_square,
 )
 from warpsample.distributions.offset_ball import offset_ball_to_square, square_to_offset_ball, square_to_offset_ball_pdf
@@ -87,6 +99,11 @@ from warpsample.distributions.scattering.linearly_transformed_cosine import (
     linearly_transformed_cosine_to_square,
     square_to_linearly_transformed_cosine,
     square_to_linearly_transformed_cosine_pdf,
+)
+from warpsample.distributions.scattering.reflection import (
+    normal_per_reflection,
+    normal_to_reflection,
+    reflection_to_normal,
 )
 from warpsample.distributions.uniform_cone import square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square
 from warpsample.distributions.uniform_disk import (
@@ -126,7 +143,9 @@ __all__ = [
     "Tree",
     "anisotropic_beckmann_to_square",
     "anisotropic_ggx_to_square",
+    "anisotropic_visible_beckmann_per_cosine",
     "anisotropic_visible_beckmann_to_square",
+    "anisotropic_visible_ggx_per_cosine",
     "anisotropic_visible_ggx_to_square",
     "any_hit",
     "beckmann_to_square",
@@ -141,6 +160,8 @@ __all__ = [
     "independent",
     "linearly_transformed_cosine_to_square",
     "nearest_hit",
+    "normal_per_reflection",
+    "normal_to_reflection",
     "offset_ball_to_square",
     "offset_circle_to_square",
     "offset_origin",
@@ -148,7 +169,9 @@ __all__ = [
     "philox",
     "power_cosine_to_square",
     "r2",
+    "reflection_to_normal",
     "sobol",
+    "spherical_rectangle_to_square",
     "spherical_triangle_to_square",
     "square_to_anisotropic_beckmann",
     "square_to_anisotropic_beckmann_pdf",
@@ -183,6 +206,8 @@ __all__ = [
     "square_to_offset_sphere_pdf",
     "square_to_power_cosine",
     "square_to_power_cosine_pdf",
+    "square_to_spherical_rectangle",
+    "square_to_spherical_rectangle_pdf",
     "square_to_spherical_triangle",
     "square_to_spherical_triangle_pdf",
     "square_to_uniform_cone",
@@ -209,7 +234,9 @@ __all__ = [
     "uniform_disk_to_square_concentric",
     "uniform_hemisphere_to_square",
     "uniform_sphere_to_square",
+    "visible_beckmann_per_cosine",
     "visible_beckmann_to_square",
+    "visible_ggx_per_cosine",
     "visible_ggx_to_square",
     "von_mises_fisher_to_square",
 ]

@@ -27,7 +27,7 @@ def test_exact_values_are_those_of_the_sheet():
 
 
 @pytest.mark.slow
-def test_a_tool_is_told_what_it_is_off_by(monkeypatch):
+def test_the_deviation_of_a_tool_is_reported(monkeypatch):
     """With 64 rays the bias is within four standard errors of the mean of 441 cells; a tool that adds 0.1 has that bias."""
     heights, cells, right = city.build_yard()
     job = city.build_sky("warpsample, 64 rays", "yard", None, workers=1)

@@ -45,6 +45,13 @@ def array_of(values=HEIGHTS, **coordinates):
         ("degrees.tif", ValueError, r"source: got coordinates in degree of WGS 84, want lengths"),
         ((HEIGHTS, UTM, "EPSG:4979"), ValueError, "source: got coordinates in degree"),
         ((HEIGHTS, UTM, "EPSG:4978"), ValueError, "source: got coordinates of WGS 84, want a map with two horizontal axes"),
+        (array_of().assign_attrs(positive="Down"), ValueError, r"source: got positive='down', want heights .*negate them"),
+        (
+            array_of().assign_attrs(standard_name="sea_floor_depth_below_geoid"),
+            ValueError,
+            "source: got standard_name='sea_floor_depth_below_geoid', want heights",
+        ),
+        ("depths.tif", ValueError, r"source: got positive='down', want heights \(positive up\)"),
         (
             (HEIGHTS, UTM, "EPSG:5703"),
             ValueError,
@@ -105,6 +112,9 @@ def test_bad_rasters_are_refused_in_a_sentence(tmp_path, monkeypatch, source, ki
         (tmp_path / source).write_bytes((tmp_path / source).read_bytes()[:200_000])
     if name == "rgb.tif":
         write_tif(source, np.stack([HEIGHTS] * 3))
+    if name == "depths.tif":
+        with rasterio.open(write_tif(source, HEIGHTS), "r+") as file:
+            file.update_tags(1, positive="down")
     if name == "degrees.tif":
         write_tif(source, HEIGHTS, crs="EPSG:4326", transform=Affine(1e-4, 0.0, 15.0, 0.0, -1e-4, 46.0))
     if name == "nowhere.tif":
@@ -113,6 +123,14 @@ def test_bad_rasters_are_refused_in_a_sentence(tmp_path, monkeypatch, source, ki
     with pytest.raises(kind, match=message) as caught:
         rasters.surface(source)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "attributes", [{"positive": "up"}, {"standard_name": "height"}, {"standard_name": "depth", "positive": "up"}]
+)
+def test_heights_whose_attributes_state_the_direction_are_read(attributes):
+    array = array_of(y=[7.5, 5.0, 2.5], x=[0.0, 2.5, 5.0, 7.5]).rio.write_crs("EPSG:3794").assign_attrs(attributes)
+    assert np.array_equal(rasters.surface(array).grid.height, HEIGHTS)
 
 
 def test_a_model_and_a_receiver_that_are_none_are_refused():

@@ -10,6 +10,7 @@ pytest.importorskip("rioxarray")
 
 import warpsample as ws
 from warpsample import rasters
+from warpsample.city.rasters.intervals import standard_error_of
 from warpsample.city.rasters.leaves import (
     check_transmittance,
     compute_irradiation_through,
@@ -154,7 +155,8 @@ def test_errors_are_those_of_both_runs():
         made.scenery, check_transmittance(0.3), lambda mesh: ws.sky_view_factor(mesh, points, 256)
     )
     assert np.allclose(found.value, 0.7 * below.value + 0.3 * above.value, rtol=1e-6)
-    assert np.allclose(found.standard_error, 0.7 * below.standard_error + 0.3 * above.standard_error, rtol=1e-6)
+    errors = 0.7 * standard_error_of(below) + 0.3 * standard_error_of(above)
+    assert np.allclose(found.standard_error, errors, rtol=1e-6)
     assert np.array_equal(found.rays, below.rays + above.rays)
     assert found.rays.dtype == np.int32
     without_crowns = rasters.surface((np.zeros((3, 3)), NORTH_UP, None))
@@ -217,13 +219,13 @@ def test_crowns_of_another_map_are_refused(canopy, message):
         rasters.surface(source, canopy=canopy)
 
 
-def test_crowns_without_height_are_told():
+def test_crowns_without_height_are_reported():
     with pytest.warns(UserWarning, match=r"^trunk: got undersides at or above the tops of 2 crowns, which are left out$"):
         made = with_crowns(np.zeros((3, 3)), np.eye(3) * 5.0, trunk=(np.diag([5.0, 1.0, 9.0]), NORTH_UP, None))
     assert len(made.canopy_mesh.faces) - len(made.mesh.faces) == 12
 
 
-def test_crowns_without_a_trunk_height_are_told():
+def test_crowns_without_a_trunk_height_are_reported():
     with pytest.warns(UserWarning, match=r"^trunk: got no height for 1 crowns, which then reach down to the ground$"):
         with_crowns(np.zeros((3, 3)), np.eye(3) * 5.0, trunk=(np.diag([1.0, np.nan, 1.0]), NORTH_UP, None))
 

@@ -173,7 +173,7 @@ def test_what_is_no_cityjson_is_refused_in_a_sentence(tmp_path, text, why):
         ws.load_city(path)
 
 
-def test_polygons_that_cross_themselves_are_told_and_read(tmp_path):
+def test_polygons_that_cross_themselves_are_reported_and_read(tmp_path):
     """A square whose sides cross has no area by Newell's formula, and a square's in triangles; all else is as it was."""
     faces = [[[0, 2, 1, 3]], *cases.FACES[1:]]
     path = cases.written(tmp_path / "a.json", cases.house(cases.surfaces(boundaries=faces)))

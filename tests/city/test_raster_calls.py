@@ -10,6 +10,7 @@ from raster_cases import NORTH_UP, rough, write_tif
 
 import warpsample as ws
 from warpsample import rasters
+from warpsample.city.rasters.intervals import standard_error_of
 
 rasterio = pytest.importorskip("rasterio")
 rioxarray = pytest.importorskip("rioxarray")
@@ -32,10 +33,10 @@ def test_a_dataset_has_the_numbers_of_the_call_in_their_cells(path):
     points, cell = made.points()
     right = ws.sky_view_factor(made.mesh, points, 64, seed=7, max_distance=50.0, sequence="sobol")
     assert list(found) == ["value", "standard_error", "half_width"]
-    for name in ("value", "standard_error"):
+    for name, numbers in {"value": right.value, "standard_error": standard_error_of(right)}.items():
         assert found[name].dtype == np.float32
         assert found[name].dims == ("y", "x")
-        assert np.array_equal(found[name].values.ravel()[cell], getattr(right, name))
+        assert np.array_equal(found[name].values.ravel()[cell], numbers)
         assert np.isnan(found[name].values[5, 6])
         assert np.isnan(found[name].values).sum() == 1
     assert found.rio.crs.to_epsg() == 3794
@@ -142,7 +143,7 @@ def test_wrong_options_are_named_before_anything_is_read():
 
 
 @pytest.mark.parametrize("line", ["from warpsample import rasters", "import warpsample.rasters as rasters"])
-def test_what_is_missing_is_told_with_the_extra(child_environment, line):
+def test_what_is_missing_is_reported_with_the_extra(child_environment, line):
     code = f"import sys; sys.modules['rioxarray'] = None; {line}; print(type(rasters).__name__); rasters.sky_view_factor"
     done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=False)
     assert done.stdout == "module\n"
@@ -150,7 +151,7 @@ def test_what_is_missing_is_told_with_the_extra(child_environment, line):
     assert done.stderr.splitlines()[-1] == wanted
 
 
-def test_the_calls_are_told_and_others_are_not_there():
+def test_the_calls_are_reported_and_others_are_not_there():
     assert set(rasters.__all__) <= set(dir(rasters))
     with pytest.raises(AttributeError, match="no attribute 'hillshade'"):
         rasters.hillshade  # noqa: B018

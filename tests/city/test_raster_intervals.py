@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from horizon_cases import blocks
-from raster_cases import ON_A_MAP
+from horizon_cases import blocks, hills
+from raster_cases import NORTH_UP, ON_A_MAP
 
 import warpsample as ws
 from warpsample import rasters
@@ -60,6 +60,38 @@ def test_crowns_scale_it_with_the_standard_error():
         rasters.sky_view_factor(TOWN, 64, canopy=canopy, transmittance=share).half_width for share in (1.0, 0.5, 0.0)
     )
     assert np.allclose(half, 0.5 * clear + 0.5 * opaque, rtol=1e-5)
+
+
+def test_standard_errors_under_crowns_are_right():
+    """Within 2 of them are 90 to 99 % of 2,500 cells in each row, 93 to 97 % on average; none is 0 with a wrong value.
+
+    The known numbers are off by 3e-4 or so. Where all rays agreed, the standard error was 0: at 16 rays in a quarter of the
+    cells of the town, of which nine in ten were wrong.
+    """
+    town, terrain, rng = blocks(), hills(30), np.random.default_rng(5)
+    within = []
+    for heights, model in ((town, "block"), (terrain, "joined")):
+        crowns = np.where(rng.random(heights.shape) < 0.15, rng.uniform(3.0, 12.0, heights.shape), 0.0)
+        crowns[(heights > 0.0) & (model == "block")] = 0.0
+        canopy, source = (crowns, NORTH_UP, None), (heights, NORTH_UP, None)
+        right = rasters.sky_view_factor(source, 2**15, model=model, canopy=canopy, seed=99).value
+        for count in (16, 64, 256):
+            found = rasters.sky_view_factor(source, count, model=model, canopy=canopy)
+            off = np.abs(found.value - right)
+            assert (found.standard_error.values[off > 1e-3] > 0.0).all()
+            assert ((found.standard_error > 0.0) | (found.value == 1.0)).all()
+            within.append(float((off <= 2.0 * found.standard_error + 3e-4).mean()))
+    assert min(within) > 0.90
+    assert max(within) < 0.99
+    assert 0.93 < np.mean(within) < 0.97
+
+
+def test_a_cell_above_all_others_has_no_error_with_crowns_below():
+    heights, crowns = np.zeros((5, 5)), np.full((5, 5), 2.0)
+    heights[2, 2], crowns[2, 2] = 9.0, 0.0
+    found = rasters.sky_view_factor((heights, NORTH_UP, None), 64, canopy=(crowns, NORTH_UP, None))
+    assert found.value[2, 2] == 1.0
+    assert found.standard_error[2, 2] == 0.0
 
 
 def test_files_give_the_same_interval(sky, tmp_path):

@@ -193,7 +193,7 @@ def test_heights_are_converted_to_the_unit_of_the_coordinates(crs, units, factor
     assert grid.metres == pytest.approx(1200.0 / 3937.0 if "2263" in crs else 1.0)
 
 
-def test_a_unit_that_is_not_known_is_told():
+def test_a_unit_that_is_not_known_is_reported():
     array = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": "furlong"}).rio.write_crs("EPSG:3794")
     with pytest.warns(
         UserWarning, match="got heights in 'furlong', a unit that is not known here, and coordinates in units of 1"
@@ -210,7 +210,7 @@ def test_heights_without_a_map_are_converted_to_metres(tmp_path):
             assert np.allclose(heights_of(source), 0.3048 * HEIGHTS, rtol=1e-6)
 
 
-def test_a_unit_that_is_not_known_is_told_without_a_map():
+def test_a_unit_that_is_not_known_is_reported_without_a_map():
     array = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": "furlong"}).rio.write_transform(UTM)
     with (
         pytest.warns(UserWarning, match="without a CRS"),

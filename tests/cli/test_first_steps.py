@@ -54,7 +54,7 @@ def test_a_file_name_is_shown_as_it_is(call, tmp_path):
 
 
 @pytest.mark.thorough
-def test_an_ascii_terminal_is_told_all_the_same(run, can_render, tmp_path):
+def test_an_ascii_terminal_shows_all_texts(run, can_render, tmp_path):
     """The labels of a picture contain a theta, and a file may have any name."""
     ascii_only = {"PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
     status, out, err = run("view", "courtyard", "--points", 3, "--samples", 16, "--screenshot", "é.png", **ascii_only)

@@ -152,9 +152,9 @@ def test_a_billion_points_are_few_numbers_here(mesh):
 
 def test_attributes_repeat_the_run(mesh):
     about = cluster.ambient_occlusion(mesh, POINTS, RAYS, seed=SEED, chunk=60).attrs
-    told = {"call": "ambient_occlusion", "mesh": mesh.digest, "points": POINTS, "place": "area", "chunk": 60}
-    told |= {"count": RAYS, "seed": SEED, "sequence": "fibonacci", "max_distance": None, "skip": True}
-    assert told.items() <= about.items()
+    expected = {"call": "ambient_occlusion", "mesh": mesh.digest, "points": POINTS, "place": "area", "chunk": 60}
+    expected |= {"count": RAYS, "seed": SEED, "sequence": "fibonacci", "max_distance": None, "skip": True}
+    assert expected.items() <= about.items()
     assert {"warpsample", "warp-lang"} <= set(about)
 
 

@@ -131,15 +131,15 @@ def test_a_function_that_names_others_in_a_list_is_its_own_self_and_theirs(defin
         assert content.difference("integrand", before, after) == f"integrand: the function skies.{changed} changed"
 
 
-def test_two_functions_of_one_name_are_both_told(defined):
+def test_two_functions_of_one_name_are_both_reported(defined):
     maker = "def made(k):\n    @wp.func\n    def one(x: float):\n        return x * wp.static(k)\n    return one\n\n\n"
 
-    def told(first, second):
+    def describe(first, second):
         both = maker + f"one, two = made({first}), made({second})\n\n\n@wp.func\ndef sky("
         return content.function_content(defined(("@wp.func\ndef sky(", both), ("raised(data", "one(1.0) + two(data")).sky)
 
-    assert told(1.0, 2.0) == told(1.0, 2.0)
-    assert len({str(told(*numbers)) for numbers in ((1.0, 2.0), (3.0, 2.0), (1.0, 3.0))}) == 3
+    assert describe(1.0, 2.0) == describe(1.0, 2.0)
+    assert len({str(describe(*numbers)) for numbers in ((1.0, 2.0), (3.0, 2.0), (1.0, 3.0))}) == 3
 
 
 @pytest.mark.slow
@@ -150,14 +150,14 @@ def test_a_function_in_another_process_is_the_same(defined, tmp_path, child_envi
         "from warpsample.estimate.source.content import function_content; "
         "print(*sorted(function_content(skies.sky).values()), file=sys.stderr)"
     )
-    told = []
+    found = []
     for seed in "12":  # of Python's own hashes
         environment = {**child_environment, "PYTHONHASHSEED": seed}
         command = [sys.executable, "-c", code, str(tmp_path)]
         done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-        told.append(done.stderr.splitlines()[-1].split())
-    assert told[0] == told[1]
-    assert set(content.function_content(module.sky).values()) - {"skies.sky"} == set(told[0]) - {"skies_0.sky"}
+        found.append(done.stderr.splitlines()[-1].split())
+    assert found[0] == found[1]
+    assert set(content.function_content(module.sky).values()) - {"skies.sky"} == set(found[0]) - {"skies_0.sky"}
 
 
 @pytest.mark.parametrize(
@@ -189,8 +189,8 @@ def test_what_is_behind_an_address_equals_nothing(defined):
     data = sky_of(module)
     assert content.data_content(data, module.through) == content.data_content(data, module.through)
     data.mesh = 7
-    told = [content.data_content(data, module.through) for _ in range(2)]
-    assert content.difference("data", *told) == "data: an address in its field 'mesh', and what is there cannot be compared"
+    found = [content.data_content(data, module.through) for _ in range(2)]
+    assert content.difference("data", *found) == "data: an address in its field 'mesh', and what is there cannot be compared"
 
 
 def integral(module, data, **options):

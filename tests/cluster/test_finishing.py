@@ -16,7 +16,7 @@ MIB = 1 << 20
 
 def finished(monkeypatch, client, attempts):
     """What is told of five chunks if each attempt finishes so many and is then forgotten; and how many there were."""
-    told, begun, attempts = [], [], iter(attempts)
+    results, begun, attempts = [], [], iter(attempts)
 
     def forgetful(client, job, tasks, chunks):
         begun.append(chunks)
@@ -25,10 +25,10 @@ def finished(monkeypatch, client, attempts):
 
     monkeypatch.setattr(finishing, "_finished", forgetful)
     try:
-        told.extend(finishing.finished(client, None, None, list(range(5))))
+        results.extend(finishing.finished(client, None, None, list(range(5))))
     except ConnectionError as error:
-        told.append(str(error))
-    return told, len(begun)
+        results.append(str(error))
+    return results, len(begun)
 
 
 @pytest.mark.parametrize(
@@ -86,13 +86,13 @@ def test_tasks_are_cancelled_however_it_ends(monkeypatch, error):
     monkeypatch.setattr(distributed, "as_completed", lambda **_: done)
     monkeypatch.setattr(distributed, "futures_of", lambda _: futures)
     client = SimpleNamespace(status="running", nthreads=dict, persist=lambda _: None, cancel=cancelled.append)
-    told = finishing._finished(client, None, lambda _: None, [0, 1])
+    results = finishing._finished(client, None, lambda _: None, [0, 1])
     if error:
         with pytest.raises(error):
-            next(told)
+            next(results)
     else:
-        assert next(told) == (0, 7)
-        told.close()
+        assert next(results) == (0, 7)
+        results.close()
     assert cancelled == [futures if error else futures[1:]]
 
 

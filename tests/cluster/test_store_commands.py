@@ -56,15 +56,15 @@ def test_faces_that_reflect_and_let_light_through(call, path, tmp_path, monkeypa
     found, find = [], by_pictures.reflections_of
     monkeypatch.setattr(by_pictures, "reflections_of", lambda *given: found.append(given) or find(*given))
     np.save(tmp_path / "even.npy", np.ones((4, 8)))
-    told = ("--quantity", "irradiance", "--environment", tmp_path / "even.npy", "--points", POINTS, "--samples", RAYS)
-    shares = (*told, "--transmittance", "0.25", "--reflectance", "0.5")
+    arguments = ("--quantity", "irradiance", "--environment", tmp_path / "even.npy", "--points", POINTS, "--samples", RAYS)
+    shares = (*arguments, "--transmittance", "0.25", "--reflectance", "0.5")
     with dask.config.set(scheduler="threads", num_workers=3):
         status, _, err = call("bake", "courtyard", "-o", path, *shares, "--chunk", CHUNK)
     assert (status, err, len(found)) == (0, "", 1)
     assert call("bake", "courtyard", "-o", tmp_path / "b.npz", *shares)[0] == 0
     (path / "reflected/c/1").unlink()
     assert call("export", path, "courtyard", "-o", tmp_path / "a.npz")[0] != 0
-    status, _, err = call("bake", "courtyard", "-o", path, *told, "--reflectance", "0.5", "--resume", "--chunk", CHUNK)
+    status, _, err = call("bake", "courtyard", "-o", path, *arguments, "--reflectance", "0.5", "--resume", "--chunk", CHUNK)
     assert (status, "of mesh '" in err) == (2, True)
     assert call("bake", "courtyard", "-o", path, *shares, "--resume", "--chunk", CHUNK)[0] == 0
     assert call("export", path, "courtyard", "-o", tmp_path / "a.npz")[0] == 0

@@ -133,10 +133,10 @@ def test_kernels_ask_after_each_batch_whether_they_are_wanted():
 @pytest.fixture
 def ends(monkeypatch, interrupt):
     """How the computations of chunks began and ended: none does before its call has ended, which an interrupt does."""
-    told = {"begun": [], "ended": []}
+    events = {"begun": [], "ended": []}
 
     def endless(*_):
-        told["begun"].append(1)
+        events["begun"].append(1)
         try:
             done = begin(1, 1)
             while True:
@@ -146,11 +146,11 @@ def ends(monkeypatch, interrupt):
                     done(1)
                     time.sleep(0.002)
         except BaseException as error:
-            told["ended"].append(type(error))
+            events["ended"].append(type(error))
             raise
 
     monkeypatch.setattr(baking, "numbers", endless)
-    return told
+    return events
 
 
 @pytest.mark.parametrize("threads", [1, 2])

@@ -29,7 +29,8 @@ def case_of(name):
 def full_of(case, rows):
     """The same distribution with arrays full of its constants; UniformCone derives one attribute from the other."""
     values = {name: getattr(case, name) for name in case.parameters}
-    return type(case)(**{name: np.tile(np.array(value), (rows, *[1] * np.ndim(value))) for name, value in values.items()})
+    arrays = {name: np.tile(np.array(value), (rows, *[1] * np.ndim(value))) for name, value in values.items()}
+    return type(case)(**{name: full_of(lobe, rows) for name, lobe in case.nested.items()}, **arrays)
 
 
 @pytest.fixture

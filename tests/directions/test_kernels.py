@@ -49,6 +49,7 @@ for count in (1, 3, 64) if FIRST else ():
     ws.sample_directions(normals, count, pdf=True, active=[True, False])
 points = ws.SurfacePoints(np.zeros((2, 3)), normals)
 by_point = (ws.GGX(np.full(2, 0.3)), ws.VisibleGGX(np.full(2, 0.3), view=normals))
+by_point += tuple(ws.Reflection(lobe, view=normals) for lobe in by_point)
 for lobe in by_point if FIRST else ():
     for count in (1, 3, 64):
         announce("by point", lobe, count)
@@ -76,13 +77,18 @@ announce("end")
 """
 
 
+def text_of(case):
+    """Return the text that makes a case and its nested lobes, with the name of the package."""
+    return re.sub(r"(?<![\w.])([A-Z]\w*\()", r"ws.\1", repr(case))
+
+
 @pytest.mark.slow
 def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
     """The compiler's own remarks say so, with a cold cache, in two processes."""
     halves = [VECTORISED[::2], VECTORISED[1::2]]
     children = []
     for i, half in enumerate(halves):
-        cases = "[" + ", ".join(f"({name!r}, ws.{case!r})" for name, case in half) + "]"
+        cases = "[" + ", ".join(f"({name!r}, {text_of(case)})" for name, case in half) + "]"
         script = tmp_path / f"remarks_{i}.py"
         script.write_text(_REMARKS.replace("CASES", cases).replace("FIRST", str(i == 0)))
         environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / f"cache_{i}")}

@@ -103,7 +103,7 @@ def test_a_marker_far_away_leaves_the_city_its_precision(distance):
         assert ws.ambient_occlusion(mesh, ws.SurfacePoints(on.position, on.normal, face), 64).value.min() == 1.0
 
 
-def test_parts_too_far_apart_for_their_faces_are_told():
+def test_parts_too_far_apart_for_their_faces_are_reported():
     vertices, faces = far_city()
     two = ws.Mesh(
         np.concatenate([vertices, vertices + np.array([1e8, 0.0, 0.0])]), np.concatenate([faces, faces + len(vertices)])
@@ -115,7 +115,7 @@ def test_parts_too_far_apart_for_their_faces_are_told():
         ws.trace(ws.Mesh(vertices, faces), vertices[:1], np.float32([[0.0, 0.0, 1.0]]))
 
 
-def test_a_stray_vertex_so_far_that_points_are_moved_off_beyond_the_mesh_is_told():
+def test_a_stray_vertex_so_far_that_points_are_moved_off_beyond_the_mesh_is_reported():
     mesh = ws.load_mesh("courtyard")
     vertices = mesh.vertices.copy()
     vertices[0] = 1e12  # a point is moved off its face by 2^-35 of 2^40, 32 m among buildings of 24 m

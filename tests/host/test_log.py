@@ -21,7 +21,7 @@ def test_the_environment_says_how_many_threads(said, count, monkeypatch):
 
 
 @pytest.mark.parametrize("said", ["0", "two", "-1", "1025", "2.5"])
-def test_an_environment_without_sense_is_told(said, monkeypatch):
+def test_an_environment_without_sense_is_reported(said, monkeypatch):
     monkeypatch.setenv("WARPSAMPLE_WORKERS", said)
     with pytest.raises(
         (TypeError, ValueError), match=rf"WARPSAMPLE_WORKERS: got '?{said}'?, want a whole number from 1 to 1024"
@@ -39,7 +39,7 @@ def test_a_tolerance_tells_its_count(caplog, points, bunny):
     assert found.rays.max() < 4096
 
 
-def test_tiles_are_told(caplog):
+def test_tiles_are_reported(caplog):
     run = object.__new__(tiles.RasterRun)
     with caplog.at_level(logging.INFO, "warpsample"), pytest.raises(AttributeError):
         run.numbers((slice(0, 10), slice(20, 30)))  # of a run that has nothing

@@ -64,11 +64,11 @@ def test_a_shared_option_has_the_same_text_in_each_docstring(call):
 @pytest.mark.parametrize("call", SHOWING, ids=lambda call: f"{call.__module__}.{call.__name__}")
 def test_help_shows_each_option_with_its_type_and_default(call):
     parameters = inspect.signature(call).parameters.values()
-    told, given = arguments(call), [p for p in parameters if p.default is not p.empty]
+    described, given = arguments(call), [p for p in parameters if p.default is not p.empty]
     assert {"seed", "workers"} <= {p.name for p in given}
     assert all(p.kind is not p.VAR_KEYWORD and p.annotation is not p.empty for p in parameters)
     for parameter in given:
-        assert f"Default: {written(parameter.default)}" in told[parameter.name], parameter.name
+        assert f"Default: {written(parameter.default)}" in described[parameter.name], parameter.name
 
 
 def test_defaults_are_those_of_the_checks():

@@ -65,7 +65,7 @@ class Display:
 
 @pytest.mark.parametrize("workers", [1, 3])
 @pytest.mark.parametrize("name", CALLS)
-def test_a_bar_is_told_of_all_work_whichever_thread_does_it(name, workers, monkeypatch):
+def test_a_bar_counts_all_work_whichever_thread_does_it(name, workers, monkeypatch):
     monkeypatch.setattr(progress, "LEAST_WORK", 1)
     monkeypatch.setattr(engine, "LEAST_WORK", 1)
     display = Display()
@@ -80,26 +80,26 @@ class Terminal:
     """Takes the place of stderr, and tells when something is written to it."""
 
     def __init__(self, is_terminal):
-        self.isatty, self.text, self.told = lambda: is_terminal, "", threading.Event()
+        self.isatty, self.text, self.written = lambda: is_terminal, "", threading.Event()
 
     def write(self, text):
         self.text += text
-        self.told.set()
+        self.written.set()
 
     def flush(self):
         pass
 
 
-def test_a_terminal_is_told_what_is_awaited(monkeypatch):
+def test_a_terminal_shows_what_is_awaited(monkeypatch):
     terminal = Terminal(True)
     monkeypatch.setattr(sys, "stderr", terminal)
     monkeypatch.setattr(progress, "_PATIENCE", 0.001)
     with progress.awaited("compiling"):
-        assert terminal.told.wait(HANGS)
+        assert terminal.written.wait(HANGS)
     assert terminal.text == "warpsample: compiling\n"
 
 
-def test_what_ends_in_time_is_not_told(monkeypatch):
+def test_what_ends_in_time_is_not_reported(monkeypatch):
     terminal, threads = Terminal(True), set(threading.enumerate())
     monkeypatch.setattr(sys, "stderr", terminal)
     monkeypatch.setattr(progress, "_PATIENCE", HANGS)
@@ -111,7 +111,7 @@ def test_what_ends_in_time_is_not_told(monkeypatch):
 
 
 @pytest.mark.parametrize("closed", [None, Terminal(False)])
-def test_only_a_terminal_is_told(closed, monkeypatch):
+def test_only_a_terminal_shows_it(closed, monkeypatch):
     threads = set(threading.enumerate())
     monkeypatch.setattr(sys, "stderr", closed)
     with progress.awaited("compiling"):
@@ -119,19 +119,19 @@ def test_only_a_terminal_is_told(closed, monkeypatch):
 
 
 @pytest.mark.parametrize("notebook", [True, False])
-def test_a_notebook_is_told_where_a_bar_is_shown(notebook, monkeypatch):
+def test_a_notebook_is_informed_where_a_bar_is_shown(notebook, monkeypatch):
     terminal, threads = Terminal(False), set(threading.enumerate())
     monkeypatch.setattr(sys, "stderr", terminal)
     monkeypatch.setattr(progress, "_PATIENCE", 0.001)
     monkeypatch.setattr("rich.progress.Progress", Display())
     monkeypatch.setattr("rich.console._is_jupyter", lambda: notebook)
     with progress.bar(True, "casting rays"), progress.awaited("compiling"):
-        assert terminal.told.wait(HANGS) if notebook else set(threading.enumerate()) == threads
+        assert terminal.written.wait(HANGS) if notebook else set(threading.enumerate()) == threads
     assert terminal.text == ("warpsample: compiling\n" if notebook else "")
 
 
 @pytest.mark.slow
-def test_a_terminal_is_told_what_is_compiled_and_that_it_is_once(child_environment, tmp_path):
+def test_a_terminal_shows_what_is_compiled_and_that_it_is_once(child_environment, tmp_path):
     code = """
 from warpsample.host import progress
 progress._PATIENCE = 0.0

@@ -121,6 +121,6 @@ def test_both_sides_of_a_sheet_have_points_of_their_own():
         ({"count": 3, "first_point": 1, "spacing": "blue"}, ValueError, "first_point: got 1 with spacing='blue', want 0"),
     ],
 )
-def test_arguments_without_sense_are_told(given, error, match):
+def test_arguments_without_sense_are_reported(given, error, match):
     with pytest.raises(error, match=match):
         ws.sample_surface(square(), **given)

@@ -70,11 +70,11 @@ def test_both_of_open3ds_meshes():
 @pytest.mark.parametrize(
     "empty", [trimesh.Scene(), pv.MultiBlock({"a": None}), trimesh.Scene(trimesh.PointCloud(np.ones((3, 3))))]
 )
-def test_a_scene_without_faces_is_told(empty):
+def test_a_scene_without_faces_is_reported(empty):
     with pytest.raises(ValueError, match="mesh: got a value of type (Scene|MultiBlock) without a face"):
         ws.as_mesh(empty)
 
 
-def test_what_is_no_mesh_is_told_what_is_one():
+def test_what_is_no_mesh_is_refused_with_what_is_one():
     with pytest.raises(TypeError, match="mesh: got a value of type dict, want .* or a TriangleMesh of Open3D"):
         ws.as_mesh({})

@@ -150,6 +150,6 @@ def test_no_point_falls_between_triangles_of_a_fan():
         ({"spacing": 1e-9}, MemoryError, "need .* GB and .* are free; widen the spacing"),
     ],
 )
-def test_arguments_without_sense_are_told(given, error, match):
+def test_arguments_without_sense_are_reported(given, error, match):
     with pytest.raises(error, match=match):
         ws.grid_points(box((0, 0, 0), (1, 1, 1)), **{"spacing": 0.1, **given})

@@ -35,7 +35,7 @@ def test_all_ways_to_tell_a_transmittance(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("told", "message"),
+    ("value", "message"),
     [
         (
             "much",
@@ -47,9 +47,9 @@ def test_all_ways_to_tell_a_transmittance(tmp_path):
         ("none.npy", "--transmittance: got 'none.npy', which is missing"),
     ],
 )
-def test_what_is_no_transmittance_is_refused_in_a_sentence(told, message, tmp_path):
+def test_what_is_no_transmittance_is_refused_in_a_sentence(value, message, tmp_path):
     with pytest.raises((ValueError, FileNotFoundError), match=re.escape(message)):
-        with_optics(ws.load_mesh(sheets(tmp_path)), transmittance=told)
+        with_optics(ws.load_mesh(sheets(tmp_path)), transmittance=value)
     nameless = ws.as_mesh(([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[0, 1, 2]]))
     with pytest.raises(
         ValueError, match="^--transmittance: got 'leaf=0.2' for a mesh without named parts, want a number or"
@@ -75,8 +75,8 @@ def test_bake_writes_what_faces_send_back(call, tmp_path):
     path, output, picture = sheets(tmp_path), tmp_path / "out.npz", tmp_path / "even.npy"
     np.save(picture, np.ones((4, 8)))
     options = ["--quantity", "irradiance", "--environment", picture, "--samples", "32", "--at", "faces"]
-    told = [*options, "--reflectance", "leaf=0.25,pane=0.5", "--transmittance", "stem=0.5"]
-    status, _, err = call("bake", path, "-o", output, *told, "--refine", "inf")
+    arguments = [*options, "--reflectance", "leaf=0.25,pane=0.5", "--transmittance", "stem=0.5"]
+    status, _, err = call("bake", path, "-o", output, *arguments, "--refine", "inf")
     assert (status, err) == (0, "")
     mesh = ws.as_mesh(ws.load_mesh(path), reflectance=np.repeat([0.25, 0, 0.5], 2), transmittance=np.repeat([0, 0.5, 0], 2))
     found = ws.irradiance(mesh, ws.face_centers(mesh), np.ones((4, 8)), 32, refine=np.inf)

@@ -34,8 +34,8 @@ def test_every_call_of_estimate_is_public():
 
 def test_every_option_of_the_command_line_is_for_some_quantity(call):
     assert all(registry.quantities_with(name) for name, option in OPTIONS.items() if option.by_quantity)
-    told = call("bake", "--help")[1]
-    assert all(name in told.replace("\n", "") for name in ("sky-matrix", "--max-distance", "--ground-albedo"))
+    help_text = call("bake", "--help")[1]
+    assert all(name in help_text.replace("\n", "") for name in ("sky-matrix", "--max-distance", "--ground-albedo"))
 
 
 @pytest.mark.parametrize(

@@ -66,7 +66,7 @@ def test_a_report_tells_all_and_needs_no_network(call, tmp_path, can_render, mon
     assert (tmp_path / "r.html").read_text() == page
 
 
-def test_what_cannot_be_reported_is_told_before_any_work(call, tmp_path, monkeypatch):
+def test_what_cannot_be_reported_is_refused_before_any_work(call, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for more, said in (
         (("-o", "sky.csv", "--report", "r.txt"), "error: --report: got 'r.txt', want a file that ends in .html"),

@@ -14,6 +14,7 @@ from warpsample.proof.wrong_lights import WRONG_LIGHTS
 from warpsample.proof.wrong_lobes import WRONG_LOBES
 from warpsample.proof.wrong_microfacets import WRONG_MICROFACETS
 from warpsample.proof.wrong_pictures import WRONG_PICTURES
+from warpsample.proof.wrong_scattered import WRONG_SCATTERED
 from warpsample.statistics.charts import SPHERE, chart_of
 from warpsample.statistics.histogram import histogram_test, joined_test
 
@@ -70,11 +71,21 @@ CAUGHT_BY = {
     "picture half a pixel away": {"direction", "density", "cells"},
     "picture read clockwise": {"direction", "density", "cells"},
     "picture with shuffled strata": {"direction", "round trip"},
+    "reflection by 1/(2 v·h)": {"density", "mass", "mean stretch"},
+    "reflection with v·h by z": {"density", "mass", "mean stretch"},
+    "reflection mirrored up": {"direction", "cells"},
+    "reflection with a signed cosine": {"finite", "density", "mass"},
+    "reflection without −h": {"density", "mass"},
     "triangle sampled by area": {"direction", "cells", "mean stretch"},
     "triangle below 3e-4 sr sampled by area": {"direction", "cells", "mean stretch"},
     "solid angle of a triangle by Girard": {"density"},
     "triangle with corners not of unit length": {"direction", "cells", "mean stretch"},
     "triangle even in the angle of its arcs": {"direction", "cells"},
+    "rectangle below 1e-3 sr sampled by area": {"direction", "cells"},
+    "rectangle even along y": {"direction", "cells", "mean stretch"},
+    "solid angle of a rectangle by four angles": {"density"},
+    "rectangle behind the eye": {"finite", "direction", "cells"},
+    "rectangle with swapped edges": {"direction", "round trip"},
     "u on 16 bits": {"tails", "repeats"},
     "u on 12 bits": {"tails", "repeats"},
     "Warp's own generator": {"repeats"},
@@ -105,7 +116,7 @@ LONG += (
 QUICK = ("GGX with an unstretched azimuth", "cosine transformed by the inverse", "picture even in the angle")
 LONG += tuple(  # of masses in cells of two dimensions; a few of them are quick enough
     name
-    for name in (*WRONG_LOBES, *WRONG_MICROFACETS, *WRONG_PICTURES, *WRONG_LIGHTS)
+    for name in (*WRONG_LOBES, *WRONG_MICROFACETS, *WRONG_PICTURES, *WRONG_SCATTERED, *WRONG_LIGHTS)
     if "Henyey" not in name and name not in QUICK
 )
 

@@ -83,7 +83,7 @@ def test_a_class_goes_by_its_name(alone):
         (type("Bare", (ws.distributions.Distribution,), {}), TypeError, "kind: got Bare with name = None, want a string"),
     ],
 )
-def test_what_a_class_lacks_is_told(kind, error, match, alone):
+def test_what_a_class_lacks_is_reported(kind, error, match, alone):
     with pytest.raises(error, match=match):
         ws.distributions.register(kind)
     assert user_distributions == {}
@@ -133,7 +133,7 @@ def test_an_interrupt_prints_what_is_done(call, monkeypatch):
     assert "1 verdicts, 0 broken" in out
 
 
-def test_what_is_imprecise_is_told_apart_from_what_is_wrong():
+def test_what_is_imprecise_is_distinguished_from_what_is_wrong():
     def advise_on(**errors):
         verdicts = [
             Verdict.from_error(law.replace("_", " "), "Mine(alpha=0.1)", value, limit=1e-6) for law, value in errors.items()

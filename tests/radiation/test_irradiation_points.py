@@ -93,7 +93,7 @@ def test_bad_input_is_a_sentence_before_any_work(athens, name, monkeypatch):
         ws.irradiation(**given)
 
 
-def test_too_many_hours_are_told(athens, monkeypatch):
+def test_too_many_hours_are_reported(athens, monkeypatch):
     monkeypatch.setattr("psutil.virtual_memory", lambda: type("Memory", (), {"available": 1 << 20}))
     with pytest.raises(MemoryError, match="8,760 hours of 100 points need"):
         ws.irradiation(BEHIND, points(np.tile([0, 0, 1], (100, 1))), athens, patches="tregenza", series=True)

@@ -48,7 +48,7 @@ def test_surfaces_go_by_their_names():
         replace(v, names=None).net_radiation(300.0, {"inner": 0.8, "outer": 0.4})
 
 
-def test_degrees_celsius_are_told():
+def test_degrees_celsius_are_reported():
     v = factors([[0.0, 1.0], [1.0, 0.0]], [1.0, 1.0])
     with pytest.warns(UserWarning, match="temperature: got at most 25 kelvin; where these are degrees Celsius, add 273.15"):
         v.net_radiation([20.0, 25.0], 0.9)
@@ -86,7 +86,7 @@ def test_equal_temperatures_exchange_nothing_and_each_hour_is_one_column():
     assert (found.flux[:, 0] > 0.0).all()
 
 
-def test_arguments_without_sense_are_told():
+def test_arguments_without_sense_are_reported():
     v = factors([[0.0, 1.0], [1.0, 0.0]], [1.0, 1.0])
     for given, match in (
         ({"temperature": [1.0]}, r"temperature: got shape \(1,\), want \(2,\) or \(2, k\)"),

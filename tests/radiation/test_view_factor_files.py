@@ -151,7 +151,7 @@ def test_files_that_cannot_be_written_or_read(tmp_path):
         ({"mesh": (np.zeros((3, 3)), np.zeros((0, 3), int))}, "faces: got"),
     ],
 )
-def test_bad_input_is_told(options, said):
+def test_bad_input_is_reported(options, said):
     with pytest.raises((ValueError, TypeError), match=said):
         ws.view_factors(**{"mesh": CUBE} | options)
 

@@ -107,7 +107,7 @@ def test_a_room_that_is_inside_out_has_no_pairs(groups):
     assert not v.outside_error.any()
 
 
-def test_what_cannot_close_is_told():
+def test_what_cannot_close_is_reported():
     """Two surfaces that see each other alone, of unlike area: nothing is both reciprocal and closed."""
     nothing = (np.zeros(2), np.zeros(2))
     seen = RowFactors(np.arange(3), np.array([1, 0]), np.ones(2), np.zeros(2), {"outside": nothing, "behind": nothing})

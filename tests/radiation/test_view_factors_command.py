@@ -43,7 +43,7 @@ def test_the_file_holds_what_the_call_gives(call, cube_inwards, tmp_path):
     )
 
 
-def test_a_room_that_looks_outwards_is_told(call, tmp_path):
+def test_a_room_that_looks_outwards_is_reported(call, tmp_path):
     path = tmp_path / "room.ply"
     trimesh.creation.box((2.0, 2.0, 2.0)).export(path)
     status, out, err = call("view-factors", path, "-o", tmp_path / "factors.npz", "--count", 16)

@@ -30,6 +30,7 @@ CASES = [
     *(kind(alpha, view) for kind in (ws.VisibleGGX, ws.VisibleBeckmann) for alpha in (1e-3, 0.3, 1.0) for view in VIEWS),
     *ws.LinearlyTransformedCosine.cases(),
     *ws.SphericalTriangle.cases(),
+    *ws.SphericalRectangle.cases(),
     *map(ws.CosineHemisphere, ("polar", "concentric", "inversion", "offset")),
     *map(ws.UniformDisk, ("polar", "concentric")),
     *(ws.UniformSphere(), ws.UniformHemisphere(), ws.OffsetBall(), ws.OffsetDisk(), ws.OffsetCircle()),

@@ -272,8 +272,8 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
 
 
 @pytest.mark.filterwarnings("ignore:mesh. got faces of size")  # it is of most faces; this is of the texels
-@pytest.mark.parametrize(("distance", "is_told"), [(200, False), (20_000, True)])
-def test_texels_too_small_for_float32_are_told_and_refused(call, tmp_path, distance, is_told):
+@pytest.mark.parametrize(("distance", "reports"), [(200, False), (20_000, True)])
+def test_texels_too_small_for_float32_are_reported_and_refused(call, tmp_path, distance, reports):
     """A crate of 5 cm and a sheet 20 km away, with a quarter of all corners: what is within 2 cm counts as touching."""
     path, output = tmp_path / "in.glb", tmp_path / "out.glb"
     floor_and_box(path, 0.05)
@@ -286,9 +286,9 @@ def test_texels_too_small_for_float32_are_told_and_refused(call, tmp_path, dista
 
     path.write_bytes(changed(path.read_bytes(), change))
     _, out = baked(call, path, "--uv", "new")
-    assert ("\n  'floor': rays resolve lengths above 0.019, and 4,096 points have texels less than" in out) == is_told
+    assert ("\n  'floor': rays resolve lengths above 0.019, and 4,096 points have texels less than" in out) == reports
     status, _, err = call("bake", path, "-o", output, "--texture", 64, *RAYS, "--uv", "new", "--strict")
-    assert (status, err.startswith("error: --strict: got 'floor': rays resolve")) == ((2, True) if is_told else (0, False))
+    assert (status, err.startswith("error: --strict: got 'floor': rays resolve")) == ((2, True) if reports else (0, False))
 
 
 def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
@@ -512,7 +512,7 @@ def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
     assert t.report.outside == 0
 
 
-def test_what_a_file_needs_beside_it_and_what_shows_no_occlusion_is_told(call, tmp_path):
+def test_what_a_file_needs_beside_it_and_what_shows_no_occlusion_is_reported(call, tmp_path):
     def change(tree):
         tree["images"].append({"uri": "a%20b.png"})
         tree["materials"][1]["extensions"] = {"KHR_materials_unlit": {}}
@@ -520,12 +520,12 @@ def test_what_a_file_needs_beside_it_and_what_shows_no_occlusion_is_told(call, t
     path, folder = tmp_path / "in.glb", tmp_path / "other folder"
     path.write_bytes(changed(rich(), change))
     folder.mkdir()
-    for output, is_told in ((tmp_path / "out.glb", False), (folder / "out.glb", True)):
+    for output, reports in ((tmp_path / "out.glb", False), (folder / "out.glb", True)):
         status, out, _ = call("bake", path, "-o", output, "--texture", 8, "--samples", 2)
         assert status == 0
         assert "viewers show no occlusion on unlit materials: 'brick'" in out
         assert "morph targets are left out, though the file sets their weights: 'Wånd'" in out
-        assert ("out.glb needs these files in its folder: 'a%20b.png'" in out) == is_told
+        assert ("out.glb needs these files in its folder: 'a%20b.png'" in out) == reports
         assert opened(output)[0]["images"][1] == {"uri": "a%20b.png"}
 
 

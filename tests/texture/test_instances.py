@@ -110,7 +110,7 @@ def test_a_first_place_of_scale_0_hides_no_other_place(call, tmp_path, uv):
     assert shown["nodes[2]", "roof"] == 1.0
 
 
-def test_whole_pictures_with_few_rays_that_differ_are_told_apart(call, tmp_path):
+def test_whole_pictures_with_few_rays_that_differ_are_distinguished(call, tmp_path):
     """Floors in the open and beneath a distant sheet, with 2 rays a texel: blocks differ by less than their errors."""
     path, output = tmp_path / "in.glb", tmp_path / "out.glb"
     floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)

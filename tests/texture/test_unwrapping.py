@@ -53,7 +53,7 @@ def test_parts_stay_and_size_and_place_do_not_matter():
     assert np.array_equal(ws.unwrap(ws.Mesh(mesh.vertices * 2.0**20, mesh.faces), 256)[1], uv)
 
 
-def test_a_mesh_that_ends_xatlas_is_told(monkeypatch):
+def test_a_mesh_that_ends_xatlas_is_reported(monkeypatch):
     """As a sphere of 81,920 triangles does: github.com/jpcy/xatlas/issues/146."""
     monkeypatch.setattr(unwrapping, "_PROGRAM", "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)")
     with pytest.raises(

@@ -82,7 +82,7 @@ def load_terrain(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def build_sky(tool: str, scene: str, raster: Path | None, workers: int) -> ChildJob:
-    """Build the job that computes the visible sky in all cells of a raster with one tool.
+    """Prepare one tool to compute the visible sky in all cells of a raster, and return the work to time.
 
     The job's report has the errors in the judged cells.
     """

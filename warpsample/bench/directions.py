@@ -68,13 +68,13 @@ def measure(
     ] = 65_536,
     repeats: Repeats = 15,
 ) -> RowsByPart:
-    """Time the sampling of directions by every map with 64 samples, and by every sequence with the cosine lobe."""
+    """Time the sampling of 64 directions per point, for every distribution and for every sequence; return the rows."""
     chosen = list_groups(points)
     return {"rows": [row for group in track(chosen, len(chosen)) for row in measure_group(*group, repeats)]}
 
 
 def list_maps() -> list[Distribution]:
-    """Return the distributions to time: every method of the cosine lobe, then a typical case of each other one.
+    """Return the distributions to time: every method of CosineHemisphere, then one instance of each other distribution.
 
     Planar distributions come last.
     """

@@ -87,7 +87,7 @@ def measure(
 
 
 def build_means(count: int) -> dict[str, Callable[[], object]]:
-    """Build one function per method that computes the mean of a cheap integrand over the cosine lobe.
+    """Build functions to time, which compute the cosine-weighted mean of a cheap function by different methods.
 
     The ways are a fused call, directions alone into an array, and directions with a mean by NumPy.
     """

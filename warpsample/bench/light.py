@@ -67,7 +67,7 @@ def build_lit_city(task: str, side: int, points: int) -> tuple[Mesh, SurfacePoin
 
 
 def build_light(tool: str, task: str, side: int, *, points: int, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
-    """Build the job that computes the irradiance at points of a city with one tool.
+    """Prepare one tool to compute the irradiance at points of a city, and return the work to time.
 
     The job's report compares the irradiance with the reference.
     """

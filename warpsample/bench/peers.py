@@ -40,7 +40,7 @@ class PeerSpeed(ToolRow):
 
 
 def build_directions(tool: str, points: int, workers: int) -> ChildJob:
-    """Build the job that samples directions with one tool.
+    """Prepare one tool to sample directions, and return the work to time.
 
     The job's report judges the means of all integrands.
     """

@@ -103,7 +103,7 @@ class YearTime(ToolRow):
 
 
 def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
-    """Build the job that computes the matrix of Tregenza's sky patches with one tool.
+    """Prepare one tool to compute the sky matrix of Tregenza's 145 patches, and return the work to time.
 
     The job's report compares the matrix with the reference.
     """
@@ -140,7 +140,7 @@ def compute_errors(runs: np.ndarray, right: np.ndarray) -> tuple[float, float, f
 
 
 def build_sun(tool: str, scene: str, points: int, *, workers: int, reference: np.ndarray) -> ChildJob:
-    """Build the job that tests which suns of a year the points see, with one tool.
+    """Prepare one tool to test which sun positions of a year the points see, and return the work to time.
 
     The job's report compares the result with the reference (P, T) bool.
     """
@@ -149,7 +149,7 @@ def build_sun(tool: str, scene: str, points: int, *, workers: int, reference: np
 
 
 def build_year(tool: str, scene: str, points: int, workers: int) -> ChildJob:
-    """Build the job that computes a year of `irradiation` under 2,305 sky patches.
+    """Prepare the computation of a year's irradiation under 2,305 sky patches, and return the work to time.
 
     The argument `tool` is the weather. The report has the peak memory and the seconds for 16 points.
     """

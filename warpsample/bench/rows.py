@@ -66,7 +66,7 @@ optional_column = partial(column, default=None)
 
 @dataclass(frozen=True)
 class ToolRow(Timed):
-    """Base class of benchmark rows of one tool.
+    """Base class of benchmark rows that describe the result of one tool.
 
     The columns of results are None for a tool that did not run.
     """

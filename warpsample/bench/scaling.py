@@ -21,7 +21,7 @@ _TOTAL = 1 << 22
 
 @dataclass(frozen=True)
 class ScaledCost(Timed):
-    """Row of `bench scaling`: time and memory to compute Sobol' directions of the cosine lobe in one case.
+    """Row of `bench scaling`: time and memory to sample cosine-weighted directions in one case.
 
     The directions are computed in parts.
     """
@@ -67,7 +67,7 @@ def measure(
 
 
 def build_stream(tool: tuple[str, int, int, int], part: int = PART) -> ChildJob:
-    """Build the job that computes all directions of a case, part by part, into one array.
+    """Prepare the sampling of all directions of a case, part by part into one array, and return the work to time.
 
     The normals repeat every 65,536 points.
     """

@@ -60,7 +60,7 @@ def measure(
     *,
     repeats: Annotated[int, typer.Option(help="Number of new processes for each script and cache.", min=1)] = 5,
 ) -> RowsByPart:
-    """Measure the steps of new Python processes, one process after the other; return the rows."""
+    """Measure how long new Python processes take for their first steps; return the rows."""
     runs = [start_processes() for _ in track(range(repeats), repeats)]
     seconds_by_case = {(step, cache): [one[cache, step] for one in runs] for step in STEPS for cache in CACHES}
     return {"waits": [Wait(*key, Spread.of(seconds), seconds=seconds) for key, seconds in seconds_by_case.items()]}

@@ -79,7 +79,7 @@ def compute_reference_rows(mesh: Mesh, workers: int, rays: int = _REFERENCE_RAYS
 
 
 def build_factors(tool: str, scene: str, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
-    """Build the job that computes all view factors of a mesh with one tool.
+    """Prepare one tool to compute all view factors of a mesh, and return the work to time.
 
     A further "tool" only traces the rays from the judged faces.
     """

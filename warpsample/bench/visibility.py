@@ -70,7 +70,7 @@ class Many(ToolRow):
 
 
 def build_estimate(tool: str, scene: str, points: int, *, workers: int, target: float, reference: np.ndarray) -> ChildJob:
-    """Build the job that estimates ambient occlusion with one tool, with enough rays for the target RMSE.
+    """Prepare one tool to compute ambient occlusion to a target RMSE, and return the work to time.
 
     The RMSE is that over all points. Two trials find the number of rays.
     """
@@ -100,7 +100,7 @@ def _compute_rmse(values: np.ndarray, right: np.ndarray) -> float:
 
 
 def build_many_points(tool: str, scene: str, points: int, rays: int, workers: int) -> ChildJob:
-    """Build the job that estimates ambient occlusion of many points by warpsample.
+    """Prepare the ambient occlusion of many points by warpsample, and return the work to time.
 
     The job reports the peak memory of its process.
     """

@@ -1,4 +1,4 @@
-"""Cities and terrain as people have them: rasters of heights and CityJSON."""
+"""Sky view, sunlight and irradiation of cities and terrain, from rasters of heights and CityJSON files."""
 
 from warpsample.city import rasters
 

@@ -55,7 +55,10 @@ def check_arc_grid(path: str, shape: tuple[int, int]) -> None:
 
 
 def _chunks(path: str) -> Iterator[bytes]:
-    """Yield the heights in chunks that begin with the last byte of the preceding chunk; the last chunk ends in a space."""
+    """Yield the text of the heights in chunks of bytes; each begins with the last byte of the preceding one.
+
+    The last chunk ends in a space.
+    """
     with Path(path).open("rb") as file:
         header = _HEADER.match(file.read(_LONGEST_HEADER))
         file.seek(header.end() if header else 0)
@@ -67,7 +70,7 @@ def _chunks(path: str) -> Iterator[bytes]:
 
 
 def _token_at(chunk: bytes, index: int) -> str:
-    """Return the text without spaces around a byte, or the byte before if that byte is a space."""
+    """Return the word of a text at a byte index, or the word that ends there if the byte is a space."""
     before = re.search(rb"[^\x00-\x20]{0,20}$", chunk[:index])
     after = re.match(rb"[^\x00-\x20]{0,20}", chunk[index:])
     return ((before[0] if before else b"") + (after[0] if after else b"")).decode("ascii", "replace")

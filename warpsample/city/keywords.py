@@ -1,4 +1,4 @@
-"""Options that the calls of `warpsample.rasters` share: their types and texts."""
+"""Types and descriptions of the options that the functions of `warpsample.rasters` share."""
 
 from collections.abc import Sequence
 from typing import Any, TypedDict

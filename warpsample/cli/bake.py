@@ -48,7 +48,7 @@ def bake_command(mesh: BakedFile, output: Annotated[Path, output_file(_FILES_HEL
 
 
 def _bake_mesh(run: BakeRun) -> str:
-    """Compute a quantity on a mesh or CityJSON, write the texture, store or file, and return the report as text."""
+    """Run `warpsample bake` for a mesh or CityJSON file: write a texture, a store or a file, and return a report."""
     options, note = with_up(run.mesh, quantity_of(run.quantity), run.options)
     run = replace(run, options=options)
     if run.kind != TEXTURE and run.points is None and run.at is None and not is_by_parts(run):
@@ -59,7 +59,7 @@ def _bake_mesh(run: BakeRun) -> str:
 
 
 def _bake_file(run: BakeRun) -> str:
-    """Compute a quantity on a mesh or CityJSON into a file, and return the report as text."""
+    """Run `warpsample bake` for a mesh or CityJSON file with a file as output, and return a report."""
     from warpsample.output.bake import bake
     from warpsample.output.source import read_source
     from warpsample.output.textures.bake import bake_texture
@@ -71,7 +71,7 @@ def _bake_file(run: BakeRun) -> str:
 
 
 def _bake_store(run: BakeRun) -> str:
-    """Compute a quantity on a mesh into a Zarr store, and return the report as text."""
+    """Run `warpsample bake` for a mesh with a Zarr store as output, and return a report."""
     try:
         from warpsample.cluster.runs import bake_run
     except ModuleNotFoundError as error:
@@ -80,7 +80,7 @@ def _bake_store(run: BakeRun) -> str:
 
 
 def _bake_raster(run: BakeRun) -> str:
-    """Compute a quantity in each cell of a raster, write the output, and return the report as text.
+    """Run `warpsample bake` for a raster of heights: compute each cell, write the output, and return a report.
 
     Raises:
         ModuleNotFoundError: a package for rasters, or for stores and processes, is not installed.
@@ -105,7 +105,7 @@ def _bake_raster(run: BakeRun) -> str:
 
 
 def _list_parameters() -> Iterator[inspect.Parameter]:
-    """Yield the parameters of the command, in the order of the panels of the help page."""
+    """Yield the parameters of the command `warpsample bake`, in the order of its help page."""
     *files, _ = inspect.signature(bake_command).parameters.values()
     yield from files
     for name, row in sorted(OPTIONS.items(), key=lambda item: PANELS.index(item[1].panel)):
@@ -118,7 +118,7 @@ def _list_parameters() -> Iterator[inspect.Parameter]:
 
 
 def _describe(name: str, row: Option) -> tuple[Any, str]:
-    """Return the type and the help text of an option."""
+    """Return the type of an option of `warpsample bake`, annotated with its help text."""
     if name == "quantity":
         titles = {each: quantity.title for each, quantity in quantities().items()}
         others = {each: title for each, title in titles.items() if title.rstrip("s") != each.replace("-", " ").rstrip("s")}
@@ -133,7 +133,7 @@ def _describe(name: str, row: Option) -> tuple[Any, str]:
 
 
 def _with_files(row: Option) -> str:
-    """List in words the sources and output suffixes to which an option applies, for the help text."""
+    """Return a help sentence that lists the inputs and output suffixes to which an option applies."""
     parts = [
         source if row.where[source] == FILES[source] else f"{source} as {' '.join(row.where[source])}"
         for source in SOURCES

@@ -15,7 +15,7 @@ SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP"
 
 
 class Ended(KeyboardInterrupt):
-    """Exception raised in the main thread when the process receives a signal such as SIGTERM."""
+    """Exception that ends a command after a signal like SIGTERM or Ctrl-C."""
 
 
 class _State:
@@ -28,7 +28,9 @@ class _State:
 
 @contextmanager
 def listening() -> Iterator[None]:
-    """Raise `Ended` in the main thread for signals; end with a sentence on stderr and exit status 128 + the signal's number.
+    """Convert signals like SIGTERM to the exception `Ended` within a `with` statement, so that files are cleaned up.
+
+    The command ends with a sentence on stderr and exit status 128 + the signal's number.
 
     A KeyboardInterrupt without a signal ends like SIGINT. Signals that the parent ignores, as nohup does, stay ignored.
     """
@@ -54,7 +56,7 @@ def listening() -> Iterator[None]:
 
 @contextmanager
 def at_once() -> Iterator[None]:
-    """Let signals end the process at once within a `with` statement, while an open window runs no Python code."""
+    """Restore the default handling of signals within a `with` statement: a signal ends the process at once."""
     ours = [number for number in SIGNALS if signal.getsignal(number) is _hear]
     try:
         for number in ours:
@@ -66,7 +68,7 @@ def at_once() -> Iterator[None]:
 
 
 def heard() -> bool:
-    """Return whether a signal is ending the command."""
+    """Return whether the process has received a signal that ends it."""
     return _State.number is not None
 
 

@@ -26,5 +26,5 @@ def export_command(
 
 
 def explain_missing(error: ModuleNotFoundError) -> ModuleNotFoundError:
-    """Return the error with the name of the package extra that is needed for stores."""
+    """Return an import error with the name of the package extra to install for Zarr stores."""
     return missing(f"a {STORE} needs {error.name}, on Python 3.11 or newer", error.name, "cluster")

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def open_closed_streams() -> None:
-    """Open closed standard streams to the null device, so that no new file gets the descriptor of a stream."""
+    """Open stdin, stdout and stderr on the null device if they are closed."""
     while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
         pass
     os.close(number)
@@ -34,7 +34,7 @@ def discard_output(stream: "TextIO") -> None:
 
 
 def show_cursor() -> None:
-    """Show the cursor of a terminal, which rich hides for good if it is interrupted while it starts a bar."""
+    """Make the terminal's cursor visible again, after an interrupted progress bar."""
     terminal = sys.__stderr__
     if terminal is not None and terminal.isatty() and os.environ.get("TERM", "dumb") != "dumb":
         with suppress(OSError):

@@ -25,7 +25,7 @@ def option(words: str, *names: str) -> Any:
 
 
 def output_file(kinds: str) -> Any:
-    """Return the required option `--output` / `-o`; `kinds` lists the suffixes in the help text."""
+    """Build the Typer option `--output` of a command; `kinds` lists the file suffixes in its help text."""
     return option(f"File to write: {kinds}.", "--output", "-o")
 
 
@@ -53,7 +53,9 @@ _SILENCE = 1.0  # seconds that a step may take without a message
 
 
 def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    """Decorate a command: an error is one line on stderr; status 2 for bad input, 1 for a file that cannot be written.
+    """Decorate a command to report an error as one line on stderr and exit status 1 or 2, without a traceback.
+
+    The status is 2 for bad input, and 1 for a file that cannot be written.
 
     Other errors keep their traceback. A message that starts with the name of an argument shows the option instead.
 
@@ -77,7 +79,7 @@ def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[...,
 
 @contextmanager
 def printing_errors(**options: str) -> Iterator[None]:
-    """Print an error within a `with` statement as one line and exit, as `fail_plainly` does for a command."""
+    """Report an error within a `with` statement as one line on stderr, and exit with status 1 or 2."""
     try:
         yield
     except SystemExit as stop:
@@ -122,14 +124,14 @@ def _fail(error: Exception, options: dict[str, str]) -> None:
 
 
 def print_anything() -> None:
-    """Make stdout and stderr replace characters outside their encoding, such as θ by theta, instead of failing."""
+    """Make stdout and stderr replace characters that the terminal's encoding lacks, for example θ by theta."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="warpsample")
 
 
 def _spell(error: UnicodeError) -> tuple[str, int]:
-    """Replace characters that a stream cannot encode; registered as an error handler of `codecs`."""
+    """Return replacements for characters that a stream cannot encode; an error handler for `codecs`."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
     return "".join(map(_spell_letter, error.object[error.start : error.end])), error.end
@@ -148,7 +150,7 @@ codecs.register_error("warpsample", _spell)
 
 @contextmanager
 def working(what: str) -> Iterator[None]:
-    """Print the name of a step on stderr, if stderr is a terminal and the step takes longer than a second."""
+    """Show the name of a step on a terminal's stderr if the step, within a `with` statement, takes over a second."""
     timer = threading.Timer(_SILENCE, print_error, [f"{what} ..."])
     timer.daemon = True
     if sys.stderr.isatty():
@@ -160,7 +162,7 @@ def working(what: str) -> Iterator[None]:
 
 
 def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
-    """Open a window with a picture, or write the picture to a file and a line about it to stdout.
+    """Show a picture in a window or, with `screenshot`, write it to a file and print a line about it.
 
     Args:
         picture: PyVista plotter or Matplotlib figure.

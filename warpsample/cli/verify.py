@@ -74,7 +74,7 @@ def verify_command(
 
 
 def _print_report(verdicts: list[Any], tasks: Iterable[Any], thorough: bool, *, single: bool) -> None:
-    """Print the tables, the number of random numbers tested, and advice on failed tests."""
+    """Print the results of all tests as tables, the number of random numbers tested, and advice on failed tests."""
     from warpsample.proof import advice, report, run
 
     tables = console()

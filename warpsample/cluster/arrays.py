@@ -1,4 +1,4 @@
-"""Dask graphs and xarray datasets built from jobs."""
+"""Lazy xarray datasets, built from Dask task graphs, for functions computed in chunks of points."""
 
 from operator import getitem
 from typing import Any
@@ -34,7 +34,7 @@ _SECOND = {**dict.fromkeys(("pdf", "distance", "face", "vectors"), "sample"), "t
 
 
 def dataset_of(job: Job) -> xr.Dataset:
-    """Build the xarray Dataset of a job's results as Dask arrays, without computing any value.
+    """Build the lazy xarray Dataset of the results of a function over chunks of points; nothing is computed yet.
 
     Each chunk has one task for its result, one for its points, and one for each array taken out of the result.
 
@@ -49,13 +49,13 @@ def dataset_of(job: Job) -> xr.Dataset:
     tasks, shared = shared_by_key(job)
     blocks = blocks_of(job)
     for i in range(job.count):
-        given, rows = ([blocks[name][i] for name in names] for names in (job.given, job.rows))
+        given, rows = ([blocks[name][i] for name in names] for names in (job.point_arrays, job.rows))
         start = i * job.chunk
         chunk = (job.call, range(start, start + job.rows_of(i)), shared, given)
         tasks[work, i] = (numbers_in, *chunk, rows)
         if job.call.at:
             tasks["points-" + work, i] = (points_in, *chunk)
-    base = HighLevelGraph.from_collections(work, Tasks(tasks), dependencies=[*job.given.values(), *job.rows.values()])
+    base = HighLevelGraph.from_collections(work, Tasks(tasks), dependencies=[*job.point_arrays.values(), *job.rows.values()])
     numbers_of = {name: _array(job, base, work, (getitem, (work,), name), kind) for name, kind in job.gives.items()}
     coordinates = {name: kind for name, kind in point_arrays_of(job).items() if name not in job.gives}
     where = {name: _array(job, base, work, (getattr, ("points-" + work,), name), kind) for name, kind in coordinates.items()}
@@ -63,21 +63,21 @@ def dataset_of(job: Job) -> xr.Dataset:
 
 
 def blocks_of(job: Job) -> dict[str, list[Any]]:
-    """Return the Dask keys of the chunks of each input array of a job, as lists keyed by array name."""
-    return {name: list(flatten(array.__dask_keys__())) for name, array in (job.given | job.rows).items()}
+    """Return the Dask keys of the chunks of each input array, as lists keyed by array name."""
+    return {name: list(flatten(array.__dask_keys__())) for name, array in (job.point_arrays | job.rows).items()}
 
 
 def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
-    """Return the dtype and row shape of each array of a job's SurfacePoints, keyed by name; empty without SurfacePoints."""
-    if job.given:
-        return {name: (array.dtype, GIVEN_ARRAYS[name][1]) for name, array in job.given.items()}
+    """Return (dtype, shape of a row) of each array of the points ("position", "normal", ...), keyed by name."""
+    if job.point_arrays:
+        return {name: (array.dtype, GIVEN_ARRAYS[name][1]) for name, array in job.point_arrays.items()}
     return POINT_ARRAYS if job.call.at else {}
 
 
 def _array(
     job: Job, base: HighLevelGraph, layer: str, task: tuple[Any, ...], kind: tuple[np.dtype, tuple[int, ...]]
 ) -> Array:
-    """Build the Dask array of one named result from the dictionaries of results that the chunks return.
+    """Build the Dask array of one result from the tasks that compute all results of a chunk as a dictionary.
 
     Args:
         job: The job.
@@ -100,6 +100,6 @@ def _with_dimensions(arrays: dict[str, Array]) -> dict[str, tuple[tuple[str, ...
 
 
 def dimensions(name: str, count: int) -> tuple[str, ...]:
-    """Return the names of the first `count` dimensions of an array."""
+    """Return the names of the first `count` dimensions of a result array, for example ("point", "axis")."""
     second = _SECOND.get(name, "axis" if name in POINT_ARRAYS else "channel")
     return ("point", second, "axis")[:count]

@@ -68,7 +68,7 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
 
 
 def bake_job(job: Job, store: Path, resume: bool, argument: str, record: RunRecord) -> None:
-    """Create or open the Zarr store of a job, and compute and write the chunks that are missing.
+    """Create or open a Zarr store, and compute and write the chunks that the store does not have yet.
 
     Args:
         job: Job to compute.
@@ -96,7 +96,7 @@ def bake_job(job: Job, store: Path, resume: bool, argument: str, record: RunReco
 
 
 def _run(job: Job, folder: Path, chunks: list[int], heard: Callable[[np.void], None]) -> None:
-    """Compute and write the given chunks with Dask, and call `heard` with the summary of each finished chunk.
+    """Compute and write the chunks with the given numbers, using Dask; call `heard` for each finished chunk.
 
     Tasks are given to Dask in graphs of limited size: one graph of all tasks can take gigabytes.
     """
@@ -112,7 +112,7 @@ def _run(job: Job, folder: Path, chunks: list[int], heard: Callable[[np.void], N
 
 
 def _tasks(job: Job, folder: Path, chunks: list[int]) -> Array:
-    """Build a Dask array whose blocks compute and write the chunks, and return their summaries (dtype SUMMARY).
+    """Build the Dask tasks that compute and write the chunks, as an array; its values are summaries of the chunks.
 
     The tasks' names are unique to this run, because tasks of another run may write into another store.
     """
@@ -120,18 +120,18 @@ def _tasks(job: Job, folder: Path, chunks: list[int]) -> Array:
     tasks, shared = shared_by_key(job)
     blocks = blocks_of(job)
     for number, i in enumerate(chunks):
-        own = [[blocks[key][i] for key in keys] for keys in (job.given, job.rows)]
+        own = [[blocks[key][i] for key in keys] for keys in (job.point_arrays, job.rows)]
         start = i * job.chunk
         span = range(start, start + job.rows_of(i))
         tasks[name, number] = (bake_chunk, job.call, (str(folder), job.chunk), span, shared, own)
-    graph = HighLevelGraph.from_collections(name, tasks, dependencies=[*job.given.values(), *job.rows.values()])
+    graph = HighLevelGraph.from_collections(name, tasks, dependencies=[*job.point_arrays.values(), *job.rows.values()])
     return Array(graph, name, ((1,) * len(chunks),), dtype=SUMMARY)
 
 
 def bake_chunk(
     call: Call, target: tuple[str, int], span: range, shared: list[Any], blocks: list[list[np.ndarray]]
 ) -> np.ndarray:
-    """Compute and write the rows of one chunk, and return a summary of shape (1,) and dtype SUMMARY.
+    """Compute the points of one chunk and write the results into the store; return counts and sums of the values.
 
     Args:
         call: Call to compute.

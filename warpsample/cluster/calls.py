@@ -15,14 +15,14 @@ from warpsample.host.options import PointKeywords, RayKeywords, SeedKeywords
 
 
 class ChunkKeywords(RayKeywords, total=False):
-    """Keyword options of every lazy function over chunks of points."""
+    """Keyword options of all lazy functions, which Dask computes in chunks of points."""
 
     chunk: int
     """Number of points of a task, an integer; results do not depend on it. Default: 65536."""
 
 
 class LazyKeywords(ChunkKeywords, total=False):
-    """Keyword options of lazy functions that cast rays of limited length."""
+    """Keyword options of lazy functions that cast rays, with a largest distance."""
 
     max_distance: float | None
     """Distance from which on hits are ignored, a float in mesh units. Default: None, no limit."""
@@ -96,7 +96,7 @@ def integrate(
     mesh: Any = None,
     **options: Unpack[LazyKeywords],
 ) -> xr.Dataset:
-    """Compute `warpsample.integrate` lazily over Dask.
+    """Compute `warpsample.integrate` lazily with Dask, in chunks of points.
 
     Dask's threads run any function. Other processes import a wp.func by name: the function must be at the top level of a
     module that the workers can import, and `data` cannot be used. `lobe.row` is the row in a chunk, `lobe.point` the id

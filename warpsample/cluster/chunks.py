@@ -1,4 +1,4 @@
-"""Computation of one chunk on a worker: the chunk's points, and the result at the points."""
+"""Computation of one chunk of points on a Dask worker."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
@@ -31,7 +31,7 @@ BY_POINT = "distribution."
 
 @dataclass(frozen=True)
 class Call:
-    """Function name and options of a call over chunks, small enough to send with every Dask task.
+    """Description of a function call over chunks of points, small enough to send with every Dask task.
 
     Attributes:
         name: Name of the call, a key of FUNCTIONS.
@@ -41,7 +41,7 @@ class Call:
         at: Name of the argument that is a SurfacePoints; None if no argument is.
         place: Placement of the points: "area" (uniform by area), "faces", "vertices", or "given" by the caller; "" if
             `at` is None.
-        given: Names of the SurfacePoints' fields that the caller gives.
+        point_fields: Names of the SurfacePoints' fields that the caller gives.
         seed: Seed of points that are uniform by area.
         first_point: Global id of the first point of the first chunk.
     """
@@ -52,22 +52,22 @@ class Call:
     rows: tuple[str, ...]
     at: str | None
     place: str
-    given: tuple[str, ...]
+    point_fields: tuple[str, ...]
     seed: int
     first_point: int
 
 
 def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray]) -> SurfacePoints | None:
-    """Build the SurfacePoints of one chunk; return None if the function takes no SurfacePoints.
+    """Return the surface points of one chunk, sampled or given; None if the function takes arrays instead of points.
 
     Args:
         call: The call.
         span: Row numbers of the chunk.
         shared: Values of `call.shared`; the first is the mesh.
-        given: Arrays of the points' fields in `call.given`, for the chunk's rows. If empty, the points are sampled here.
+        given: Arrays of the points' fields in `call.point_fields`, for the chunk's rows. If empty, points are sampled here.
     """
     if given or not call.at:
-        return SurfacePoints(**dict(zip(call.given, given, strict=True))) if given else None
+        return SurfacePoints(**dict(zip(call.point_fields, given, strict=True))) if given else None
     mesh = shared[0]
     if call.place == "area":
         return sample_surface(mesh, len(span), seed=call.seed, first_point=call.first_point + span.start, workers=1)
@@ -81,7 +81,7 @@ def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray
 def numbers_in(
     call: Call, span: range, shared: list[Any], given: list[np.ndarray], rows: list[np.ndarray]
 ) -> dict[str, Any]:
-    """Compute one chunk of a job, and return the arrays of the result, keyed by name.
+    """Compute the function for one chunk of points; return the result's arrays, keyed by name.
 
     The points are made in the same task: a task of their own takes longer.
     """
@@ -89,7 +89,7 @@ def numbers_in(
 
 
 def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[Any], rows: list[Any]) -> dict[str, Any]:
-    """Compute a `Call` for the points of one chunk, and return the arrays of the result, keyed by name.
+    """Compute the function of a `Call` for the given points; return the result's arrays, keyed by name.
 
     One thread computes, unless the option `workers` is set: Dask runs one task on each thread of a worker.
 
@@ -108,14 +108,14 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
     if call.name == "sample_directions":
         arguments.pop("mesh", None)  # only used to make the points
     arguments["workers"] = 1 if arguments.get("workers") is None else arguments["workers"]
-    if "first_point" in arguments and "id" not in call.given:
+    if "first_point" in arguments and "id" not in call.point_fields:
         arguments["first_point"] = call.first_point + start
     found = FUNCTIONS[call.name](**arguments)
     return {item.name: getattr(found, item.name) for item in fields(found)}
 
 
 def _with_rows(arguments: dict[str, Any], rows: dict[str, Any]) -> dict[str, Any]:
-    """Return the arguments with one row for each point; rows of parameters become parts of the distribution."""
+    """Return the chunk's arguments with one row per point; parameters of the distribution are put into a copy of it."""
     tables = {name.removeprefix(BY_POINT): array for name, array in rows.items() if name.startswith(BY_POINT)}
     found = {name: array for name, array in rows.items() if not name.startswith(BY_POINT)}
     distribution = arguments.get("distribution")

@@ -20,7 +20,7 @@ from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb
 
 
 def export_store(store: Path, mesh: Path, output: Path) -> str:
-    """Write the results of a finished store to a mesh file, such as `warpsample bake` writes.
+    """Convert a finished Zarr store of results to another file, for example a .ply or .csv.
 
     Args:
         store: Path of the store.
@@ -79,7 +79,7 @@ def _read_attributes(store: Path) -> dict[str, Any]:
 
 
 def _run(quantity: Quantity, about: dict[str, Any], mesh: Path, output: Path) -> BakeRun:
-    """Reconstruct the arguments of the `warpsample bake` run that wrote a store, from the attributes of the store."""
+    """Return the arguments of the `warpsample bake` command that wrote a store, from the store's attributes."""
     at = about["place"] if about["place"] in ("vertices", "faces") else None
     kept = {name: tuple(value) if isinstance(value, list) else value for name, value in about.items()}
     options = {OPTIONS.get(name, name): kept[name] for name in quantity.parameters if name in kept}

@@ -1,4 +1,4 @@
-"""Results of tasks from the workers of a Client, in order of completion, and diagnosis of workers that fail."""
+"""Collection of results from the workers of a Dask Client, and errors that explain why workers fail."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -22,7 +22,7 @@ _COPIES = 3  # lower bound of the copies of the large arguments: as received, as
 
 
 def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks: list[int]) -> Iterator[Any]:
-    """Submit the chunks' tasks to a Client, and yield each task's result in order of completion.
+    """Compute chunks on a Dask Client, and yield the result of each as soon as it is complete.
 
     Tasks that a restarted scheduler has lost are submitted again.
 
@@ -64,7 +64,7 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
 
 
 def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks: list[int]) -> Iterator[tuple[int, Any]]:
-    """Submit the chunks' tasks to a Client once, and yield (chunk, result) in order of completion.
+    """Compute chunks on a Dask Client without a second try, and yield (chunk, result) as each is complete.
 
     The next graph is submitted when half of the tasks of the previous one are done.
     """

@@ -1,4 +1,4 @@
-"""Readers of a Zarr store: the attributes of the run, the arrays, and which chunks are complete."""
+"""Reading of a Zarr store: its attributes, its arrays, and which of its chunks are complete."""
 
 import json
 from collections.abc import Iterable
@@ -23,7 +23,7 @@ _OF_XARRAY = ("coordinates",)  # attributes for xarray, not part of the run
 
 
 def about_of(path: Path, argument: str) -> dict[str, Any]:
-    """Read the attributes that describe the run of a store: arguments, digests and versions.
+    """Read the attributes of a store that describe how it was computed: arguments, hashes of inputs, and versions.
 
     Args:
         path: Path of the store.
@@ -37,7 +37,7 @@ def about_of(path: Path, argument: str) -> dict[str, Any]:
 
 
 def file_of(name: str, place: Iterable[int]) -> str:
-    """Return the path, relative to the store, of the chunk of an array at an index along each dimension."""
+    """Return the path, relative to the store, of the file with one chunk of an array."""
     return "/".join([name, "c", *map(str, place)])
 
 
@@ -84,7 +84,7 @@ def arrays_of(path: Path, names: Iterable[str], argument: str) -> dict[str, Any]
 
 
 def _array(group: Any, name: str, got: str) -> Any:
-    """Return an array of a Zarr group.
+    """Return the named array of a Zarr group, or raise an error if there is none.
 
     Raises:
         ValueError: if the array is missing or cannot be read.
@@ -129,7 +129,7 @@ def _is_whole(path: Path, arrays: dict[str, Any], chunk: int) -> bool:
 
 
 def _read_bytes(file: Path) -> bytes:
-    """Read the bytes of a regular file.
+    """Return the content of a regular file, as bytes.
 
     Raises:
         FileNotFoundError: if the path is not a regular file; reading from a pipe would block.

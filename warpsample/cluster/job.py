@@ -1,4 +1,4 @@
-"""Jobs: calls of a `warpsample` function over chunks of points, with checked arguments and known result shapes."""
+"""Jobs: function calls that are computed in chunks of points, with checked arguments and known result shapes."""
 
 import inspect
 import json
@@ -53,7 +53,7 @@ class Job:
     Attributes:
         call: Function name and small options, sent with every task.
         shared: Large arguments, by name.
-        given: Dask arrays of the points' fields by name, split into the chunks; empty if workers make the points.
+        point_arrays: Dask arrays of the points' fields by name, split into the chunks; empty if workers make the points.
         rows: Dask arrays of the arguments with a row per point by name, split into the chunks.
         total: Number of rows of all chunks.
         chunk: Number of rows per chunk; the last chunk may have fewer.
@@ -63,7 +63,7 @@ class Job:
 
     call: Call
     shared: dict[str, Any]
-    given: dict[str, Array]
+    point_arrays: dict[str, Array]
     rows: dict[str, Array]
     total: int
     chunk: int
@@ -72,11 +72,11 @@ class Job:
 
     @property
     def count(self) -> int:
-        """Number of chunks, at least 1: a job without rows has one empty chunk."""
+        """Number of chunks into which the points are divided, at least 1."""
         return max(1, -(-self.total // self.chunk))
 
     def rows_of(self, index: int) -> int:
-        """Return the number of rows of the chunk with an index."""
+        """Return the number of points in the chunk with the given index."""
         return min(self.chunk, self.total - index * self.chunk)
 
     def check_count(self) -> None:
@@ -94,11 +94,13 @@ class Job:
     @property
     def token(self) -> str:
         """Hash of the call, used in the names of the job's Dask tasks; equal calls have equal hashes."""
-        return str(tokenize(self.call, self.about, [array.name for array in (*self.given.values(), *self.rows.values())]))
+        return str(
+            tokenize(self.call, self.about, [array.name for array in (*self.point_arrays.values(), *self.rows.values())])
+        )
 
 
 def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk: Any, on: Any = None) -> Job:
-    """Check the arguments of a `warpsample` function, and build the Job that computes the function in chunks.
+    """Check the arguments of a function, and build the `Job` that computes the function in chunks of points.
 
     Args:
         name: Name of the call, a key of FUNCTIONS.
@@ -142,7 +144,7 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
 
 
 def _pop_large_arguments(taken: dict[str, Any], on: Any) -> dict[str, Any]:
-    """Remove the mesh and the picture from the arguments of a call, and return a dictionary of both.
+    """Move the large arguments, mesh and picture, from the arguments of a call to a new dictionary, and return it.
 
     A mesh is converted to a Mesh. A picture is read or copied, so that later changes of the caller's array have no effect.
     """
@@ -158,7 +160,7 @@ def _pop_large_arguments(taken: dict[str, Any], on: Any) -> dict[str, Any]:
 
 
 def _find_placement(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, dict[str, Any]]:
-    """Return how a call's points are placed, the number of points, and the arrays of given points.
+    """Return (how points are placed, number of points, arrays of given points) for the argument `points` of a call.
 
     The result is (None, 0, {}) if the argument is an array of rows and not one of the kinds of points.
 
@@ -192,7 +194,7 @@ def _is_integer(value: Any) -> bool:
 
 
 def _pop_rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
-    """Remove the arrays with a row per point from the arguments of a call, and return a dictionary of the arrays.
+    """Move the arrays with one row per point from the arguments of a call to a new dictionary, and return it.
 
     A one-dimensional array stays in the arguments: it is one origin for all rays.
     """
@@ -208,7 +210,7 @@ def _pop_rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
 
 
 def _rows_of_parameters(taken: dict[str, Any]) -> dict[str, np.ndarray]:
-    """Remove the parameters by point from the distribution of a call, and return them by name."""
+    """Return the distribution parameters that have one row per point, keyed by name, and remove the rows from the call."""
     distribution = taken.get("distribution")
     if not isinstance(distribution, Distribution) or not distribution.by_point:
         return {}
@@ -253,13 +255,13 @@ def _result_types(call: Call, shared: dict[str, Any], rows: dict[str, Array]) ->
 
 
 def _one_triangle(mesh: Mesh) -> Mesh:
-    """Return a mesh of one triangle that transmits or reflects light if any face of `mesh` does."""
+    """Return a mesh of one triangle with the same kinds of optical properties as `mesh`, for a trial call."""
     optics = {"transmittance": 0.5 * mesh.transmits, "reflectance": 0.5 * mesh.reflects}
     return Mesh(np.eye(3), [[0, 1, 2]], **{name: share for name, share in optics.items() if share})
 
 
 def _identify_run(call: Call, large: dict[str, Any], total: int, chunk: int) -> dict[str, Any]:
-    """Return the attributes that identify a run, keyed by name, with digests in place of large arguments."""
+    """Return the attributes that identify a computation: its arguments, with hashes in place of large ones."""
     options = {name: value for name, value in call.options.items() if name not in _OF_THE_WORKERS}
     mesh = large.get("mesh")
     shape = None if mesh is None else digest_of(mesh.vertices, mesh.faces)

@@ -20,7 +20,7 @@ except ModuleNotFoundError:  # Windows
 
 @contextmanager
 def locked(path: Path) -> Iterator[None]:
-    """Hold the lock of a store in the body of a `with` statement, so that no other process writes the store.
+    """Lock a Zarr store within a `with` statement, so that no other process writes the store.
 
     The operating system releases the lock if the process is killed.
 
@@ -41,7 +41,7 @@ def lock_name(path: Path) -> str:
 
 
 def _acquire(path: Path, file: Path, held: list[Any]) -> None:
-    """Open and lock the lock file of a store, and append the open file to the list `held`.
+    """Lock a store by opening and locking its lock file; the open file is appended to the list `held`.
 
     Args:
         path: Path of the store, for error messages.

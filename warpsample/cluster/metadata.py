@@ -1,4 +1,4 @@
-"""Metadata files of a Zarr store: created in memory for a run, and compared with an existing store."""
+"""Metadata files of a Zarr store: creation, and comparison with those of an existing store."""
 
 import json
 import warnings

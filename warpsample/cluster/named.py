@@ -1,4 +1,4 @@
-"""User-defined functions and their data, wrapped so that Dask can send both to tasks and to other processes."""
+"""Wrapper with which Dask sends user-defined Warp functions and their data to other processes."""
 
 import importlib
 import json
@@ -33,7 +33,7 @@ class Named:
     content: dict[str, Any]
 
     def unwrap(self) -> Any:
-        """Return the wrapped function or data; raise an error if the function has changed since the call.
+        """Return the wrapped function or data; raise an error if the function has been redefined since the call.
 
         Raises:
             ValueError: if the function has changed since the call was made, or differs in this process.

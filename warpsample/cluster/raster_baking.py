@@ -31,23 +31,23 @@ WriteTile = Any
 
 
 class ProcessTiles(TileFiles):
-    """Folder of tile files, which several processes compute and write."""
+    """Storage of raster tiles as files in a folder, computed by several processes."""
 
     def __init__(self, output: Path, resume: bool, processes: int) -> None:
-        """Prepare the folder of tiles for an output file, for `processes` processes with one thread each."""
+        """Set the output file, next to which the folder of tiles is created, and the number of processes."""
         check_processes(processes)
         super().__init__(output, resume)
         self.processes = processes
 
     def compute(self, job: RasterJob, digests: Mapping[str, np.ndarray], tiles: list[int]) -> Iterator[np.void]:
-        """Compute and write tiles on the processes, and yield a SUMMARY for each in order of completion."""
+        """Compute and write tiles in several processes; yield counts and sums of each tile as soon as it is complete."""
         write_digests(self.path, digests)
         with computing(None, self.processes, None), closing(_compute(job, self.path, tiles, write_tile_file)) as found:
             yield from found
 
 
 class ZarrTiles:
-    """Zarr store with one chunk per tile of a raster; the store is the output.
+    """Storage of raster tiles as chunks of the Zarr store that is the output.
 
     Attributes:
         path: Path of the store.
@@ -56,7 +56,7 @@ class ZarrTiles:
     """
 
     def __init__(self, output: Path, resume: bool, processes: int | None) -> None:
-        """Check the path and the number of processes."""
+        """Check the path of the store and the number of processes, and set both."""
         check_processes(processes)
         self.path = check_store(output, "--output")
         self.resume, self.processes = resume, processes
@@ -66,12 +66,12 @@ class ZarrTiles:
         return locked(self.path)
 
     def begin(self, run: RasterRun, about: dict[str, Any]) -> np.ndarray:
-        """Create the store, or check an existing one; return the mask of the complete tiles."""
+        """Create the store, or check that an existing one can be resumed; return the mask of complete tiles."""
         check_new(self.path, self.resume, "--output")
         return begin_raster(self.path, run, about, "--output")
 
     def compute(self, job: RasterJob, digests: Mapping[str, np.ndarray], tiles: list[int]) -> Iterator[np.void]:
-        """Compute the given tiles, write each tile into the store, and yield a summary of each (dtype SUMMARY)."""
+        """Compute the given tiles, write each into the store, and yield counts and sums of its values."""
         with computing(None, self.processes, None) if self.processes else nullcontext(), writing(self.path) as folder:
             write_bytes(folder / ABOUT, (self.path / "zarr.json").read_bytes())
             write_digests(folder, digests)
@@ -79,7 +79,7 @@ class ZarrTiles:
                 yield from found
 
     def tiles(self, run: RasterRun) -> Tiles:
-        """Yield the row and column range and the arrays of each tile of the finished store."""
+        """Yield the range of rows and columns and the arrays of each tile in the finished store."""
         return tiles_in(self.path, run)
 
     def about(self) -> dict[str, Any]:
@@ -91,7 +91,7 @@ class ZarrTiles:
 
 
 def _compute(job: RasterJob, folder: Path, tiles: list[int], write: WriteTile) -> Iterator[np.void]:
-    """Compute and write tiles on the Client's workers, or one by one in this process, and yield a SUMMARY for each tile."""
+    """Compute and write tiles on a Dask Client's workers or in this process; yield counts and sums of each tile."""
     if (client := current_client()) is not None:
         yield from finished(client, SimpleNamespace(shared={}), lambda some: _tasks(job, folder, some, write), tiles)
         return
@@ -100,14 +100,14 @@ def _compute(job: RasterJob, folder: Path, tiles: list[int], write: WriteTile) -
 
 
 def _tasks(job: RasterJob, folder: Path, tiles: list[int], write: WriteTile) -> Array:
-    """Build a Dask array whose blocks compute and write one tile each, and return SUMMARY records."""
+    """Build the Dask tasks that compute and write one tile each, as an array of summaries."""
     name = f"raster-{uuid4().hex}"
     tasks = {(name, number): (bake_tile, job, str(folder), index, 1, write) for number, index in enumerate(tiles)}
     return Array(HighLevelGraph.from_collections(name, tasks), name, ((1,) * len(tiles),), dtype=SUMMARY)
 
 
 def bake_tile(job: RasterJob, folder: str, index: int, workers: int | None, write: WriteTile) -> np.ndarray:
-    """Compute one tile, write it, and return its SUMMARY of shape (1,).
+    """Compute one raster tile and write it to the folder or store; return counts and sums of its values.
 
     Args:
         job: Computation to run.
@@ -128,7 +128,7 @@ def bake_tile(job: RasterJob, folder: str, index: int, workers: int | None, writ
 
 @lru_cache(maxsize=1)
 def _run_of(job: RasterJob, folder: Path, workers: int | None, write: WriteTile) -> tuple[RasterRun, list[Any]]:
-    """Return this process's run object for a job and the spans of all tiles, cached so that the far field is computed once.
+    """Return the computation of a raster job and the ranges of its tiles; cached, as preparing distant terrain is slow.
 
     The run raises an error if the rasters change after the call began.
     """

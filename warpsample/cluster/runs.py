@@ -1,4 +1,4 @@
-"""`warpsample bake` of a mesh into a store: check of the command's options, progress bar and report."""
+"""The command `warpsample bake` for a mesh with a Zarr store as output."""
 
 from warpsample.cluster.baking import bake_job
 from warpsample.cluster.clients import check_processes, computing
@@ -13,7 +13,7 @@ from warpsample.output.run_record import RunRecord
 
 
 def bake_run(run: BakeRun) -> str:
-    """Compute a run of `warpsample bake`, and write the results into the Zarr store `run.output`.
+    """Compute the quantity of a `warpsample bake` command, and write the results into a Zarr store.
 
     Returns:
         a report for the terminal, in lines.

@@ -32,7 +32,7 @@ def current_client() -> Any | None:
 
 
 class Tasks(MaterializedLayer):
-    """Layer of a Dask graph with tasks that use data sent to a Client; the tasks fail when that Client is closed."""
+    """Dask tasks that use data sent to a Client in advance; computing them after the Client is closed raises an error."""
 
     def __init__(self, mapping: Mapping[Any, Any]) -> None:
         """Store a mapping from keys to tasks, together with the current Client, if there is one."""
@@ -40,7 +40,7 @@ class Tasks(MaterializedLayer):
         self.client: Any = current_client()
 
     def __iter__(self) -> Iterator[Any]:
-        """Iterate over the keys of the tasks.
+        """Return an iterator over the keys of the tasks.
 
         Raises:
             RuntimeError: if the Client is closed. Schedulers without a Client iterate first, so the error reaches the user.
@@ -74,7 +74,9 @@ def _raise_closed() -> None:
 
 
 def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
-    """Build tasks for a job's large arguments, and return (tasks, keys or futures of the arguments).
+    """Make the large arguments of a job available to tasks: send each to the Dask Client once, or add it to the graph.
+
+    Return (tasks, keys or futures of the arguments).
 
     Without a Client the arguments are tasks of the graph. With a Client each argument is sent once, as a task that returns
     the argument, and reused by later calls. If all workers with a copy are lost, the scheduler runs the task again.
@@ -96,5 +98,5 @@ def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
 
 
 def _return_unchanged(value: Any) -> Any:
-    """Return the argument unchanged; as a Dask task, it holds a large argument."""
+    """Return the argument unchanged; as a Dask task, this keeps a large argument on a worker."""
     return value

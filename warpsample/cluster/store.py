@@ -1,4 +1,4 @@
-"""Creation of a Zarr store for a run, and checks before an existing store is resumed."""
+"""Creation of a Zarr store, and checks that an existing store can be resumed."""
 
 import json
 import math

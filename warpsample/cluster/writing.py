@@ -1,4 +1,4 @@
-"""Writing of chunks into a store, only while the call that computes the chunks is running.
+"""Writing of chunks into a Zarr store by worker tasks, which stop writing when the call that started them ends.
 
 Each call has a folder with a random name inside its store. Files are written completely in the folder, and then moved to
 their paths. When the call ends, the folder is removed. Tasks that still run, in any process, stop soon and cannot write.
@@ -34,7 +34,7 @@ _at_work: list[Path] = []
 
 @contextmanager
 def writing(store: Path) -> Iterator[Path]:
-    """Create the folder of a writing call for the body of a `with` statement, and remove folders of killed calls.
+    """Create a temporary folder in a store within a `with` statement; tasks may write to the store while it exists.
 
     After the body no task of the call runs in this process, and tasks in other processes can write nothing more.
 
@@ -86,7 +86,7 @@ def store_of(folder: Path) -> Path:
 
 @contextmanager
 def at_work(folder: Path) -> Iterator[None]:
-    """Register the body of a `with` statement as a task of a writing call, so that the call waits for the task to stop.
+    """Mark a task as running within a `with` statement, so that the call that writes the store waits for its end.
 
     Kernels in the body stop between two batches of rays when the call ends.
 
@@ -156,7 +156,7 @@ def _encode(folder: Path, name: str, index: int, array: np.ndarray, sides: tuple
 
 @lru_cache(maxsize=64)
 def _encoder(_: Path, name: str, dtype: np.dtype, chunk: tuple[int, ...]) -> tuple[Any, dict[str, Any]]:
-    """Return a Zarr array in memory that encodes chunks, and the dictionary that receives the encoded bytes.
+    """Return an in-memory Zarr array that encodes chunks, and the dictionary that receives the encoded bytes.
 
     Keys of the dictionary are paths in the store. Threads share the dictionary, because no two tasks use the same path.
     The first argument is the folder of the writing call; it only makes the cache entry specific to the call.

@@ -1,4 +1,4 @@
-"""Directions at points: the public functions and the kernels.
+"""Sampling of random directions at surface points: the public functions and their Warp kernels.
 
 Terms:
     row: all samples of one point.

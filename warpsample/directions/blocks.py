@@ -1,4 +1,4 @@
-"""Kernel that computes directions block by block, for few samples per point on the CPU; see `samples`."""
+"""Warp kernel that samples directions for few samples per point on the CPU; one task covers blocks of several points."""
 
 import warp as wp
 
@@ -41,7 +41,7 @@ def _build_mender(
     layout: Layout,
     tangents: bool,
 ) -> wp.Function:
-    """Build the wp.func that corrects the rare pairs of a block that the vectorised loop cannot handle.
+    """Build the wp.func that recomputes the few directions that the vectorised loop gets wrong, as for zero normals.
 
     The function writes zeros and a status where a point has no direction, and applies `redraw` where `about` is imprecise.
     """
@@ -84,7 +84,7 @@ def _build_mender(
 
 @once
 def _build_block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
-    """Build the wp.func that writes the points u of a block: u[0] of all pairs, then u[1] from index FLAT_BLOCK on."""
+    """Build the wp.func that writes the unit-square points of a block of directions: all u[0], then all u[1]."""
     key_of, sample_of = sequence.key, sequence.sample
 
     @wp.func
@@ -121,7 +121,7 @@ def _repeat_normals(
     length: wp.int32,
     repeated: wp.array[wp.float32],
 ):
-    """Write the unit normal of each pair of a block, by repeating the unit normals of the points."""
+    """Copy the unit normal of each point once for each of the point's directions in a block."""
     for p in range(points):
         x = units[p]
         y = units[_STRIDE + p]
@@ -137,7 +137,7 @@ def _repeat_normals(
 
 @once
 def _build_frame_writer(one_sample: bool) -> wp.Function:
-    """Build the wp.func that writes x and y of the frame of each pair of a block, six columns, from the tangents.
+    """Build the wp.func that writes the x and y axes of the tangent frame of each direction in a block, as six columns.
 
     With several samples, the frames of the points are written behind the columns first. The function returns 1 if a tangent
     cannot be used, else 0.
@@ -184,19 +184,19 @@ def _build_frame_writer(one_sample: bool) -> wp.Function:
 
 @once
 def _build_frame_reader(tangents: bool) -> wp.Function:
-    """Build the wp.func that returns the first argument of `Distribution.about` for pair j of a block."""
+    """Build the wp.func that returns the normal or, with tangents, the tangent frame of the j-th direction in a block."""
     if not tangents:
 
         @wp.func
         def orient(frames: wp.array[wp.float32], n: wp.vec3, j: wp.int32):
-            """Return the unit normal."""
+            """Return the unit normal n of the point, which orients the sampled direction."""
             return n
 
     else:
 
         @wp.func
         def orient(frames: wp.array[wp.float32], n: wp.vec3, j: wp.int32):
-            """Return the frame."""
+            """Return the tangent frame of the j-th direction in a block: columns x, y and normal."""
             return wp.mat33(
                 frames[j], frames[3 * _STRIDE + j], n[0],
                 frames[_STRIDE + j], frames[4 * _STRIDE + j], n[1],
@@ -219,7 +219,9 @@ def direction_blocks(
     layout: Layout = (),
     tangents: bool = False,
 ) -> wp.Kernel:
-    """Build the kernel that computes directions in tasks of `rows` blocks, bit for bit as `direction_rows` does.
+    """Build the Warp kernel that samples directions block by block, with the same bits as the kernel of `direction_rows`.
+
+    A task computes `rows` blocks of consecutive directions.
 
     A block computes unit normals and points u first. If points have several samples, it then copies the normal of each pair
     to a buffer, because a gather from an array that the stores might alias would prevent vectorisation.

@@ -13,7 +13,7 @@ _Z = wp.constant(wp.vec3(0.0, 0.0, 1.0))
 
 @once
 def direction_means(sequence: Sequence, about: wp.Function, function: wp.Function) -> wp.Kernel:
-    """Build the kernel that computes, for each point, the float64 mean of function(w) over `count` directions w about +z.
+    """Build the Warp kernel that computes each point's mean of function(w) over `count` directions w about +z.
 
     `about` is a wp.func (unit normal, u, Parameters) -> (direction, pdf), and `function` a wp.func (w: vec3) -> float32.
     """

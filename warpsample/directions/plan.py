@@ -1,4 +1,4 @@
-"""Plan of a `sample_directions` call: the choice of the kernel, of the parts and of the sizes of tasks."""
+"""Choice of the Warp kernel, and of the work of each of its tasks, for a call of `sample_directions`."""
 
 from dataclasses import dataclass
 from functools import lru_cache, partial
@@ -40,7 +40,7 @@ class DirectionPlan:
     tangents: np.ndarray | None = None
 
     def fill(self, normals: Vectors, vectors: Vectors, pdf: Vectors | None) -> Array:
-        """Write vectors and pdf, arrays of the same type and device as the normals, and return the status of each point."""
+        """Sample directions and densities into the given arrays, and return a status code for each point."""
         memory, active = self.options.memory, _copy_rows(normals, self.options.active, wp.uint8)
         tangents = _copy_rows(normals, self.tangents, wp.vec4)
         on_host, points = isinstance(normals.owner, np.ndarray), normals.count
@@ -65,7 +65,7 @@ class DirectionPlan:
         return status
 
     def _run(self, whole: SamplesArgs, device: wp.Device, first_point: int, points: int) -> None:
-        """Run the kernel on arrays in the device's memory, once for each upper half of the point ids."""
+        """Run the kernel on arrays in the device's memory, once for each range of point ids with the same upper 32 bits."""
         for start, end in split_at_high_word(first_point, points):
             args = whole
             if start:
@@ -109,13 +109,13 @@ class DirectionPlan:
 
 @lru_cache(maxsize=256)
 def _build_kernel(sequence: Sequence, about: wp.Function, **shape: Any) -> wp.Kernel:
-    """Build the kernel for rows, or, if `shape` has the key `one_sample`, the kernel for blocks."""
+    """Build the kernel of `direction_blocks` if `shape` has the key `one_sample`, else that of `direction_rows`."""
     return (direction_blocks if "one_sample" in shape else direction_rows)(sequence, about, **shape)
 
 
 @lru_cache(maxsize=1024)
 def _pack_run_words(sequence: Sequence, seed: int, high: int) -> wp.vec4ui:
-    """Convert the words of `Sequence.run` to a vec4ui, which a struct accepts ten times as fast as a tuple."""
+    """Return the four random words from which a sequence derives the keys of all points, as a vec4ui for a kernel struct."""
     return wp.vec4ui(*sequence.run_words(seed, high))
 
 
@@ -127,7 +127,7 @@ def _copy_rows(normals: Vectors, array: np.ndarray | None, kind: Any) -> Array |
 
 
 def split_at_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
-    """Split rows into ranges [start, end) in which all global ids have the same upper 32 bits."""
+    """Split the rows of points into ranges [start, end) whose 64-bit point ids have the same upper 32 bits."""
     if first_point % 2**32 + points <= 2**32:
         return [(0, points)]
     crossings = range(-first_point % 2**32 or 2**32, points, 2**32)

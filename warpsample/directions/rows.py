@@ -1,4 +1,4 @@
-"""Kernel that computes directions row by row, for many samples per point and for CUDA; see `samples`."""
+"""Warp kernel that samples directions point by point, for many samples per point and for CUDA."""
 
 import warp as wp
 
@@ -24,7 +24,7 @@ MOST_ROWS = 128
 
 @once
 def _build_mover(with_pdf: bool) -> wp.Function:
-    """Build the wp.func that copies the first `length` directions of a padded chunk to the output."""
+    """Build the wp.func that copies sampled directions and densities from a temporary buffer to the output arrays."""
 
     @wp.func
     def move(samples: Samples, at: wp.uint64, length: wp.int32, source: wp.uint64, source_pdf: wp.uint64):
@@ -47,7 +47,7 @@ def _build_mover(with_pdf: bool) -> wp.Function:
 
 @once
 def _build_clearer(with_pdf: bool, masked: bool) -> wp.Function:
-    """Build the wp.func that writes zero vectors and a status for a point without directions.
+    """Build the wp.func that writes zero vectors and a status code for a point whose normal or parameters are invalid.
 
     Without another reason, the reason is a parameter.
     """
@@ -81,7 +81,7 @@ def _build_chunk_filler(
     tangents: bool,
     chunk: int,
 ) -> wp.Function:
-    """Build the wp.func that writes the directions of a chunk.
+    """Build the wp.func that samples consecutive directions of one point into a temporary buffer.
 
     Directions that need `redraw` are rare and are replaced in a second pass.
     """
@@ -126,7 +126,7 @@ def _build_chunk_filler(
 
 @once
 def _build_key_function(sequence: Sequence, own_ids: bool) -> wp.Function:
-    """Build the wp.func that returns the key of a point, from the array of ids or from first_point + row."""
+    """Build the wp.func that returns the random key of a point, derived from the point's id."""
     key_of, run_with = sequence.key, sequence.run
     if own_ids:
 
@@ -158,7 +158,7 @@ def direction_rows(
     tangents: bool = False,
     chunk: int,
 ) -> wp.Kernel:
-    """Build the kernel that computes directions in tasks of `rows` points with `segment` samples each.
+    """Build the Warp kernel that samples directions in tasks of `rows` points with `segment` samples each.
 
     Tasks of several points hold all `count` samples of each point.
 

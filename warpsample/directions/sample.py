@@ -63,7 +63,7 @@ class Directions(Summary):
     status: Array
 
     def counts(self) -> dict[Status, int]:
-        """Count the points with each status.
+        """Return the number of points with each status, for example "OK" or "ZERO_NORMAL".
 
         Returns:
             {status: number of points}, without a status that no point has.

@@ -33,7 +33,7 @@ def normal_status(n: wp.vec3, weight: wp.float32) -> wp.int32:
 
 @wp.func
 def store_direction(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
-    """Write the direction d[0:3] at index i."""
+    """Write the direction d[0:3] as the i-th row of the array of vectors."""
     vectors[3 * i] = d[0]
     vectors[3 * i + 1] = d[1]
     vectors[3 * i + 2] = d[2]
@@ -41,25 +41,25 @@ def store_direction(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i:
 
 @wp.func
 def store_direction_and_pdf(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
-    """Write the direction d[0:3] and the density d[3] at index i."""
+    """Write the direction d[0:3] and its density d[3] as the i-th entries of the two output arrays."""
     store_direction(vectors, pdf, i, d)
     pdf[i] = d[3]
 
 
 @wp.func
 def weigh_by_mask(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
-    """Return the factor that excludes a normal: 0 where the mask is 0, else 1."""
+    """Return 0 if the mask excludes the i-th point, else 1, as a factor for the point's normal."""
     return wp.where(active[i] == wp.uint8(0), 0.0, 1.0)
 
 
 @wp.func
 def weigh_all(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
-    """Return 1, the factor that keeps a normal, for calls without a mask."""
+    """Return 1 for every point: without a mask, no point is excluded."""
     return 1.0
 
 
 def select_accessors(with_pdf: bool, masked: bool) -> tuple[wp.Function, wp.Function]:
-    """Return two wp.funcs, `store` with or without densities and `weigh` with or without a mask."""
+    """Return two wp.funcs: one stores a direction, with density or without; the other reads the mask of active points."""
     return store_direction_and_pdf if with_pdf else store_direction, weigh_by_mask if masked else weigh_all
 
 
@@ -109,7 +109,7 @@ SamplesArgs = type(Samples().__ctype__())
 
 @once
 def build_unit_writer(masked: bool, stride: int, with_check: bool) -> wp.Function:
-    """Build the wp.func that writes unit normals as three consecutive arrays x, y and z of `stride` numbers.
+    """Build the wp.func that normalises normals and writes their x, y and z as three consecutive arrays of `stride` numbers.
 
     Inactive normals become 0. With `with_check`, a fourth array holds a number below 0.1 in magnitude where a normal has a
     direction.
@@ -118,7 +118,7 @@ def build_unit_writer(masked: bool, stride: int, with_check: bool) -> wp.Functio
 
     @wp.func
     def write_units(normals: wp.array[wp.float32], active: wp.array[wp.uint8], rows: wp.int32, units: wp.array[wp.float32]):
-        """Write the unit normals; return 1 if a normal is inactive, zero or not finite, else 0."""
+        """Write the unit normals of `rows` points; return 1 if a normal is inactive, zero or not finite, else 0."""
         rare = wp.int32(0)
         r = wp.int32(0)
         while r < rows:
@@ -137,19 +137,19 @@ def build_unit_writer(masked: bool, stride: int, with_check: bool) -> wp.Functio
 
 @once
 def build_orienter(tangents: bool) -> wp.Function:
-    """Build the wp.func that returns the first argument of `Distribution.about` for a point: its normal or its frame."""
+    """Build the wp.func that returns the unit normal of a point or, with tangents, the tangent frame."""
     if not tangents:
 
         @wp.func
         def orient(samples: Samples, point: wp.int64, n: wp.vec3):
-            """Return the unit normal."""
+            """Return the unit normal n of the point, which orients the sampled directions."""
             return n
 
     else:
 
         @wp.func
         def orient(samples: Samples, point: wp.int64, n: wp.vec3):
-            """Return the frame along the tangent; write a status if the tangent cannot be used."""
+            """Return the frame with x along the point's tangent; write a status code if the tangent is invalid."""
             frame, usable = frame_along(n, vec4_at(samples.tangents, point))
             if usable == 0:
                 set_byte(samples.status, point, INVALID_TANGENT)

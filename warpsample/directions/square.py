@@ -1,4 +1,4 @@
-"""Kernel that writes the points of a sequence without mapping the points to directions."""
+"""Warp kernel that writes the unit-square points of a sequence, without mapping them to directions."""
 
 import warp as wp
 
@@ -9,7 +9,7 @@ from warpsample.sequences.record import Sequence
 
 @once
 def square_blocks(sequence: Sequence) -> wp.Kernel:
-    """Build the kernel that writes points of a sequence, for ids with the same upper half, in tasks of one block."""
+    """Build the Warp kernel that writes unit-square points of a sequence, for point ids with the same upper 32 bits."""
     run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)

@@ -1,4 +1,4 @@
-"""Function that writes the points u of consecutive samples of one surface point to a local buffer.
+"""Function that writes the unit-square points of consecutive samples of one surface point to a temporary buffer.
 
 A single loop over sequence and map is a dependency chain of 150 cycles and 100 instructions, longer than the reorder window
 of a processor, whose units then idle. Two loops run 1.1 to 1.3 times as fast, and allow a sequence to compute two points at
@@ -18,7 +18,7 @@ LANES = 8
 
 @once
 def fill_variates(sequence: Sequence, chunk: int) -> wp.Function:
-    """Build the wp.func fill(key, start, length, count, u) that writes the points of `length` samples to u.
+    """Build the wp.func that writes the unit-square points of `length` consecutive samples of one surface point to u.
 
     The samples have the numbers start, start + 1, and so on.
     u has 2 * chunk floats: u[0] of all samples, then u[1]. `start` must be even if `chunk` is above 1, and `length` at most

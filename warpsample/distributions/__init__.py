@@ -22,7 +22,7 @@ __all__ = ["Distribution", "Maps", "as_distribution", "as_spatial", "classes", "
 Arrays: TypeAlias = Callable[[str], np.ndarray]
 """Function that returns the array of a name, with one row for each point."""
 
-_ARRAY = re.compile(r"@([\w.-]+)")
+_ARRAY = re.compile(r"(?<!')@([\w.-]+)")
 
 
 @cache
@@ -79,7 +79,7 @@ def names() -> list[str]:
 
     Example:
         >>> print(ws.distributions.names()[:3])
-        ['beckmann', 'cosine_hemisphere', 'ggx']
+        ['beckmann', 'cosine_hemisphere', 'environment_map']
     """
     return sorted(_find_distributions())
 
@@ -124,7 +124,7 @@ def as_distribution(value: Any, arrays: Arrays | None = None) -> Distribution:
     Args:
         value: an instance, which is returned unchanged; a name, for the default parameters; or a name with parameters, such
             as "beckmann(alpha=0.1)". "beckmann(alpha=@roughness)" takes the parameter from an array with one row for each
-            point.
+            point. A parameter may be a distribution, such as "reflection(visible_ggx(alpha=0.3), view=(0, 0, 1))".
         arrays: function that returns the array of a name. Default: None, a name with @ is an error.
 
     Returns:
@@ -151,7 +151,7 @@ def as_distribution(value: Any, arrays: Arrays | None = None) -> Distribution:
     try:
         if opened and not inside.endswith(")"):
             raise SyntaxError
-        return kind(**_parse_keywords(inside.removesuffix(")"), arrays))
+        return kind(**_parse_keywords(kind, inside.removesuffix(")"), arrays))
     except (TypeError, SyntaxError) as error:
         required = [field for field in fields(kind) if field.default is MISSING] or fields(kind)
         example = f"{name}({', '.join(f'{field.name}=...' for field in required)})"
@@ -183,20 +183,34 @@ def as_spatial(value: Any, arrays: Arrays | None = None) -> Distribution:
     return distribution
 
 
-def _parse_keywords(text: str, arrays: Arrays | None) -> dict[str, Any]:
-    """Parse the text between the parentheses of a call, such as "alpha=0.1", to keyword arguments."""
+def _parse_keywords(kind: type[Distribution], text: str, arrays: Arrays | None) -> dict[str, Any]:
+    """Parse the text between the parentheses of a call, such as "alpha=0.1", to keyword arguments of a class.
+
+    Distributions may come first without a name, in the order of the fields.
+    """
     quoted = _ARRAY.sub(r"'@\1'", text)
     try:
         call = ast.parse(f"_({quoted})", mode="eval").body
     except (ValueError, RecursionError, MemoryError) as error:  # zero bytes, or more nested brackets than the parser allows
         raise SyntaxError from error
-    if not isinstance(call, ast.Call) or call.args or any(keyword.arg is None for keyword in call.keywords):
+    nameless = not isinstance(call, ast.Call) or any(not isinstance(argument, ast.Call) for argument in call.args)
+    if nameless or any(keyword.arg is None for keyword in call.keywords):
         raise TypeError("give parameters by name")
+    first = {field.name: argument for field, argument in zip(fields(kind), call.args, strict=False)}
+    given = first | {str(keyword.arg): keyword.value for keyword in call.keywords}
+    if len(given) < len(call.args) + len(call.keywords):
+        raise TypeError("give each parameter once")
+    return {name: _parse_value(node, arrays) for name, node in given.items()}
+
+
+def _parse_value(node: ast.expr, arrays: Arrays | None) -> Any:
+    """Return the value of a parameter: a number, string or tuple, the array of a name such as "@roughness", or a lobe."""
+    if isinstance(node, ast.Call):
+        return as_distribution(ast.unparse(node), arrays)
     try:
-        given = {str(keyword.arg): ast.literal_eval(keyword.value) for keyword in call.keywords}
+        return _find_array(ast.literal_eval(node), arrays)
     except ValueError:
         raise TypeError("parameters must be plain numbers, strings or tuples") from None
-    return {name: _find_array(value, arrays) for name, value in given.items()}
 
 
 def _find_array(value: Any, arrays: Arrays | None) -> Any:

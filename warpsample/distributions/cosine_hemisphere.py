@@ -113,7 +113,7 @@ def cosine_offset_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.ve
 
 @wp.func
 def cosine_offset_redraw(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
-    """Sample a direction near the horizon, where abs(n + s) < 2^-6, again, from a hash of u.
+    """Sample a direction near the horizon again from a hash of u, because Shirley's trick is imprecise there.
 
     This replaces 6 of 10^5 directions. P(abs(n + s) < r) = r^2 / 4, so cos theta = 2^-7 sqrt(u') for a new variate u' keeps
     the distribution exact. The published remedy, scaling the sphere by 0.99999, never samples 2e-5 of the lobe.
@@ -167,21 +167,21 @@ class CosineHemisphere(Distribution):
     case_values: ClassVar[Cases] = tuple((method,) for method in get_args(Method))
 
     def __post_init__(self) -> None:
-        """Check the name of the method."""
+        """Raise an error if the name of the sampling method is unknown."""
         check_choice(self.method, "method", get_args(Method))
 
     @property
     def polar(self) -> bool:
-        """True if u[0] is the cdf of the angle and u[1] the azimuth in turns: for the methods "polar" and "inversion"."""
+        """True if u[0] alone determines the angle and u[1] the azimuth, as for the methods "polar" and "inversion"."""
         return self.method in ("polar", "inversion")
 
     @property
     def maps(self) -> Maps:
-        """Functions (`wp.func`) of the distribution, for use in kernels."""
+        """Warp functions of the distribution for kernels: map, density and inverse."""
         return _MAPS[self.method]
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, sin^2 theta. See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: sin^2 theta. See `Distribution.cdf`."""
         return np.sin(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
 
 

@@ -1,4 +1,4 @@
-"""Kernels that apply a function to each vector of a flat array, with constant parameters or with parameters by point."""
+"""Kernels that apply a function to each vector of an array, for example a density to each direction."""
 
 import warp as wp
 
@@ -12,7 +12,7 @@ FLAT_BLOCK = 256
 
 @wp.func
 def _read_2(x: wp.array[wp.float32], i: wp.int32) -> wp.vec2:
-    """Read vector i of two components."""
+    """Return the i-th vector of a flat array of 2-vectors."""
     # Adding 0 changes only -0.0. Without the sum LLVM joins the two loads into a short vector and does not vectorise the
     # loop.
     return wp.vec2(x[2 * i] + 0.0, x[2 * i + 1] + 0.0)
@@ -20,26 +20,26 @@ def _read_2(x: wp.array[wp.float32], i: wp.int32) -> wp.vec2:
 
 @wp.func
 def _read_3(x: wp.array[wp.float32], i: wp.int32) -> wp.vec3:
-    """Read vector i of three components."""
+    """Return the i-th vector of a flat array of 3-vectors."""
     return wp.vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2])
 
 
 @wp.func
 def _write_1(y: wp.array[wp.float32], i: wp.int32, value: wp.float32):
-    """Write number i."""
+    """Write the i-th number of a flat array."""
     y[i] = value
 
 
 @wp.func
 def _write_2(y: wp.array[wp.float32], i: wp.int32, value: wp.vec2):
-    """Write vector i of two components."""
+    """Write the i-th vector of a flat array of 2-vectors."""
     y[2 * i] = value[0]
     y[2 * i + 1] = value[1]
 
 
 @wp.func
 def _write_3(y: wp.array[wp.float32], i: wp.int32, value: wp.vec3):
-    """Write vector i of three components."""
+    """Write the i-th vector of a flat array of 3-vectors."""
     y[3 * i] = value[0]
     y[3 * i + 1] = value[1]
     y[3 * i + 2] = value[2]
@@ -51,7 +51,7 @@ _WRITE = {1: _write_1, 2: _write_2, 3: _write_3}
 
 @once
 def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
-    """Build the kernel that computes y = func(x, Parameters) for each of `total` vectors, in tasks of `block` vectors."""
+    """Build the kernel that applies a function of (vector, parameters) to each vector of an array."""
     read = _READ[width]
     write = _WRITE[out_width]
 
@@ -64,7 +64,7 @@ def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
         parameters: Parameters,
         first_task: wp.int64,
     ):
-        """Apply the function to one block of the array."""
+        """Apply the function to one block of vectors of the array `source`, and write the results to `target`."""
         first = (first_task + wp.int64(wp.tid())) * wp.int64(block)
         length = wp.int32(wp.min(wp.int64(block), total - first))
         x = wp.array(ptr=source + wp.uint64(first * wp.int64(4 * width)), shape=(width * length,), dtype=wp.float32)
@@ -79,19 +79,19 @@ def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
 
 @wp.func
 def _clear_1(y: wp.array[wp.float32], i: wp.int32):
-    """Write 0 as number i."""
+    """Set the i-th number of a flat array to 0."""
     y[i] = 0.0
 
 
 @wp.func
 def _clear_2(y: wp.array[wp.float32], i: wp.int32):
-    """Write zeros as vector i of two components."""
+    """Set the i-th vector of a flat array of 2-vectors to 0."""
     _write_2(y, i, wp.vec2(0.0))
 
 
 @wp.func
 def _clear_3(y: wp.array[wp.float32], i: wp.int32):
-    """Write zeros as vector i of three components."""
+    """Set the i-th vector of a flat array of 3-vectors to 0."""
     _write_3(y, i, wp.vec3(0.0))
 
 
@@ -100,7 +100,7 @@ _CLEAR = {1: _clear_1, 2: _clear_2, 3: _clear_3}
 
 @once
 def elementwise_by_point(func: wp.Function, width: int, out_width: int, layout: Layout, block: int) -> wp.Kernel:
-    """Build the kernel that computes y = func(x, Parameters) with parameters by point, in tasks of `block` vectors.
+    """Build the kernel that applies a function of (vector, parameters) to an array, with different parameters per point.
 
     Each point has `count` consecutive vectors. Points whose parameters are out of range get zeros.
     """
@@ -122,7 +122,7 @@ def elementwise_by_point(func: wp.Function, width: int, out_width: int, layout: 
         parameters: Parameters,
         first_task: wp.int64,
     ):
-        """Apply the function to one block of the array."""
+        """Apply the function to one block of vectors of `source`, each with the parameters of its point."""
         buffer = wp.zeros(shape=(floats,), dtype=wp.float32)
         columns = wp.array(ptr=buffer.ptr, shape=(floats,), dtype=wp.float32)
         first = (first_task + wp.int64(wp.tid())) * wp.int64(block)

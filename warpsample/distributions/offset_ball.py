@@ -55,7 +55,7 @@ class OffsetBall(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_offset_ball, square_to_offset_ball_pdf, offset_ball_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, 1 - cos^4 theta. See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: 1 - cos^4 theta. See `Distribution.cdf`."""
         sin_squared = np.sin(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
         return sin_squared * (2.0 - sin_squared)
 

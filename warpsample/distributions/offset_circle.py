@@ -47,7 +47,10 @@ class OffsetCircle(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_offset_circle, square_to_offset_circle_pdf, offset_circle_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, theta / pi + 1/2; Chizhov2019 prints + 1 in error. See `Distribution.cdf`."""
+        """Return the probability that the signed angle to +y is at most theta: theta / pi + 1/2. See `Distribution.cdf`.
+
+        Chizhov2019 prints + 1 in error.
+        """
         return np.clip(theta, -np.pi / 2.0, np.pi / 2.0, dtype=np.float64) / np.pi + 0.5
 
 

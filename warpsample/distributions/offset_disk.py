@@ -42,9 +42,9 @@ class OffsetDisk(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_offset_disk, square_to_offset_disk_pdf)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, (theta + sin theta cos theta) / pi + 1/2; Chizhov2019 prints + 1 in error.
+        """Return the probability that the signed angle to +y is at most theta: (theta + sin theta cos theta) / pi + 1/2.
 
-        See `Distribution.cdf`.
+        Chizhov2019 prints + 1 in error. See `Distribution.cdf`.
         """
         theta = np.clip(theta, -np.pi / 2.0, np.pi / 2.0, dtype=np.float64)
         return (theta + np.sin(theta) * np.cos(theta)) / np.pi + 0.5

@@ -76,7 +76,7 @@ def offset_sphere_to_square(w: wp.vec3, rho: wp.float32) -> wp.vec2:
 
 
 def _is_checked(rho: Any) -> bool:
-    """Return whether rho is an array of float32 by point, which `Distribution` has checked and copied."""
+    """Return whether rho is an array with a row per point that has been checked already."""
     return isinstance(rho, np.ndarray) and rho.dtype == np.float32
 
 
@@ -107,12 +107,12 @@ class OffsetSphere(Distribution):
 
     @property
     def polar(self) -> bool:
-        """True for rho >= 1; below, two points u map to the same direction."""
+        """True if u[0] alone determines the angle to +z, which is the case for rho >= 1."""
         return isinstance(self.rho, Real) and self.rho >= 1.0
 
     @property
     def maps(self) -> Maps:
-        """Functions (`wp.func`) of the distribution, for use in kernels."""
+        """Warp functions of the distribution for kernels: map, density and inverse."""
         ambiguous = bool((self.rho < 1.0).any()) if _is_checked(self.rho) else self.support == "cone"
         invert = None if ambiguous else offset_sphere_to_square
         return Maps(square_to_offset_sphere, square_to_offset_sphere_pdf, invert)
@@ -133,14 +133,14 @@ class OffsetSphere(Distribution):
 
     @property
     def thinnest_tail(self) -> float:
-        """Smallest tail probability for statistical tests: 1e-2 for a cone, else 1e-5.
+        """Smallest probability of extreme angles that statistical tests can examine: 1e-2 for a cone, else 1e-5.
 
         7e-4 of the directions are within the clamped edge, half of which the clamped density places past the edge.
         """
         return 1e-2 if self.support == "cone" else super().thinnest_tail
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle: the fraction of the sphere that appears within theta of the normal.
+        """Return the probability that the angle to +z is at most theta: the part of the sphere seen within this angle.
 
         See `Distribution.cdf`.
         """

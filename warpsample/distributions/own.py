@@ -35,7 +35,7 @@ user_distributions: dict[str, UserDistribution] = {}
 
 
 def is_same_class(one: type, other: type) -> bool:
-    """Check if two classes have the same definition: a cell of a notebook that runs again creates a new class object."""
+    """Return whether two classes have the same name and module, as after a notebook cell has run twice."""
     return one is other or (one.__module__, one.__qualname__) == (other.__module__, other.__qualname__)
 
 

@@ -70,7 +70,7 @@ class PowerCosine(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_power_cosine, square_to_power_cosine_pdf, power_cosine_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, 1 - cos^(n + 1)(theta). See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: 1 - cos^(n + 1)(theta). See `Distribution.cdf`."""
         # log cos = log1p(-2 sin^2(theta / 2)), which stays precise for narrow lobes.
         with np.errstate(divide="ignore"):
             log_cos = np.log1p(-2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2)

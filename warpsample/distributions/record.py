@@ -1,4 +1,4 @@
-"""Base class of all distributions: properties for tests and tables, and methods that apply the maps to arrays."""
+"""Base class of all distributions, with methods to sample directions, evaluate densities and invert the map."""
 
 from dataclasses import dataclass
 from math import pi
@@ -9,7 +9,14 @@ import warp as wp
 
 from warpsample.distributions.by_point.parameterised import Parameterised, Range
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise, elementwise_by_point
-from warpsample.distributions.parameters import about_normal_of, bind_parameters, build_about, build_about_frame
+from warpsample.distributions.maps import Maps
+from warpsample.distributions.parameters import (
+    about_normal_of,
+    bind_parameters,
+    build_about,
+    build_about_drawn,
+    build_about_frame,
+)
 from warpsample.host.arguments import check_flag
 from warpsample.host.arrays import Array, Floats, as_real, as_square
 from warpsample.host.device_memory import Memory
@@ -20,29 +27,6 @@ from warpsample.host.vectors import Vectors, as_vectors, new_vectors
 Cases: TypeAlias = tuple[tuple[Any, ...], ...]
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
-
-
-@dataclass(frozen=True)
-class Maps:
-    """Functions (`wp.func`) of a distribution for kernels; `sample`, `pdf` and `invert` take the parameters last.
-
-    Attributes:
-        sample: map of u (vec2 in [0, 1)^2) to a direction w about +z (vec3 of unit length; in the plane, vec2 about +y).
-        pdf: density of w in the distribution's measure; 0 outside the support.
-        invert: inverse of `sample`, from w to u; None if `sample` maps several u to one w.
-        about: (unit normal n, u, Parameters) -> (world direction, pdf), for a method that needs no tangent frame; None
-            otherwise.
-        redraw: replacement for `about`, with the same signature, where the pdf from `about` is below `redraw_below` and
-            `about` is imprecise; None if never needed.
-        redraw_below: pdf below which `redraw` replaces `about`.
-    """
-
-    sample: wp.Function
-    pdf: wp.Function
-    invert: wp.Function | None = None
-    about: wp.Function | None = None
-    redraw: wp.Function | None = None
-    redraw_below: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -65,6 +49,8 @@ class Distribution(Parameterised):
         width: number of components of w: 3, or 2 in the plane.
         variates: number of coordinates of u that the map uses.
         symmetric: whether the density depends only on the angle to +z.
+        mirror: unit vector v to the viewer, for a lobe of reflections of v; None for other lobes. The laws count directions
+            in cells of the normals that reflect v to the directions.
         stretch: 3 x 3 matrix M, such that the lobe is round about +z in the coordinates o of directions M o / abs(M o); None
             for the coordinates themselves. The laws count directions in cells of o.
         jumps: angles to +z in radians, before the stretch, at which the density jumps; it may also jump at multiples of 1/16
@@ -94,6 +80,7 @@ class Distribution(Parameterised):
     symmetric: ClassVar[bool] = True
     stretch: ClassVar[tuple[tuple[float, ...], ...] | None] = None
     jumps: ClassVar[tuple[float, ...]] = ()
+    mirror: ClassVar[tuple[float, ...] | None] = None
     polar: ClassVar[bool] = True
     in_world: ClassVar[bool] = False
     source: ClassVar[str]
@@ -123,7 +110,7 @@ class Distribution(Parameterised):
 
     @property
     def thinnest_tail(self) -> float:
-        """Smallest tail probability that float32 directions resolve, for statistical tests."""
+        """Smallest probability of extreme angles that statistical tests of float32 directions can examine."""
         return 1e-5
 
     def cdf(self, theta: Any) -> np.ndarray:
@@ -146,11 +133,11 @@ class Distribution(Parameterised):
         return self._cdf(np.clip(as_real(theta, "theta").astype(np.float64), 0.0 if self.width == 3 else -pi, pi))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf at float64 angles, clipped to [0, pi], or to [-pi, pi] for a `width` of 2."""
+        """Return the cumulative distribution function at float64 angles that are already clipped to the valid range."""
         raise NotImplementedError(f"{self!r}: there is no cdf of the angle, as the density depends on the azimuth, too")
 
     def seam(self, u: np.ndarray) -> np.ndarray:
-        """Return the mask of points u that `invert` cannot recover precisely: by default the pole, which has no azimuth.
+        """Return a mask of unit-square points that `invert` cannot recover precisely, by default those mapped to the pole.
 
         Args:
             u: (..., 2) float, in [0, 1).
@@ -229,7 +216,7 @@ class Distribution(Parameterised):
         return self._apply(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 
     def about(self, tangents: bool = False) -> wp.Function:
-        """Return the function that samples directions about any normal, for kernels; only for directions in space.
+        """Return the wp.func that samples directions about any normal or, with `tangents`, in any tangent frame.
 
         Args:
             tangents: whether the first argument of the function is a frame, a mat33 with the normal as its last column, in
@@ -246,12 +233,28 @@ class Distribution(Parameterised):
         tangents = check_flag(tangents, "tangents")
         if maps.about is not None:
             return about_normal_of(maps.about) if tangents else maps.about
-        count = len(self.parameters)
-        build = build_about_frame if tangents else build_about
-        return build(bind_parameters(maps.sample, wp.vec2, count), bind_parameters(maps.pdf, wp.vec3, count))
+        maps = self.bound_maps()
+        if maps.draw is not None:
+            return build_about_drawn(maps.draw, tangents)
+        return (build_about_frame if tangents else build_about)(maps.sample, maps.pdf)
+
+    def bound_maps(self, start: int = 0) -> Maps:
+        """Return the functions with all parameters in the struct `Parameters`, for kernels and for lobes of lobes.
+
+        Args:
+            start: index of the first number of the parameters in the struct. Default: 0.
+
+        Returns:
+            `Maps` with `sample`, `pdf`, `invert`, `draw` and `per_cosine` as functions of (u or w, Parameters).
+
+        Example:
+            >>> print(list(ws.GGX(alpha=0.5).bound_maps().sample.input_types))
+            ['x', 'parameters']
+        """
+        return self.maps.bound(len(self.parameters), self.width, start)
 
     def _apply(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
-        """Apply a wp.func of the distribution to each vector of `width` components; return an array like x."""
+        """Apply a wp.func of the distribution (map, density or inverse) to each vector in x; return an array like x."""
         source = as_vectors(x, width, argument)
         if self.by_point:
             self._check_rows_of(source, argument)
@@ -269,7 +272,7 @@ class Distribution(Parameterised):
             raise ValueError(f"{argument}: got shape {(*source.shape, source.width)}, want {wants}")
 
     def _apply_constant(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
-        """Apply a function of (vector, Parameters) with constant parameters."""
+        """Apply a function of (vector, parameters) to each vector in `source`, with the same parameters for all."""
         block = FLAT_BLOCK if source.device.is_cpu else 1
         kernel = elementwise(bound, source.width, target.width)
         with Memory.of(None, source.owner).loan() as loan:
@@ -277,7 +280,7 @@ class Distribution(Parameterised):
             run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
 
     def _apply_by_point(self, bound: wp.Function, source: Vectors, target: Vectors) -> None:
-        """Apply a function of (vector, Parameters) with parameters by point."""
+        """Apply a function of (vector, parameters) to each vector in `source`, with the parameters of the vector's point."""
         block, count = FLAT_BLOCK if source.device.is_cpu else 1, source.count // source.shape[0]
         kernel = elementwise_by_point(bound, source.width, target.width, self.layout, block)
         with Memory.of(None, source.owner).loan() as loan:

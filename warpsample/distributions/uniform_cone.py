@@ -91,7 +91,7 @@ class UniformCone(Distribution):
             object.__setattr__(self, "cos_angle", 1.0 - self.one_minus_cos)
 
     def _set_rows(self) -> None:
-        """Check the attribute that is given by point, and compute the other one, float32 both."""
+        """Check the attribute that is an array with a row per point, and compute the other attribute from it."""
         if self.cos_angle is not None and self.one_minus_cos is not None:
             raise TypeError("cos_angle: got it together with one_minus_cos, want only one of the two")
         name = "cos_angle" if self.one_minus_cos is None else "one_minus_cos"
@@ -110,7 +110,7 @@ class UniformCone(Distribution):
         return float(2.0 * np.arcsin(np.sqrt(0.5 * self.one_minus_cos)))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, (1 - cos theta) / one_minus_cos, at most 1. See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: (1 - cos theta) / one_minus_cos, at most 1."""
         return np.minimum(2.0 * np.sin(0.5 * theta) ** 2 / self.one_minus_cos, 1.0)
 
 

@@ -30,7 +30,7 @@ def square_to_uniform_disk(u: wp.vec2) -> wp.vec2:
 
 @wp.func
 def uniform_disk_to_square(p: wp.vec2) -> wp.vec2:
-    """Return the point (squared radius, azimuth in turns) that `square_to_uniform_disk` maps to the point p."""
+    """Return the point u of the unit square that `square_to_uniform_disk` maps to the point p."""
     return wp.vec2(clamp_uniform(p[0] * p[0] + p[1] * p[1]), turns_of(p[0], p[1]))
 
 
@@ -107,12 +107,12 @@ class UniformDisk(Distribution):
     case_values: ClassVar[Cases] = tuple((method,) for method in get_args(Method))
 
     def __post_init__(self) -> None:
-        """Check the name of the method."""
+        """Raise an error if the name of the sampling method is unknown."""
         check_choice(self.method, "method", get_args(Method))
 
     @property
     def maps(self) -> Maps:
-        """Functions (`wp.func`) of the distribution, for use in kernels."""
+        """Warp functions of the distribution for kernels: map, density and inverse."""
         return _MAPS[self.method]
 
     @property
@@ -121,7 +121,7 @@ class UniformDisk(Distribution):
         return 1.0
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the radius, the square of the radius. See `Distribution.cdf`."""
+        """Return the probability that the radius is at most theta: theta squared. See `Distribution.cdf`."""
         return np.clip(theta, 0.0, 1.0, dtype=np.float64) ** 2
 
 

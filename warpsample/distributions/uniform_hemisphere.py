@@ -48,7 +48,7 @@ class UniformHemisphere(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_uniform_hemisphere, square_to_uniform_hemisphere_pdf, uniform_hemisphere_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, 1 - cos theta. See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: 1 - cos theta. See `Distribution.cdf`."""
         return 2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
 
 

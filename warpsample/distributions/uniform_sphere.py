@@ -51,7 +51,7 @@ class UniformSphere(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_uniform_sphere, square_to_uniform_sphere_pdf, uniform_sphere_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, (1 - cos theta) / 2. See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: (1 - cos theta) / 2. See `Distribution.cdf`."""
         return np.sin(0.5 * theta) ** 2
 
 

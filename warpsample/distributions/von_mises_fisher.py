@@ -84,7 +84,10 @@ class VonMisesFisher(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_von_mises_fisher, square_to_von_mises_fisher_pdf, von_mises_fisher_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, (1 - e^(-kappa (1 - cos theta))) / (1 - e^(-2 kappa)). See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta. See `Distribution.cdf`.
+
+        It is (1 - e^(-kappa (1 - cos theta))) / (1 - e^(-2 kappa)).
+        """
         versine = 2.0 * np.sin(0.5 * theta) ** 2
         return np.expm1(-self.kappa * versine) / np.expm1(-2.0 * self.kappa)
 

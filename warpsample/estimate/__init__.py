@@ -1,1 +1,1 @@
-"""Monte Carlo estimates at surface points, such as ambient occlusion, by one kernel that stores no rays."""
+"""Monte Carlo estimates at surface points, such as ambient occlusion: values, standard errors and confidence intervals."""

@@ -13,7 +13,7 @@ _BLOCK = 256  # directions per task
 
 
 def along(integrand: Integrand, directions: np.ndarray, workers: int) -> np.ndarray:
-    """Evaluate an integrand along M unit directions, and return the values, (M, channels) float32.
+    """Evaluate a user-defined function of direction at M unit directions; return the values, (M, channels) float32.
 
     Args:
         integrand: Function to evaluate. The lobe's normal is the direction itself; the lobe's row and point id are 0.
@@ -32,7 +32,7 @@ def along(integrand: Integrand, directions: np.ndarray, workers: int) -> np.ndar
 
 @once
 def _kernel(function: wp.Function, struct: type) -> wp.Kernel:
-    """Build the kernel that evaluates an integrand along an array of directions, one block of directions per task."""
+    """Build the Warp kernel that evaluates a function of direction for each direction of an array."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def along(total: wp.int64, directions: wp.uint64, target: wp.uint64, data: struct, first_task: wp.int64):

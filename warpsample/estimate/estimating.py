@@ -1,4 +1,4 @@
-"""Execution of an estimate, with a fixed number of rays or with the number that reaches a tolerance."""
+"""Computation of an estimate, with a fixed number of rays per point or with as many as a tolerance requires."""
 
 import warnings
 from dataclasses import replace
@@ -17,7 +17,7 @@ _MISSED = 1.1  # times the tolerance: the error's own error is a few percent
 
 
 def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
-    """Compute the estimate of a plan: cast the rays of each point and sum their weights.
+    """Cast rays from each point of a checked call, and return the mean of the rays' weights with its standard error.
 
     With a tolerance, a trial first finds the number of rays. A warning reports a tolerance that `count` rays do not reach.
     """

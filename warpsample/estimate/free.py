@@ -1,4 +1,4 @@
-"""Sums over lobes without a mesh: directions of several streams are generated and integrated together in vectorised loops.
+"""Means over sampled directions about a normal, without a mesh, in vectorised loops.
 
 The points of a lattice are periodic on the unit square. Integrands are not: they jump from the horizon to the normal, and
 from one end of a sector to the other. For a smooth integrand, this jump causes most of the error. Folding, the map of u to
@@ -27,13 +27,13 @@ _TOGETHER = wp.constant(wp.int32(2 * LANES))  # variates are filled in multiples
 
 @wp.func
 def _folded(u: wp.float32) -> wp.float32:
-    """Fold a uniform number u in [0, 1) to 1 - |2u - 1|, also uniform and with equal values at both ends."""
+    """Return 1 - |2u - 1| for a uniform number u: also uniform, and equal at u = 0 and u = 1."""
     return clamp_uniform(1.0 - wp.abs(2.0 * u - 1.0))
 
 
 @once
 def _stream_fill(slots: Slots) -> wp.Function:
-    """Build the Warp function that fills the variates of a part of one stream, scaled to the stream's sector.
+    """Build the Warp function that writes random points of the unit square, scaled to one sector of azimuth.
 
     Lattice points are folded, but not along the azimuth of a full circle, where the integrand is periodic.
     """
@@ -60,7 +60,7 @@ def _stream_fill(slots: Slots) -> wp.Function:
 
 @once
 def _block_values(slots: Slots) -> wp.Function:
-    """Build the Warp function that evaluates the integrand for a block of variates, with a row of values per channel."""
+    """Build the Warp function that maps unit-square points to directions and evaluates the integrand at each direction."""
     weigh, struct, channels, about = slots.weigh, slots.struct, slots.channels, slots.about
     redraw, redraw_below, redraws = slots.redraw, slots.redraw_below, slots.redraw is not None
     orient, with_pdf = orienter_of(slots.tangents), density_setter(slots.reads_pdf)
@@ -96,13 +96,13 @@ def _block_values(slots: Slots) -> wp.Function:
 
 @wp.func
 def _rounded_up(length: wp.int32) -> wp.int32:
-    """Return `length` rounded up to a multiple of the number of variates that are filled at a time."""
+    """Return `length` rounded up to a whole number of SIMD vectors."""
     return (length + _TOGETHER - 1) / _TOGETHER * _TOGETHER
 
 
 @wp.func
 def _sum_of(row: wp.uint64, length: wp.int32) -> wp.float64:
-    """Return the sum of float32 values in float64, by four independent partial sums for speed."""
+    """Return the float64 sum of the first `length` float32 values at the address `row`."""
     values = wp.array(ptr=row, shape=(BLOCK,), dtype=wp.float32)
     sums = wp.vec4d(ZERO, ZERO, ZERO, ZERO)
     k = wp.int32(0)
@@ -118,7 +118,7 @@ def _sum_of(row: wp.uint64, length: wp.int32) -> wp.float64:
 
 @once
 def free_lobe(slots: Slots) -> wp.Function:
-    """Build the Warp function that sums the directions of one point's lobe without a mesh.
+    """Build the Warp function that sums the integrand over sampled directions about one normal, without a mesh.
 
     Its arguments and results are those of `traced_lobe`'s function.
     """
@@ -127,7 +127,7 @@ def free_lobe(slots: Slots) -> wp.Function:
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """Sum the integrand over the directions of one point; return the same six sums as the function of `traced_lobe`."""
+        """Sum the integrand over the sampled directions of one point; return the sum, its error, and counts of rays."""
         total = NOTHING
         variance = NOTHING
         unseen = NOTHING

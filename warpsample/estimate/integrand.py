@@ -39,12 +39,12 @@ class Lobe:
 
 @once
 def density_setter(reads_pdf: bool) -> wp.Function:
-    """Build the Warp function that returns a lobe with the density of a direction, if the integrand reads the density."""
+    """Build the Warp function that sets `Lobe.pdf` to the density of a direction, if the user's integrand reads `pdf`."""
     if reads_pdf:
 
         @wp.func
         def with_pdf(lobe: Lobe, pdf: wp.float32):
-            """Return a copy of the lobe with the field `pdf` set to the density of a direction."""
+            """Return a copy of the integrand's argument `lobe` with the field `pdf` set to the density of a direction."""
             own = lobe
             own.pdf = pdf
             return own
@@ -53,7 +53,7 @@ def density_setter(reads_pdf: bool) -> wp.Function:
 
         @wp.func
         def with_pdf(lobe: Lobe, pdf: wp.float32):
-            """Return the lobe unchanged, for integrands that do not read the density."""
+            """Return the integrand's argument `lobe` unchanged, for integrands that do not read its field `pdf`."""
             return lobe
 
     return with_pdf
@@ -61,7 +61,7 @@ def density_setter(reads_pdf: bool) -> wp.Function:
 
 @wp.struct
 class NoData:
-    """Placeholder data for functions that take no data."""
+    """Empty struct, passed as `data` to integrands without data."""
 
     nothing: wp.int32
 
@@ -96,7 +96,7 @@ class Integrand:
     arrays: tuple[tuple[str, np.ndarray], ...] = ()
 
     def data_for(self, loan: Loan) -> Any:
-        """Return the data as a kernel argument, with the arrays on the kernel's device for as long as the loan lasts."""
+        """Return the integrand's data as a kernel argument, with all arrays copied to the kernel's device if necessary."""
         if not isinstance(self.data, Structure):
             return (self.data if loan.memory.in_place else with_arrays(self.data, loan.clone)).__ctype__()
         data = type(self.data).from_buffer_copy(self.data)
@@ -147,7 +147,7 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand", d
 
 
 def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
-    """Return (shallow copy of the user's data, its wp.struct), so that the user may set fields while the call runs."""
+    """Return a shallow copy of the user's struct instance, and its wp.struct type."""
     if data is None:
         return None, NoData
     struct = getattr(data, "_cls", None)  # the type that annotates a kernel's argument
@@ -193,7 +193,7 @@ def with_arrays(data: Any, take: Callable[[wp.array], wp.array]) -> Any:
 
 
 def _returns_colour(function: wp.Function, argument: str) -> bool:
-    """Return whether a function returns a vec3 rather than a number; raise TypeError if neither.
+    """Return True if a user's integrand returns a vec3, False if it returns a number; raise TypeError otherwise.
 
     A function without a return annotation is called once.
     """

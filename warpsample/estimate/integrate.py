@@ -1,4 +1,4 @@
-"""The mean of a user-defined function over the directions of a lobe."""
+"""The call `integrate`: the mean of a user-defined function over directions about each normal."""
 
 from dataclasses import replace
 from typing import Any
@@ -35,7 +35,7 @@ def integrate(
     max_distance: float | None = None,
     **options: Unpack[RayKeywords],
 ) -> Estimate:
-    """Compute the mean of a function over the directions of a lobe about each normal, without storing directions.
+    """Compute the mean of a function over random directions about each normal, without storing the directions.
 
     The mean is the expectation under the distribution's density, not divided by it: over the cosine lobe, pi times the mean
     of a radiance is the irradiance. The first call with a function compiles for about 8 s with a mesh, 4 s without.
@@ -94,7 +94,7 @@ def integrate(
 
 
 def _without_mesh(points: Any) -> PlacedPoints:
-    """Convert SurfacePoints or a (P, 3) array of normals to the points of an integral without a mesh."""
+    """Convert SurfacePoints, or a (P, 3) array of normals, to the points of a call without a mesh."""
     if not isinstance(points, SurfacePoints):
         given = Triples.of(points, "points", "(P, 3)")
         if len(given.shape) != 1:
@@ -105,7 +105,7 @@ def _without_mesh(points: Any) -> PlacedPoints:
 
 
 def _first_of(plan: Plan) -> Plan:
-    """Return a plan of the first 64 points with at most 64 rays each, or `plan` itself if `plan` has no more points.
+    """Return the arguments of a trial run: the first 64 points with at most 64 rays each.
 
     The short run reports functions that do not compile or are not finite before the long run starts.
     """
@@ -119,7 +119,7 @@ def _first_of(plan: Plan) -> Plan:
 
 
 def _check_finite(found: Estimate) -> None:
-    """Raise ValueError if the integrand was NaN or infinite at all points that have a normal."""
+    """Raise ValueError if the estimate is NaN or infinite at every point with a valid normal."""
     broken = np.count_nonzero(has_status(found.status, PointStatus.NONFINITE_VALUE))
     if broken and not has_status(found.status, PointStatus.OK).any():
         raise ValueError(f"integrand: got NaN or infinity at each of the first {broken} points, want finite numbers")

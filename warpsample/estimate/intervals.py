@@ -1,4 +1,4 @@
-"""Confidence intervals of an estimate: a t distribution from squared differences of replicates and a prior on edges.
+"""Confidence intervals of estimates, by Student's t distribution with a prior for geometry that few rays have hit.
 
 A stratum is *mixed* if some of its rays are occluded and some are not: an edge passes through the stratum. The number of
 rays of a low-discrepancy set on one side of an edge varies by about one, whatever the edge (`Sequence.edge`). The expected
@@ -32,7 +32,7 @@ _THREE = wp.constant(wp.float64(3.0))
 
 
 class Interval(NamedTuple):
-    """Lower and upper ends of an interval for each point.
+    """Lower and upper ends of a confidence interval for each point.
 
     Attributes:
         lower: Lower ends, (P,) or (P, 3) float32, in the unit of the values.
@@ -44,7 +44,7 @@ class Interval(NamedTuple):
 
 
 def interval_of(value: np.ndarray, spread: np.ndarray, degrees: np.ndarray, level: float) -> Interval:
-    """Return the interval value -+ spread * q, with q the quantile of Student's t that gives the probability `level`.
+    """Return the confidence intervals of values that have t-distributed errors with scale `spread`, at the given level.
 
     Degrees of freedom below 1 count as 1.
     """
@@ -54,7 +54,7 @@ def interval_of(value: np.ndarray, spread: np.ndarray, degrees: np.ndarray, leve
 
 @wp.struct
 class Prior:
-    """Prior of the variance of a sum of rays, before any ray is cast.
+    """Prior assumptions on the variance of a sum over rays, with which few rays still give a valid confidence interval.
 
     worth: Weight of the expected variance, as a number of squared differences.
     unseen: Variance of geometry that no ray has hit, in rays squared.
@@ -70,7 +70,7 @@ class Prior:
 
 
 def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...]:
-    """Return the five fields of `Prior`, in order.
+    """Return the numbers of the prior that confidence intervals use, in the order of the fields of `Prior`.
 
     Args:
         counts: Whether each ray adds exactly 0 or 1.
@@ -85,7 +85,7 @@ def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...
 
 @wp.func
 def edge_variance(free: wp.int32, rays: wp.int32, limit: wp.float32) -> wp.float64:
-    """Return the expected variance of the difference between a stratum's two replicates, in rays squared.
+    """Return the variance expected between two independent sets of rays in one stratum, in rays squared.
 
     The variance is that of independent rays, free * (rays - free) / (rays - 1), or `limit` if that is less. It is 0 where
     all rays agree.

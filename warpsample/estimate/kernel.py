@@ -1,4 +1,4 @@
-"""The estimate kernel: empty strata are skipped, and rays are generated, traced and summed without being stored."""
+"""Warp kernel of all estimates: it generates, traces and sums the rays of each point without storing rays."""
 
 import warp as wp
 
@@ -22,11 +22,11 @@ _ANYTHING = wp.constant(wp.float32(2.0**60))  # no geometry is that far below a 
 
 @once
 def _keep(channels: int) -> wp.Function:
-    """Build the Warp function that stores the mean, the standard error and the interval numbers of one point."""
+    """Build the Warp function that stores the mean, the standard error and the confidence interval's scale of one point."""
 
     @wp.func
     def keep(lobes: Lobes, point: wp.int64, total: wp.vec3d, variance: wp.vec3d, width: wp.vec3d, degrees: wp.vec3d):
-        """Divide the sums over a point's rays by the number of rays, and store the results."""
+        """Divide the sums over a point's rays by the number of rays, and store mean, standard error and interval."""
         rays = wp.float64(2 * lobes.samples_per_stratum * lobes.bands * lobes.sectors)
         at = wp.uint64(point) * wp.uint64(4 * channels)
         value = wp.array(ptr=lobes.value + at, shape=(channels,), dtype=wp.float32)
@@ -52,7 +52,7 @@ def _estimator(slots: Slots) -> wp.Function:
 
     @wp.func
     def estimate_point(lobes: Lobes, accelerator: Accelerator, data: struct, visit: wp.int64, workspace: ShadingPoint):
-        """Compute and store the results of the point at position `visit` of the placement's order."""
+        """Compute and store the estimate of the point that is number `visit` in the order of processing."""
         point = orient_point(workspace, lobes.placement, lobes.normals, lobes.active, visit)
         point.key = point_key(lobes.seed, id_of(lobes.placement, lobes.first_point, point.index))
         if wp.static(traced):
@@ -91,7 +91,7 @@ def _estimator(slots: Slots) -> wp.Function:
 
 @once
 def estimate_kernel(slots: Slots) -> wp.Kernel:
-    """Build the estimate kernel, with one task per `lobes.rows` points in the order of the placement.
+    """Build the Warp kernel that computes the estimates of all points; each task takes `lobes.rows` points.
 
     The points of a task share one block of cleared memory.
     """

@@ -1,4 +1,4 @@
-"""Sum over the lobe of one point. Empty strata are found by shafts through the tree; rays sum the remaining strata."""
+"""Sum of the ray weights of one point. Strata without geometry are detected by a tree search and cast no rays."""
 
 import warp as wp
 
@@ -17,7 +17,7 @@ NOTHING: wp.vec3d = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 @once
 def widths_of(slots: Slots) -> wp.Function:
-    """Build the Warp function that computes the width of the confidence interval of each channel at a point."""
+    """Build the Warp function that computes the confidence interval of each channel of a point's estimate."""
     channels = slots.channels
     numbers = prior_numbers(slots.counts, slots.sequence.unseen, slots.query is not None)
     worth, unseen_ray, worth_if_agreed, unseen_if_agreed, unseen_if_one = (wp.constant(wp.float64(x)) for x in numbers)
@@ -33,7 +33,7 @@ def widths_of(slots: Slots) -> wp.Function:
         fewer: wp.int32,
         strata: wp.int32,
     ):
-        """Return (squared scales, degrees of freedom) of the channels' t distributions, see `posterior`.
+        """Return squared scale and degrees of freedom of the t-distributed error of an estimate, for each of its channels.
 
         `unseen` is the sum over the strata of the squared weight of one ray.
         """
@@ -52,14 +52,14 @@ def widths_of(slots: Slots) -> wp.Function:
 
 @once
 def traced_lobe(slots: Slots) -> wp.Function:
-    """Build the Warp function that sums the rays of one point's lobe against a mesh."""
+    """Build the Warp function that casts all rays of one point against a mesh and sums their weights."""
     find, of_glass = finder_of(slots.glass), GLASS if slots.glass else 0
     constant, struct, wide, open_jump = slots.constant, slots.struct, slots.wide, ONE if slots.any_hit else HALF
     sum_stratum, widths, jump_at = stratum_sum(slots), widths_of(slots), jump_of(slots)
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """Sum the weights of the rays of one point against a mesh, and return six numbers.
+        """Trace the rays of one point against a mesh; return the sum of their weights, its error, and counts of rays.
 
         They are: the sum of the weights, its squared standard error, its squared spread, the degrees of freedom, the number
         of rays cast, and the number of rays in strata proven empty.

@@ -1,4 +1,4 @@
-"""Arguments of the estimate kernel: the lobes of all points, their strata, and the addresses of the results."""
+"""Kernel argument of estimates: normals and strata of the rays of all points, and addresses of the result arrays."""
 
 import warp as wp
 
@@ -23,7 +23,7 @@ BLOCKERS, GLASS = 1, 2
 
 @wp.struct
 class Lobes:
-    """Kernel argument with the lobes of P points: scalars, and addresses of input and output arrays.
+    """Kernel argument of an estimate at P points: numbers, and addresses of input and output arrays.
 
     placement: Positions and face normals of the points. Ray origins are moved off the face along the face normal.
     seed: Random seed of the rays.
@@ -80,7 +80,7 @@ LobesArgs = type(Lobes().__ctype__())
 
 @wp.func
 def lobe_of(lobes: Lobes, point: ShadingPoint) -> Lobe:
-    """Return the `Lobe` that describes a point to the integrand: unit normal, row in the call, global id."""
+    """Return the second argument of a user's integrand: the point's unit normal, row and global id."""
     lobe = Lobe()
     lobe.normal = point.n
     lobe.row = lobes.first_row + wp.int32(point.index)
@@ -90,19 +90,19 @@ def lobe_of(lobes: Lobes, point: ShadingPoint) -> Lobe:
 
 @once
 def orienter_of(tangents: bool) -> wp.Function:
-    """Build the Warp function that returns the normal of a point, or with `tangents` the frame and whether it is usable."""
+    """Build the Warp function that returns a point's normal or, with `tangents`, the frame along the point's tangent."""
     if not tangents:
 
         @wp.func
         def orient(lobes: Lobes, point: ShadingPoint):
-            """Return (unit normal, 1); the 1 means that the point can be used."""
+            """Return (unit normal, 1); 1 means that rays of the point can be sampled."""
             return point.n, wp.int32(1)
 
     else:
 
         @wp.func
         def orient(lobes: Lobes, point: ShadingPoint):
-            """Return (frame along the tangent, 1), or (frame about the normal, 0) if the tangent cannot be used."""
+            """Return (frame along the tangent, 1), or (arbitrary frame about the normal, 0) if the tangent is invalid."""
             frame, usable = frame_along(point.n, vec4_at(lobes.tangents, point.index))
             return frame, usable
 
@@ -111,11 +111,11 @@ def orienter_of(tangents: bool) -> wp.Function:
 
 @once
 def finder_of(glass: bool) -> wp.Function:
-    """Build the Warp function that searches the tree for faces in a shaft about a part of the lobe."""
+    """Build the Warp function that searches the mesh for faces in one stratum of a point's directions."""
 
     @wp.func
     def find(lobes: Lobes, tree: Accelerator, point: ShadingPoint, i: wp.int32, local: wp.int32):
-        """Return bits of the kinds of faces in the i-th shaft, and bits of the nearby triangles in that shaft."""
+        """Return bits for the kinds of faces that rays of the i-th stratum may hit, and a mask of nearby triangles."""
         aim_about(lobes.shafts + wp.uint64(i) * VECTORS_BYTES, point)
         found = search_shaft(tree, point, local)
         may_meet = wp.where(found.state == EMPTY, 0, BLOCKERS)

@@ -1,4 +1,4 @@
-"""Checked arguments of an estimate, and the definition of the sum over the rays of a point."""
+"""Checked arguments of an estimate, and the definition of the quantity that the rays of a point sum to."""
 
 from dataclasses import dataclass
 from math import inf
@@ -24,7 +24,7 @@ _BYTES_PER_POINT = 132
 
 @dataclass(frozen=True)
 class RaySum:
-    """Definition of the sum over the rays of a point.
+    """Definition of an estimated quantity: the weight of a ray, the length of rays, the unit and the type of the result.
 
     Attributes:
         integrand: Weight of an unoccluded ray, as a function of the direction.
@@ -43,7 +43,7 @@ class RaySum:
 
 @dataclass(frozen=True)
 class Plan:
-    """Checked arguments of an estimate, without the sum (`RaySum`).
+    """Checked arguments of an estimate: points, number of rays, tolerance and distribution of the rays.
 
     Attributes:
         at: Points, with the mesh that may block their rays.
@@ -77,7 +77,7 @@ class Plan:
         distribution: Any = POLAR_COSINE,
         tangents: bool = False,
     ) -> "Plan":
-        """Check the count, the tolerance and the distribution, and return the plan for placed points and checked options.
+        """Check the ray count, the tolerance and the distribution of an estimate, and return all checked arguments.
 
         Raises:
             TypeError, ValueError: an argument cannot be used; the message names the argument, what it got and what it wants.
@@ -101,14 +101,14 @@ class Plan:
 def plan_of(
     at: PlacedPoints, count: Any, *, distribution: Any = POLAR_COSINE, tangents: bool = False, **options: Unpack[RayKeywords]
 ) -> Plan:
-    """Check the options of a call and return the call's plan; raises the errors of `Plan.of`."""
+    """Check the options of an estimate at the given points, and return all checked arguments as a `Plan`."""
     tolerance = options.pop("tolerance", None)
     checked = RayOptions.of(len(at), ids=at.id, **options)
     return Plan.of(at, count, checked, tolerance=tolerance, distribution=distribution, tangents=tangents)
 
 
 def reach_of(max_distance: Any) -> float:
-    """Return the length of rays: `max_distance` as a float, infinity for None.
+    """Return the option `max_distance`, the length of rays, as a float; infinity for None.
 
     Raises:
         TypeError, ValueError: `max_distance` is not a number of at least 0.

@@ -1,4 +1,4 @@
-"""Directions of the rays of one stratum."""
+"""Sampling of the ray directions of one stratum, a part of the directions about a normal."""
 
 import warp as wp
 
@@ -21,12 +21,12 @@ LAST_UNIFORM: wp.float32 = wp.constant(wp.float32(1.0 - 2.0**-24))
 
 @once
 def build_ray_writer(slots: Slots) -> wp.Function:
-    """Build the Warp function that writes the directions of a chunk of a stratum's rays."""
+    """Build the Warp function that samples ray directions in one stratum of the directions about a point's normal."""
     sample, directions = slots.sequence.sample, directions_of(slots)
 
     @wp.func
     def write_rays(lobes: Lobes, point: ShadingPoint, stratum: wp.int32, first: wp.int32, length: wp.int32):
-        """Write the directions of `length` rays of a stratum to the chunk, starting at ray number `first`.
+        """Sample the directions of rays `first` to `first + length - 1` of a stratum into the point's working memory.
 
         The rays of the first replicate come before those of the second. Each replicate of each stratum has its own stream.
         """
@@ -56,7 +56,7 @@ def build_ray_writer(slots: Slots) -> wp.Function:
 
 @once
 def directions_of(slots: Slots) -> wp.Function:
-    """Build the Warp function that maps a chunk's variates to directions."""
+    """Build the Warp function that maps unit-square points to ray directions about a point's normal."""
     about, redraw, redraw_below, redraws = slots.about, slots.redraw, slots.redraw_below, slots.redraw is not None
     orient, reads_pdf = orienter_of(slots.tangents), slots.reads_pdf
 

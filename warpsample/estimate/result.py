@@ -42,7 +42,7 @@ class PointStatus(IntEnum):
 
 
 def status_of(points: SurfacePoints) -> np.ndarray:
-    """Return the `PointStatus` (P,) uint8 of points from their normals and positions, by the rules of the kernels."""
+    """Return the status code of each point, (P,) uint8: OK, or the reason why its normal or position is invalid."""
     normal = as_directions(points.normal)
     cases = {
         PointStatus.NONFINITE_NORMAL: ~np.isfinite(normal).all(axis=1),
@@ -68,7 +68,7 @@ def has_value(status: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Skipped:
-    """Amount of work that was skipped without a change to the result.
+    """Counts of points and rays that were skipped without changing the result.
 
     Attributes:
         points: Number of points without a value: inactive, without a normal, or without a finite position.
@@ -114,7 +114,7 @@ class PointResult(Summary):
         return {name: a for name, a in arrays.items() if a.shape[:1] == self.status.shape and a.ndim < 3}
 
     def _coordinates(self) -> dict[str, np.ndarray]:
-        """Return the coordinates of dimensions other than "point" for `to_xarray`; empty by default."""
+        """Return additional coordinates of the result for `to_xarray`, keyed by dimension; none by default."""
         return {}
 
     def to_polydata(self, on: Any, at: Literal["vertices", "faces"] | None = None) -> "PolyData":
@@ -195,7 +195,7 @@ class PointResult(Summary):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ExactResult(PointResult):
-    """Values at P points that involve no random rays, with a standard error of 0.
+    """Exact values at P points, with a standard error of 0.
 
     Attributes:
         value: (P,) or (P, 3) float32; 0 where the status is neither OK nor INVALID_TANGENT.
@@ -271,6 +271,6 @@ class Estimate(PointResult):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Share(Estimate):
-    """An `Estimate` of a share, a number from 0 to 1."""
+    """Estimate of a share: an `Estimate` whose values are from 0 to 1."""
 
     possible: ClassVar[tuple[float, float]] = (0.0, 1.0)

@@ -1,4 +1,4 @@
-"""Kernel launches of a checked call. The arrays of the points are prepared once, for launches with any number of rays."""
+"""Launches of the estimate kernel with different numbers of rays, for points that are prepared once."""
 
 from typing import Any
 
@@ -25,7 +25,7 @@ _MOST_REACH = 2.0**60  # in sizes of the scene: relative to this reach, all dist
 
 
 class Runner:
-    """Estimate prepared on a device, which can be computed repeatedly with different numbers of rays per point."""
+    """Estimator at prepared points: it computes the estimate repeatedly, with different numbers of rays per point."""
 
     plan: Plan
     summed: RaySum
@@ -36,14 +36,17 @@ class Runner:
     data: Any
 
     def __init__(self, plan: Plan, summed: RaySum, loan: Loan) -> None:
-        """Prepare the ray origins of the points and the integrand's data; `loan` must last as long as the runner."""
+        """Prepare the points' ray origins and the integrand's data on the device.
+
+        Keep `loan`, which holds the device memory, open while this object is in use.
+        """
         self.plan, self.summed, self.at, self.options = plan, summed, plan.at, plan.options
         self.traced = plan.at.scene is not None
         self.placement = self._placement() if len(plan.at) else None
         self.data = summed.integrand.data_for(loan)
 
     def result(self, seed: int, count: int, chosen: np.ndarray | None = None, skip: bool | None = None) -> Estimate:
-        """Compute the estimate with `count` rays per point.
+        """Compute the estimate with `count` rays per point, and return values and standard errors.
 
         Args:
             seed: Random seed of the rays.
@@ -87,7 +90,7 @@ class Runner:
         return placement
 
     def _part(self, loan: Loan, rows: slice, strata: Strata, skip: bool) -> LobesArgs:
-        """Return the kernel's `Lobes` argument for some points, without the seed and the addresses of the results."""
+        """Build the kernel argument for a slice of the points, still without the seed and the result arrays."""
         options = self.options
         part = LobesArgs(
             placement=self.placement,

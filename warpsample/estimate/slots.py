@@ -11,7 +11,7 @@ from warpsample.sequences.record import Sequence
 
 @dataclass(frozen=True)
 class Slots:
-    """Compile-time parameters of the estimate kernel: Warp functions, types and switches.
+    """Compile-time parameters of the estimate kernel: the Warp functions to call, and switches for optional features.
 
     Attributes:
         sequence: Sequence of the rays' random numbers.

@@ -1,4 +1,4 @@
-"""Division of a lobe into strata of equal probability, for stratified rays and for tests of empty space.
+"""Division of the directions about a normal into strata of equal probability, for stratified sampling and for skipping.
 
 A stratum is a rectangle of the unit square, which the polar map turns into a band of sin^2 theta in a sector of azimuths.
 Each stratum has two independently randomised sets of rays, the replicates. The differences between replicates give the
@@ -33,7 +33,7 @@ The four sectors from 32 rays on are an exception: they cost an eighth more and 
 
 @dataclass(frozen=True, eq=False)
 class Strata:
-    """Strata of a lobe, in the order of the sectors, and the shafts about the strata.
+    """Division of the directions about a normal into strata: bands of polar angle times sectors of azimuth.
 
     Attributes:
         bands: Number of bands of equal probability, from the normal to the horizon.
@@ -51,7 +51,7 @@ class Strata:
 
     @property
     def step(self) -> int:
-        """Number of strata times replicates; the ray count of a point must be a multiple of this number."""
+        """Number that the ray count of a point must be a multiple of: two sets of rays in each stratum."""
         return self.bands * self.sectors * REPLICATES
 
     @property
@@ -62,7 +62,7 @@ class Strata:
 
 @once
 def strata_of(count: int, lobe: Distribution | None = POLAR_COSINE, traced: bool = True) -> Strata:
-    """Return the strata for at most `count` rays per point.
+    """Choose the strata into which `count` rays per point are divided.
 
     Untraced rays get at most four strata. Lobes whose strata are not parts of cones about the normal get no shafts. A lobe
     of None, for lobes that differ between points, gets no shafts either.
@@ -80,7 +80,7 @@ def strata_of(count: int, lobe: Distribution | None = POLAR_COSINE, traced: bool
 
 
 def counts_with_the_strata_of(count: float, traced: bool = True) -> tuple[int, float]:
-    """Return the smallest and largest number of rays for which `strata_of` returns the same strata as for `count`.
+    """Return the smallest and largest number of rays per point that are divided into the same strata as `count` rays.
 
     The second number is infinity for the finest strata.
     """
@@ -95,7 +95,7 @@ def _grids(traced: bool) -> tuple[tuple[int, int, int], ...]:
 
 
 def _edges(lobe: Distribution, bands: int) -> np.ndarray | None:
-    """Return sin^2 of the angles to the normal at which bands of strata begin and end, (bands + 1,) ascending.
+    """Return sin^2 of the polar angles that separate bands of equal probability, (bands + 1,) ascending.
 
     The result is None if equal bands of u[0] are not bands of cones about the normal, or if angles exceed 90 degrees.
     """
@@ -113,7 +113,7 @@ def _edges(lobe: Distribution, bands: int) -> np.ndarray | None:
 
 
 def _shaft(first: float, last: float, low: float, high: float) -> list[tuple[float, float, float]]:
-    """Return the four planes and four corner directions of the shaft about one stratum.
+    """Return the pyramid that encloses the directions of one stratum: four side planes and four corner directions.
 
     The plane through the two corners replaces the cone towards the normal. The plane that touches the cone midway between
     the corners replaces the cone towards the horizon.
@@ -141,6 +141,6 @@ def _shaft(first: float, last: float, low: float, high: float) -> list[tuple[flo
 
 
 def _unit(along: float, up: float, azimuth: float) -> tuple[float, float, float]:
-    """Normalise the vector with horizontal length `along` at an azimuth in radians and vertical component `up`."""
+    """Return the unit vector at an azimuth in radians that rises by `up` over the horizontal length `along`."""
     length = sqrt(along * along + up * up)
     return along * cos(azimuth) / length, along * sin(azimuth) / length, up / length

@@ -1,4 +1,4 @@
-"""Sum over the rays of one stratum, which are generated, weighted and traced a chunk at a time."""
+"""Sum of the ray weights of one stratum: rays are generated, weighted and traced in groups."""
 
 import warp as wp
 
@@ -25,12 +25,12 @@ from warpsample.tracing.sight.rays import (
 
 @once
 def jump_of(slots: Slots) -> wp.Function:
-    """Build the Warp function that estimates the squared change of a ray's weight across an edge in a stratum."""
+    """Build the Warp function that estimates, for the error, how much a ray's weight changes across an occlusion edge."""
     any_hit, counts, glass = slots.any_hit, slots.counts, slots.glass
 
     @wp.func
     def jump_at(w: wp.vec3, total: wp.vec3d, free: wp.int32, rays: wp.int32) -> wp.vec3d:
-        """Return the squared change of a ray's weight across an edge, for each channel.
+        """Return the squared difference between the weights of an unoccluded and an occluded ray, for each channel.
 
         Args:
             w: Weight of one ray; with partly transmitting faces, the mean weight that the occluded rays have lost.
@@ -55,7 +55,7 @@ def jump_of(slots: Slots) -> wp.Function:
 
 @wp.func
 def _fallen_off(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp.float32) -> wp.float32:
-    """Return the occlusion (1 - t)^falloff, 0 to 1, of a hit on the k-th ray, with t the distance divided by the reach."""
+    """Return the occlusion of a hit, 0 to 1, which falls with distance as (1 - distance / max_distance)^falloff."""
     reach = float_at(column_of(point.chunk, k), REACH)
     t = (distance + (point.reach - reach)) / point.reach
     return wp.pow(1.0 - t, lobes.falloff)
@@ -63,7 +63,7 @@ def _fallen_off(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp.flo
 
 @wp.func
 def _stopped_before(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp.float32):
-    """Return (occlusion by partly transmitting faces, transmitted share) of the k-th ray up to `distance`, both 0 to 1."""
+    """Return the occlusion of the k-th ray by translucent faces up to `distance`, and the transmitted share, both 0 to 1."""
     occluded = wp.float32(0.0)
     left = wp.float32(1.0)
     near, face = next_glass_crossing(lobes.glass, point, k, distance, 0.0, -1)
@@ -77,12 +77,12 @@ def _stopped_before(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp
 
 @once
 def share_of(slots: Slots) -> wp.Function:
-    """Build the Warp function that traces one ray and returns the share of the ray's weight to add to the sum."""
+    """Build the Warp function that traces one ray and returns the unoccluded share of the ray, 0 to 1."""
     glass, any_hit, hit = slots.glass, slots.any_hit, first_hit(False, slots.query, slots.wide)
 
     @wp.func
     def share_of(lobes: Lobes, tree: Accelerator, point: ShadingPoint, local: wp.int32, k: wp.int32):
-        """Trace the k-th ray; return the share of the ray's weight to add, 0 to 1, and whether the ray hits a face."""
+        """Trace the k-th ray; return its unoccluded share, 0 to 1, and whether the ray hits a face."""
         share = wp.float32(1.0)
         met = wp.bool(False)
         if wp.static(any_hit):
@@ -105,12 +105,12 @@ def share_of(slots: Slots) -> wp.Function:
 
 @once
 def weighing(slots: Slots) -> wp.Function:
-    """Build the Warp function that computes the weights of a chunk of rays."""
+    """Build the Warp function that evaluates the integrand for a group of rays of one point."""
     weigh, struct, constant, with_pdf = slots.weigh, slots.struct, slots.constant, density_setter(slots.reads_pdf)
 
     @wp.func
     def weigh_rays(lobe: Lobe, data: struct, point: ShadingPoint, length: wp.int32) -> wp.uint64:
-        """Return the set of rays with a weight other than 0; store the weights unless the weight is constant."""
+        """Evaluate the integrand for `length` rays of a point; return the bit set of rays with a weight other than 0."""
         alive = first_rays(length)
         if wp.static(not constant):
             alive = NO_RAYS
@@ -126,11 +126,11 @@ def weighing(slots: Slots) -> wp.Function:
 
 @once
 def stratum_sum(slots: Slots) -> wp.Function:
-    """Build the Warp function that sums the rays of one stratum."""
+    """Build the Warp function that casts the rays of one stratum of a point's directions and sums their weights."""
     write_rays, weigh, struct = build_ray_writer(slots), weighing(slots), slots.struct
     any_hit, constant, counts, channels = slots.any_hit, slots.constant, slots.counts, slots.channels
     prepare, block, share_left = prepare_rays(slots.prepare), rays_blocked(slots.query, slots.wide), share_of(slots)
-    glass, sparse = slots.glass and any_hit, slots.sparse
+    glass, weightless = slots.glass and any_hit, 1 if slots.sparse else 0
     stops, dims = BLOCKERS if glass else -1, GLASS if glass else 0 if any_hit else -1
 
     @wp.func
@@ -143,7 +143,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
         found: wp.int32,
         local: wp.int32,
     ):
-        """Sum the rays of one stratum, and return six numbers.
+        """Cast the rays of one stratum of a point's directions; return six numbers: sums of weights and counts of rays.
 
         They are: the sum of the weights of both replicates, the first replicate's sum less the second's, the number of rays
         cast, the number of unoccluded rays, the number of rays that count, and the weight `w` for `jump_of`'s function.
@@ -169,9 +169,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
             write_rays(lobes, point, stratum, first, whole_vectors(length))
             rays = weigh(lobe, data, point, length)
             left = rays
-            if wp.static(sparse):
-                counted -= length - set_size(rays)
-                free -= length - set_size(rays)
+            counted -= weightless * (length - set_size(rays))
             if found != 0:
                 move_rays_near(point, length)
                 prepare(tree, point, local, length)
@@ -200,6 +198,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
                         z += wp.float64(share * w[2])
                         more_y += wp.float64(sign) * wp.float64(share * w[1])
                         more_z += wp.float64(sign) * wp.float64(share * w[2])
+        free -= 2 * each - counted
         if wp.static(counts):
             x = wp.float64(hits)
             more_x = wp.float64(more_hits)

@@ -31,7 +31,7 @@ _PRIOR = 16.0  # weight of the prior on edges, as a number of points: for few po
 
 
 def find_count(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
-    """Find the number of rays per point with which the root mean square of the standard errors reaches `tolerance`.
+    """Find the number of rays per point for which the root mean square of the standard errors is `tolerance`.
 
     Returns:
         (number of rays per point, at most the plan's count; rays that the trial cast from each point, (P,) int32).
@@ -54,7 +54,7 @@ def find_count(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
 
 
 def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
-    """Return `needed`, or a larger number of rays per point if finer strata let more of the rays be skipped.
+    """Return the number of rays per point, `needed` or a larger one that is cheaper because more rays are skipped.
 
     Finer strata may be cheaper because more strata are empty.
     """
@@ -68,7 +68,7 @@ def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
 
 
 class _Trial:
-    """Trial runs on some of a runner's points, to learn how the standard error depends on the number of rays.
+    """Trial estimates at a few of the points, from which the required number of rays is extrapolated.
 
     Attributes:
         count: Number of rays per point in the last round; 0 before the first.
@@ -97,7 +97,7 @@ class _Trial:
         return min(-(-rays // step) * step, plan.count)
 
     def run(self, count: float) -> None:
-        """Run one round with `count` rays per point; update the error, the exponent and the numbers of rays.
+        """Estimate the trial points with `count` rays each; update the measured error and its rate of convergence.
 
         The number of points falls with the square root of the number of strata.
         """
@@ -117,13 +117,13 @@ class _Trial:
         self.cast = float(found.rays[good].mean()) / count if good.any() else 0.0
 
     def _is_far_from_last(self, count: int) -> bool:
-        """Return whether a round's `count` differs enough from the last round's to estimate the exponent."""
+        """Return whether `count` differs enough from the last trial's number of rays to estimate the rate of convergence."""
         if self.runner.traced:
             return count >= _APART * self.count
         return max(count / self.count, self.count / count) >= _APART_IF_SMOOTH
 
     def needed(self, error: float) -> float:
-        """Return the number of rays for a standard error of `error`, extrapolated from the last round."""
+        """Return the number of rays per point for a standard error of `error`, extrapolated from the last trial."""
         return self.count * float(np.float_power(self.error / error, 1.0 / self.rate))
 
 

@@ -86,7 +86,7 @@ def ambient_occlusion(
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SkyView(Share):
-    """An `Estimate` of the sky view factor.
+    """Estimate of the sky view factor at P points, with the share of each point's view that is below the horizon.
 
     Attributes:
         below_horizon: (P,) float32, the share of the lobe that points below the sky's horizon, exactly: (1 - n.up) / 2.

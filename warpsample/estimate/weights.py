@@ -1,4 +1,4 @@
-"""Built-in integrands: Warp functions (direction, Lobe, Weights) -> weight of an unoccluded ray, a vec3."""
+"""Built-in integrands: Warp functions that return the weight of a ray, for ambient occlusion, sky view and others."""
 
 from typing import Any
 
@@ -29,13 +29,13 @@ WeightsArgs: Any = type(Weights().__ctype__())
 
 @wp.func
 def everywhere(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
-    """Return the weight (1, 0, 0) for every direction."""
+    """Return the weight 1 of a ray in any direction, as the vector (1, 0, 0); used for ambient occlusion."""
     return wp.vec3(1.0, 0.0, 0.0)
 
 
 @wp.func
 def above(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
-    """Return the weight (1, 0, 0) if the direction is above the plane perpendicular to the vector in `weights`, else 0."""
+    """Return the weight (1, 0, 0) of a direction above the horizon, or 0 below; the vector in `weights` points up."""
     return wp.vec3(wp.where(d[0] * weights.x + d[1] * weights.y + d[2] * weights.z > 0.0, 1.0, 0.0), 0.0, 0.0)
 
 
@@ -87,12 +87,12 @@ DIRECTION = Integrand(itself, 3, WeightsArgs(), Weights)
 
 
 def build_sky_integrand(up: Any) -> Integrand:
-    """Return the integrand of the sky: 1 above the plane perpendicular to the unit vector `up`, 0 below the plane."""
+    """Build the integrand of the sky view factor: 1 for directions above the horizon, 0 below; `up` is a unit vector."""
     return Integrand(above, 1, WeightsArgs(x=up[0], y=up[1], z=up[2]), Weights, binary=True)
 
 
 def build_environment_integrand(pixels: np.ndarray, up: Any) -> Integrand:
-    """Return the integrand of an environment picture (H, W, 3) of radiances, contiguous float32, with unit vector `up`."""
+    """Build the integrand that looks up the radiance of a direction in an environment picture, (H, W, 3) float32."""
     height, width = pixels.shape[:2]
     data = WeightsArgs(x=up[0], y=up[1], z=up[2], width=width, height=height)
     return Integrand(environment, 3, data, Weights, arrays=(("pixels", pixels),))

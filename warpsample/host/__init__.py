@@ -1,1 +1,1 @@
-"""Python side of every call: checks of arguments, arrays, threads, locks and files."""
+"""Python side of all calls: checks of arguments, conversion of arrays, threads, devices and files."""

@@ -70,7 +70,7 @@ def check_file(value: Any, argument: str, wants: str) -> Path:
 
 
 def _flaw(path: Path) -> str:
-    """Return the reason why a path cannot be read as a file; empty if there is none."""
+    """Return why a path cannot be read as a file, for example "a folder", or "" if it can."""
     try:
         return "" if path.is_file() else "a folder" if path.is_dir() else "no ordinary file" if path.exists() else "missing"
     except (OSError, ValueError):  # too long a name, a folder that may not be read, a zero byte
@@ -79,7 +79,7 @@ def _flaw(path: Path) -> str:
 
 @contextmanager
 def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
-    """Raise one ValueError that names the file in place of any error while a damaged file is read.
+    """Convert any error within a `with` statement that reads a file to a ValueError that names the file.
 
     ModuleNotFoundError and MemoryError stay unchanged, and so does TimeoutError, as of a user's deadline.
 

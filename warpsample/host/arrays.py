@@ -20,13 +20,13 @@ Floats: TypeAlias = NDArray[np.float32] | Any
 
 @once
 def cpu() -> wp.Device:
-    """Return Warp's device of the CPU; the first call of a process starts Warp."""
+    """Return Warp's device object of the CPU, after starting Warp if necessary."""
     start()
     return wp.get_device("cpu")
 
 
 def check_device(device: Any, default: wp.Device) -> wp.Device:
-    """Return the device of this machine with a name as "cuda:0", or a given wp.Device; the default for None.
+    """Return the Warp device with a name such as "cuda:0"; a wp.Device is returned unchanged, None gives the default.
 
     Raises:
         TypeError: the value is neither a string nor a wp.Device.
@@ -38,7 +38,7 @@ def check_device(device: Any, default: wp.Device) -> wp.Device:
 
 
 def _device(device: Any) -> wp.Device:
-    """Return the device of a name; raise the errors of `check_device`."""
+    """Return the Warp device with a given name, or raise the errors of `check_device`."""
     known = ", ".join(str(d) for d in wp.get_devices())
     if not isinstance(device, str | wp.Device):
         raise TypeError(f"device: got {quote(device)}, want one of {known}")
@@ -51,7 +51,7 @@ def _device(device: Any) -> wp.Device:
 
 
 def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarray:
-    """Return an array of real numbers: float32 arrays unchanged, all others as float64.
+    """Convert a value to an array of real numbers; float32 arrays stay float32, others become float64.
 
     Raises:
         TypeError: the value is no array of real numbers.
@@ -66,7 +66,7 @@ def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarra
 
 
 def check_active(active: Any, points: int) -> np.ndarray | None:
-    """Return the mask of active points as a C-contiguous (points,) uint8 copy; None if no mask is given.
+    """Check the argument `active`, a mask of points, and return it as a (points,) uint8 array, or None.
 
     Raises:
         TypeError: the mask is neither bool nor uint8, which is Warp's type for bool.
@@ -84,7 +84,7 @@ def check_active(active: Any, points: int) -> np.ndarray | None:
 
 
 def as_square(value: Any, argument: str) -> np.ndarray:
-    """Return points of the unit square, as float32 if the value is of float64; other arrays unchanged.
+    """Check an array of points of the unit square, and return it; float64 arrays are rounded to float32.
 
     A float64 number that would round up to 1 becomes the largest float32 below 1.
 
@@ -101,7 +101,7 @@ def as_square(value: Any, argument: str) -> np.ndarray:
 
 
 def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not all 0") -> tuple[float, float, float]:
-    """Return a vector, scaled to length 1, as three floats.
+    """Check a vector of three numbers, and return it scaled to length 1, as a tuple of floats.
 
     Raises:
         TypeError: the value is no array of real numbers.
@@ -118,7 +118,7 @@ def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not a
 
 
 def as_view(value: Any, argument: str) -> tuple[float, float, float]:
-    """Return a view direction in the frame of a surface, +z along the normal, scaled to length 1, as three floats.
+    """Check a view direction relative to a surface (+z is the normal), and return it scaled to length 1.
 
     Raises:
         TypeError: the value is no array of real numbers.

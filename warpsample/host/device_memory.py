@@ -1,4 +1,4 @@
-"""Memory of kernels: the caller's own arrays on the CPU; on a CUDA device copies of NumPy arrays, part by part."""
+"""Transfer of arrays to kernels: no copies on the CPU; on a CUDA device, NumPy arrays are copied part by part."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -20,12 +20,12 @@ BUDGET = 1 << 28
 
 
 def at_home(device: wp.Device) -> bool:
-    """Return True if a device is the CPU, whose kernels read NumPy arrays without a copy."""
+    """Return True if a device is the CPU, where kernels read NumPy arrays directly."""
     return device.alias in HOME
 
 
 def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array[Any]":
-    """Return an uninitialised wp.array on a device.
+    """Allocate a wp.array on a device, without setting its values.
 
     Raises:
         MemoryError: the device has too little free memory.
@@ -41,7 +41,7 @@ def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array
 
 @dataclass(frozen=True)
 class Memory:
-    """Memory that a call may use on its device, with a budget that decides how many rows are copied at a time.
+    """Device of a call, and whether its kernels use the caller's arrays directly or copies, made part by part.
 
     Attributes:
         device: device that runs the kernels.
@@ -53,7 +53,7 @@ class Memory:
 
     @classmethod
     def of(cls, device: Any, given: Array | None = None, argument: str = "") -> "Memory":
-        """Return the memory of a call on a device, by default the device of a given wp.array, else the CPU.
+        """Choose the device of a call: the named one, by default that of a wp.array among the arguments, else the CPU.
 
         Args:
             device: name of a device, a wp.Device or None.
@@ -76,7 +76,7 @@ class Memory:
         return self.in_place or size <= BUDGET
 
     def parts(self, rows: int, size: int, besides: int = 0) -> Iterable[slice]:
-        """Return slices of rows that fit into device memory one after the other; on the CPU a single slice of all rows.
+        """Divide rows into slices that fit into device memory; on the CPU, one slice has all rows.
 
         Args:
             rows: number of rows.
@@ -89,12 +89,12 @@ class Memory:
         return (slice(start, min(start + step, rows)) for start in range(0, rows, step))
 
     def loan(self) -> "Loan":
-        """Return a new loan, which holds the memory of one part within a `with` statement."""
+        """Return a context manager that holds the device memory of one part of a call."""
         return Loan(self)
 
 
 class Loan:
-    """Device memory of one part of a call, freed at the end of a `with` statement, when results are copied back."""
+    """Context manager for the arrays of one part of a call on the device; results are copied back at its end."""
 
     def __init__(self, memory: Memory) -> None:
         self.memory = memory
@@ -102,7 +102,7 @@ class Loan:
         self._results: list[tuple[np.ndarray, wp.array]] = []
 
     def __enter__(self) -> "Loan":
-        """Return this Loan at the start of a `with` statement."""
+        """Enter the `with` statement, and return this object."""
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
@@ -116,7 +116,7 @@ class Loan:
             self._inputs.clear()
 
     def lend(self, array: Array | None, rows: slice = slice(None)) -> int:
-        """Return the address of rows of an input array, in the memory of the kernels; 0 for None.
+        """Copy rows of an input array to the device if necessary, and return their address for kernels; 0 for None.
 
         `rows` is a slice of `Memory.parts`, or all rows. In place it is not used: kernels get the whole array.
         """
@@ -125,7 +125,7 @@ class Loan:
         return self._keep(array) if self.memory.in_place else self._keep(self._copy(np.ascontiguousarray(array[rows])))
 
     def output(self, array: Array, rows: slice = slice(None), zero: bool = False) -> int:
-        """Return the address to which kernels write rows of an array; the rows are copied back at the end of the loan.
+        """Return the address to which kernels write results; the results are copied to rows of `array` at the end.
 
         `zero` sets copied memory to 0 first, for kernels that do not write all rows of an array of zeros.
         """
@@ -138,7 +138,7 @@ class Loan:
         return self._keep(there)
 
     def clone(self, array: "wp.array[Any]") -> "wp.array[Any]":
-        """Return a copy of a wp.array of the CPU on the device; return arrays that kernels can read unchanged."""
+        """Copy a wp.array from the CPU to the device if necessary, and return the array that kernels can read."""
         if self.memory.in_place or not array.ptr or not array.device.is_cpu:
             return array
         there = allocate(array.shape, array.dtype, self.memory.device)
@@ -147,12 +147,12 @@ class Loan:
         return there
 
     def _copy(self, array: np.ndarray) -> wp.array:
-        """Return a copy of a NumPy array on the device."""
+        """Copy a NumPy array to the device, and return the wp.array."""
         there = allocate(array.shape, wp.dtype_from_numpy(array.dtype), self.memory.device)
         there.assign(array)
         return there
 
     def _keep(self, array: Array) -> int:
-        """Keep an array alive until the end of the loan; return its address."""
+        """Keep an array in memory until the end of the `with` statement, and return its address."""
         self._inputs.append(array)
         return address_of(array)

@@ -1,4 +1,4 @@
-"""Runs of kernels: in batches of tasks, on worker threads or on a CUDA device; and checks of free memory and disk space."""
+"""Execution of Warp kernels on worker threads or on a CUDA device, and checks of free memory and disk space."""
 
 import os
 import shutil
@@ -127,7 +127,7 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, 
 
 
 def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
-    """Return a launch command for the inputs that no other thread uses: reused in 4 us, while a new one takes 60 us."""
+    """Return a prepared launch of a kernel with the given inputs; launches are reused, since creating one is slow."""
     command = None
     with suppress(IndexError):  # another thread may take the last one
         command = _idle[kernel, device.alias].pop()
@@ -143,13 +143,13 @@ def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
 
 
 def _record(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
-    """Record a new launch command of a kernel, with empty structs in place of struct inputs."""
+    """Create a prepared launch of a kernel; struct inputs are empty and set later."""
     blank = [arg.type() if isinstance(x, Structure) else x for arg, x in zip(kernel.adj.args, inputs, strict=False)]
     return wp.launch(kernel, dim=1, inputs=[*blank, 0], device=device, record_tape=False, record_cmd=True)
 
 
 def _run_batches(command: wp.Launch, starts: Any, batch: int, tasks: int, done: Callable[[int], None] | None = None) -> None:
-    """Run batches of a kernel's tasks on this thread until none is left, and call `done` after each batch.
+    """Run tasks of a kernel on this thread, a batch at a time, until none is left; call `done` after each batch.
 
     Threads can share `starts`, since next() on a range is atomic.
     """

@@ -15,7 +15,7 @@ EXTRAS: dict[str, tuple[str, ...]] = {
 
 
 def missing(what: str, module: str | None, extra: str = "") -> ModuleNotFoundError:
-    """Return the error that names the pip line for a missing module.
+    """Return the ModuleNotFoundError for a missing optional library, with the command that installs it.
 
     The line installs from a checkout, `.`: the package is not on an index.
 

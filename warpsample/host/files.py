@@ -1,4 +1,4 @@
-"""Readers and writers of files.
+"""Reading and writing of files; an output file is either complete or absent.
 
 Outputs are checked before any work, and are complete or absent after it. Arrays are read without the memory that a damaged
 header declares and the file does not hold.
@@ -74,7 +74,7 @@ def check_output_folder(folder: Path, argument: str) -> None:
 
 @contextmanager
 def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
-    """Open a stream whose bytes become the file `path` at the end, or are discarded after an error.
+    """Open a file for writing within a `with` statement; it appears at `path` only when it is complete.
 
     The bytes go to a hidden file in the same folder, are flushed to the disk, and replace the old file, whose permissions
     they keep. If `path` is a link, its target is replaced. Hidden files that killed processes left for the same output are
@@ -94,7 +94,7 @@ def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
 
 
 def to_disk(stream: Any) -> None:
-    """Write all bytes of a stream of `complete_or_absent` to the disk; only the new name is left to do.
+    """Flush a file of `complete_or_absent` to the disk, so that only renaming is left to do.
 
     Call it for each of several files that belong together, before the first of the files replaces its old file.
 
@@ -113,21 +113,21 @@ def write_bytes(path: Path, content: Any) -> None:
 
 
 class _Archive(zipfile.ZipFile):
-    """Writer of an .npz file that is closed only when the file is complete: closing it earlier raises an error."""
+    """Zip writer for .npz files that reports an incomplete file as an error."""
 
     __del__ = object.__hash__  # does nothing; a Python function would drop an exception that a signal handler raises there
 
 
 @contextmanager
 def new_archive(stream: BinaryIO, compression: int = zipfile.ZIP_STORED) -> Iterator[zipfile.ZipFile]:
-    """Open an .npz file to add arrays to; it is complete at the end, and useless after an error."""
+    """Open a new .npz file within a `with` statement, to which arrays can be added."""
     archive = _Archive(stream, "w", compression)
     yield archive
     archive.close()
 
 
 def write_arrays(stream: BinaryIO, arrays: Mapping[str, np.ndarray], compression: int = zipfile.ZIP_STORED) -> None:
-    """Write arrays by their names as an .npz file."""
+    """Write a dictionary of arrays as an .npz file."""
     with new_archive(stream, compression) as archive:
         for name, array in arrays.items():
             write_array(archive, name, array)
@@ -143,7 +143,7 @@ def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
 
 
 def read_array(path: Path) -> np.ndarray:
-    """Return the array in an .npy file; no pickle is loaded.
+    """Return the array in an .npy file; pickled objects are refused.
 
     Raises:
         ValueError: the file is damaged, or shorter than its header declares.
@@ -153,7 +153,7 @@ def read_array(path: Path) -> np.ndarray:
 
 
 def read_arrays(path: Path) -> dict[str, np.ndarray]:
-    """Return the arrays in an .npz file by their names; no pickle is loaded.
+    """Return the arrays in an .npz file as a dictionary; pickled objects are refused.
 
     Raises:
         ValueError, BadZipFile: the file is damaged, or too short for the arrays that its headers declare.
@@ -188,7 +188,7 @@ class _Part(FileIO):
 
 @contextmanager
 def part_of(path: Path, target: Path) -> Iterator[_Part]:
-    """Open an empty hidden file beside `target`, locked while this process lives; remove the file at the end.
+    """Open a hidden temporary file in the folder of `target` within a `with` statement; remove it at the end.
 
     Raises:
         WriteError: the hidden file cannot be written; names `path`, the output of the user.
@@ -204,7 +204,7 @@ def part_of(path: Path, target: Path) -> Iterator[_Part]:
 
 
 def _open(part: Path, path: Path, target: Path, opened: list[_Part]) -> None:
-    """Create and lock the hidden file `part` of an output, and add the open file to a list."""
+    """Create and lock the hidden temporary file `part`, and append the open file to the list `opened`."""
     with _naming_output(path):
         while not part.exists():  # again, if another run took it for an orphan before it was locked
             opened.append(_Part(part, path))
@@ -214,7 +214,7 @@ def _open(part: Path, path: Path, target: Path, opened: list[_Part]) -> None:
 
 
 def _discard(part: Path, opened: list[_Part]) -> None:
-    """Close raw files, so that nothing more is written to a full disk, and remove the hidden file `part`."""
+    """Close the open files and remove the hidden temporary file `part`."""
     try:
         for raw in opened:
             raw.close()
@@ -224,7 +224,7 @@ def _discard(part: Path, opened: list[_Part]) -> None:
 
 
 def _remove_orphans(target: Path) -> None:
-    """Remove the hidden files of `target` that killed processes of this machine left.
+    """Remove hidden temporary files of `target` that killed processes have left behind.
 
     A locked file belongs to a living process, even if the number of the process is used again. Files of other machines in a
     shared folder stay, since their locks may not be visible here. Without locks in the file system, all files stay.
@@ -239,7 +239,7 @@ def _remove_orphans(target: Path) -> None:
 
 
 def _remove_if_dead(orphan: Path) -> None:
-    """Remove a hidden file; raise an OSError if a living process has locked it."""
+    """Remove a hidden temporary file, unless a running process has locked it (then raise an OSError)."""
     if fcntl is None:
         orphan.unlink()
         return
@@ -256,7 +256,7 @@ def _lock(file: Any) -> None:
 
 
 def _prefix(target: Path) -> str:
-    """Return the prefix of the names of all hidden files of `target` that this machine makes."""
+    """Return the beginning of the names of hidden temporary files for the output `target`."""
     return f".{target.name[:_LONGEST]}.{re.sub(r'[^A-Za-z0-9-]', '-', platform.node())[-_LONGEST:]}."
 
 
@@ -266,7 +266,7 @@ def _target(path: Path) -> Path:
 
 
 def _mode(target: Path) -> int:
-    """Return the mode bits of a file, kind and permissions; 0 for a missing file."""
+    """Return the type and permission bits of a file; 0 for a missing file."""
     try:
         return target.stat().st_mode
     except (FileNotFoundError, NotADirectoryError):
@@ -274,7 +274,7 @@ def _mode(target: Path) -> int:
 
 
 def _flaw(path: Path, inputs: list[Path]) -> str:
-    """Return the reason why an output cannot be written; empty if it can be written."""
+    """Return why a file cannot be written, for example because it is also an input; "" if it can."""
     try:
         target = _target(path)
         mode = _mode(target)
@@ -307,7 +307,7 @@ def is_same(target: Path, source: Path) -> bool:
 
 @contextmanager
 def _naming_output(path: Path) -> Iterator[None]:
-    """Raise a WriteError that names the file `path` in place of a system error about its hidden file."""
+    """Convert a system error within a `with` statement to a WriteError that names the file `path`."""
     try:
         yield
     except OSError as error:

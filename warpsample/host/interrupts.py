@@ -15,7 +15,7 @@ T = TypeVar("T")
 
 
 def uninterrupted(work: Callable[[], T], stop: Callable[[], None] | None = None) -> T:
-    """Return the result of `work`; raise the first exception of a signal handler only after the end of `work`.
+    """Call `work` and return its result; exceptions of signal handlers (Ctrl-C) are raised only afterwards.
 
     Handlers are called at once, as usual, and in the main thread only. A handler that raises nothing changes nothing. `stop`
     is called when a handler has raised an exception, so that `work` can end early.

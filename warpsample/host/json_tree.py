@@ -26,11 +26,11 @@ class Part:
     path: str = ""
 
     def __contains__(self, key: str) -> bool:
-        """Return whether the object has a member of that name."""
+        """Return whether the JSON object has a member with the given name."""
         return key in self.content
 
     def at(self, key: str) -> str:
-        """Return the JSON path of a member."""
+        """Return the path of a member in the JSON document, for error messages: "nodes[3].mesh" for example."""
         return f"{self.path}.{key}" if self.path else key
 
     def flag(self, key: str) -> bool:
@@ -42,7 +42,7 @@ class Part:
         return check_integer(self._member(key, default), self.at(key), 0, high)
 
     def reals(self, key: str, default: Sequence[float]) -> np.ndarray:
-        """Return a list of finite numbers, of the length of the default, as a float64 array."""
+        """Return a member that is a list of finite numbers, as many as in the default, as a float64 array."""
         values = self.values(key, default)
         finite = [value for value in values if type(value) in (int, float) and abs(value) <= sys.float_info.max]
         if not len(finite) == len(values) == len(default):
@@ -67,7 +67,7 @@ class Part:
         return [Part(_of_kind(value, path, dict, "an object"), path) for value, path in members]
 
     def members(self, key: str) -> dict[str, "Part"]:
-        """Return the members of an object by name; a missing object, and a member that is no object, are errors."""
+        """Return the members of a JSON object whose members are objects themselves, keyed by name."""
         whole = self.part(key)
         return {
             name: Part(_of_kind(value, whole.at(name), dict, "an object"), whole.at(name))
@@ -79,22 +79,22 @@ class Part:
         return _index(self._member(key, default), self.at(key), among)
 
     def indices(self, key: str, among: Sequence[Any]) -> list[int]:
-        """Return a list of indices into `among`; empty if the member is missing."""
+        """Return a member that is a list of indices into `among`; empty if the member is missing."""
         return [_index(value, f"{self.at(key)}[{i}]", among) for i, value in enumerate(self.values(key))]
 
     def _member(self, key: str, default: Any) -> Any:
-        """Return a member, or its default; raise a ValueError if there is neither."""
+        """Return the value of a member, or the default; raise a ValueError if the member is missing and has no default."""
         if key not in self.content and default is None:
             raise ValueError(f"{self.at(key)} is missing")
         return self.content.get(key, default)
 
     def values(self, key: str, default: Sequence[Any] = ()) -> Sequence[Any]:
-        """Return a list of values of any type; the default if the member is missing."""
+        """Return a member that is a list of values of any type; the default if the member is missing."""
         return _of_kind(self.content[key], self.at(key), list, "a list") if key in self.content else default
 
 
 def parsed(content: bytes) -> Part:
-    """Return the object that a JSON text in UTF-8 holds.
+    """Parse a JSON text in UTF-8, and return its top-level object.
 
     Raises:
         ValueError: the text is no JSON object, an object has two members of one name, or a number is NaN or infinite.

@@ -34,7 +34,7 @@ _NO_DRIVER = b"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver"
 
 @once
 def start() -> None:
-    """Start Warp, unless it has started; with a warning and a cache folder for this process alone if the usual one fails."""
+    """Initialise Warp once per process; if its cache folder cannot be written, use a temporary one and warn."""
     with _quiet(wp.LOG_ERROR):
         try:
             _without_driver_warning(wp.init)
@@ -47,7 +47,7 @@ def start() -> None:
 
 @once
 def load(kernel: wp.Kernel, device: str) -> None:
-    """Load the module of a kernel of this package from the cache; build the module if it is missing there, or damaged.
+    """Load the compiled code of a kernel from the cache, or compile it if the cache has none or a damaged copy.
 
     A warning reports a damaged or unwritable cache.
 
@@ -79,7 +79,7 @@ def load(kernel: wp.Kernel, device: str) -> None:
 
 
 def _ask_for_wide_vectors(module: wp.Module) -> None:
-    """Set the compiler flags of a module, unless the module has flags of its own or the user wants none."""
+    """Add the flag for wide vector instructions to a Warp module's compiler flags, unless the user forbids it."""
     flags = wide_flags()
     if flags and module.options["cpu_compiler_flags"] is None:
         module.options["cpu_compiler_flags"] = flags
@@ -87,14 +87,14 @@ def _ask_for_wide_vectors(module: wp.Module) -> None:
 
 
 def wide_flags() -> str:
-    """Return the user's compiler flags with the flag for wide vectors; an empty string if the user wants no flags."""
+    """Return the compiler flags with the flag for wide vector instructions; "" if the user wants no flags."""
     flags = "-march=native" if wp.config.cpu_compiler_flags is None else wp.config.cpu_compiler_flags  # Warp's default
     return f"{flags} {WIDE_VECTORS}" if flags else ""
 
 
 @contextmanager
 def _quiet(level: int) -> Iterator[None]:
-    """Raise Warp's log level, so that Warp does not list modules on stdout; a level that the user has set stays."""
+    """Silence Warp's list of loaded modules within a `with` statement, unless the user has set a log level."""
     before = wp.config.log_level
     if before == wp.LOG_INFO:
         wp.config.log_level = level
@@ -105,7 +105,7 @@ def _quiet(level: int) -> Iterator[None]:
 
 
 def _without_driver_warning(work: Callable[[], None]) -> None:
-    """Call `work`, and keep Warp's warning of a missing CUDA driver off stderr; no option of Warp does that."""
+    """Call `work`, and remove Warp's warning of a missing CUDA driver from stderr."""
     with ExitStack() as after:
         with suppress(OSError):  # stderr is closed, or there is no temporary folder
             held = after.enter_context(tempfile.TemporaryFile())
@@ -116,7 +116,7 @@ def _without_driver_warning(work: Callable[[], None]) -> None:
 
 
 def _show_others(held: BinaryIO, stderr: int) -> None:
-    """Restore stderr, and write the collected lines to it, without the warning."""
+    """Restore stderr and write the lines collected in `held` to it, without the driver warning."""
     os.dup2(stderr, 2)
     os.close(stderr)
     held.seek(0)
@@ -125,7 +125,7 @@ def _show_others(held: BinaryIO, stderr: int) -> None:
 
 
 def _is_whole(entry: Path) -> bool | None:
-    """Return True if all cached files of a module match their digests; None if files or digests are missing."""
+    """Return True if a module's cached files match their checksums, False if not, None if files are missing."""
     if not os.path.lexists(entry):
         return None
     try:
@@ -138,7 +138,7 @@ def _is_whole(entry: Path) -> bool | None:
 
 
 def _contents(entry: Path) -> tuple[set[str], set[str]]:
-    """Return the names of the files that Warp loads, and the names of the files with a digest."""
+    """Return (names of a module's cached files, names of those that have a checksum)."""
     names = [path.name for path in entry.iterdir()]
     marked = {name.removesuffix(_MARK) for name in names if name.endswith(_MARK)}
     return {name for name in names if not name.endswith((_MARK, *_SOURCES))}, marked
@@ -150,7 +150,7 @@ def _digest(entry: Path, name: str) -> bytes:
 
 
 def _mark(entry: Path) -> None:
-    """Write digests for the cached files of a module that have none."""
+    """Write checksums for the cached files of a module that have none."""
     with suppress(OSError):  # a file without a digest is only built again
         outputs, marked = _contents(entry)
         for name in outputs - marked:
@@ -158,7 +158,7 @@ def _mark(entry: Path) -> None:
 
 
 def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> None:
-    """Build and load a module in a new folder of the cache, or in a temporary folder if the disk of the cache is full."""
+    """Compile and load a Warp module, and put its files into the cache; use a temporary folder if that fails."""
     home = entry.parent
     try:
         with _workshop(home, entry.name) as built:
@@ -178,7 +178,7 @@ def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> N
 
 @contextmanager
 def _workshop(parent: Path, name: str) -> Iterator[Path]:
-    """Make a new folder, use it as Warp's cache within the `with` statement, and yield the path for the module there.
+    """Use a new folder as Warp's cache within a `with` statement, and yield the module's path in the folder.
 
     Raises:
         OSError: the disk is full; LLVM would end the process.
@@ -208,7 +208,7 @@ def _remove(path: Path) -> None:
 
 
 def _build_there(module: wp.Module, load_module: Callable[[], None], built: Path) -> None:
-    """Build and load a module in Warp's present cache, and write the digests of its files."""
+    """Compile and load a module in Warp's current cache folder, and write checksums of its files."""
     try:
         load_module()
     except Exception as error:
@@ -222,7 +222,7 @@ def _build_there(module: wp.Module, load_module: Callable[[], None], built: Path
 
 
 def _publish(built: Path, entry: Path) -> None:
-    """Move a module to the cache in one step, so that other processes find all files or none."""
+    """Move a compiled module to the cache in one step, so that other processes see all files or none."""
     with suppress(OSError):  # another process was first, with an equal result; or the old one stays
         if built.exists() and not _is_whole(entry):
             if os.path.lexists(entry):

@@ -1,4 +1,4 @@
-"""Values that a process makes once: by one thread at a time, visible when complete, never half-made in a forked child."""
+"""Thread-safe caching: values that are computed once per process, by one thread at a time."""
 
 import os
 import threading
@@ -36,7 +36,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def make(work: Callable[[], T], lock: Any = making) -> T:
-    """Call `work` under the process-wide lock and without interrupts, as the compiler of Warp requires."""
+    """Call `work` and return its result, under a process-wide lock and without interrupts."""
 
     def work_alone() -> T:
         with lock:
@@ -47,7 +47,7 @@ def make(work: Callable[[], T], lock: Any = making) -> T:
 
 @cache
 def imported(name: str) -> ModuleType:
-    """Import a module at its first use, with interrupts deferred: NumPy and Warp cannot be imported again after one."""
+    """Import a module and return it, at its first use, with interrupts deferred."""
     return make(partial(import_module, name), _importing if name.startswith("warpsample.") else making)
 
 
@@ -71,7 +71,7 @@ def once(factory: Callable[..., T]) -> Callable[..., T]:
 
 
 class once_property(Generic[T]):  # noqa: N801  (used as a decorator, like `functools.cached_property`)
-    """Property like `functools.cached_property`, but two threads never make the same value; an array is kept read-only."""
+    """Thread-safe `functools.cached_property`; arrays are made read-only."""
 
     def __init__(self, make: Callable[[Any], T]) -> None:
         self.make = make
@@ -82,7 +82,7 @@ class once_property(Generic[T]):  # noqa: N801  (used as a decorator, like `func
         self.name = name
 
     def __get__(self, instance: Any, owner: type | None = None) -> T:
-        """Return the value, made at the first use; afterwards Python finds the instance's own attribute first."""
+        """Return the cached value, which is computed at the first use."""
         if instance is None:
             return self  # type: ignore[return-value]
         with making:

@@ -20,7 +20,7 @@ _DLPACK_CUDA = 2  # what `__dlpack_device__` calls a CUDA device's memory
 
 
 def address_of(array: Any) -> int:
-    """Return the address of the first element, in the memory of the array's device."""
+    """Return the memory address of an array's first element, on the array's device."""
     if isinstance(array, wp.array):
         return array.ptr or 0
     with suppress(TypeError, ValueError, BufferError):  # not contiguous, empty, or of a type that no buffer has
@@ -37,7 +37,7 @@ def describe_type(value: Any) -> str:
 
 
 def from_cuda(value: Any, argument: str) -> Any:
-    """Return a wp.array of the same memory for an array of another library on a CUDA device; other values unchanged.
+    """Wrap a CUDA array of another library as a wp.array without a copy; return other values unchanged.
 
     Raises:
         TypeError: Warp does not have the device, the array has a gradient, or no wp.array can hold the numbers.
@@ -46,7 +46,7 @@ def from_cuda(value: Any, argument: str) -> Any:
 
 
 def _from_cuda(value: Any, argument: str) -> Any:
-    """Convert a value as `from_cuda` does, if it is no array of NumPy or Warp."""
+    """Wrap a CUDA array as `from_cuda` does, for a value that is no array of NumPy or Warp."""
     try:
         if not _on_cuda(value):
             return value
@@ -71,7 +71,7 @@ def _on_cuda(value: Any) -> bool:
 
 
 def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray:
-    """Return a value as a NumPy array, without a copy of arrays in the memory of the CPU.
+    """Convert a value to a NumPy array, without a copy if it is an array on the CPU.
 
     Raises:
         TypeError: the value has a mask, which would be ignored, or NumPy makes no array of it, as of a ragged list.
@@ -81,7 +81,7 @@ def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray
 
 
 def as_array(value: Any, argument: str, wants: str = "an array") -> Any:
-    """Return a wp.array for a wp.array or an array on a CUDA device, else a NumPy array, without a copy where possible.
+    """Convert a value to a wp.array if it is one or is on a CUDA device, else to a NumPy array; avoid copies.
 
     Raises:
         TypeError: as for `as_ndarray` and `from_cuda`.
@@ -117,7 +117,7 @@ def _has_mask(value: Any) -> bool:
 
 
 def own_memory(out: Any, wants: str) -> Any:
-    """Return a NumPy array of the same memory for a CPU array of another library; other values unchanged."""
+    """Wrap a CPU array of another library as a NumPy array that shares its memory; return other values unchanged."""
     if isinstance(out, _ARRAYS) or not any(hasattr(out, name) for name in (*_NUMPY_KNOWS, "__dlpack__")):
         return out
     view, again = as_ndarray(out, "out", wants), as_ndarray(out, "out", wants)

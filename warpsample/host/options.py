@@ -1,4 +1,4 @@
-"""Options that calls share: their types, texts and defaults, once, and the record of the checked ones."""
+"""Types, descriptions, defaults and checks of the options that many functions of the package share."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -32,7 +32,7 @@ DEFAULTS: dict[str, Any] = {
 
 
 class SeedKeywords(TypedDict, total=False):
-    """Options of calls that may draw random numbers."""
+    """Keyword options of functions that draw random numbers."""
 
     seed: int
     """Random seed, an integer of 64 bits. Default: 0."""
@@ -41,7 +41,7 @@ class SeedKeywords(TypedDict, total=False):
 
 
 class CastKeywords(SeedKeywords, total=False):
-    """Options of calls that cast rays."""
+    """Keyword options of functions that cast rays."""
 
     skip: bool
     """Whether to leave out rays whose answer is known. Changes no value. Default: True."""
@@ -50,7 +50,7 @@ class CastKeywords(SeedKeywords, total=False):
 
 
 class EstimateKeywords(CastKeywords, total=False):
-    """Options of calls that estimate a mean over directions."""
+    """Keyword options of functions that estimate a mean over directions."""
 
     sequence: str
     """Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci"."""
@@ -63,7 +63,7 @@ class EstimateKeywords(CastKeywords, total=False):
 
 
 class PointKeywords(TypedDict, total=False):
-    """Options of calls with a row for each point."""
+    """Keyword options of functions that return a row for each point."""
 
     first_point: int
     """Global id of row 0, an integer; 0 for points with an `id`. Default: 0."""
@@ -72,15 +72,15 @@ class PointKeywords(TypedDict, total=False):
 
 
 class CastPointKeywords(CastKeywords, PointKeywords, total=False):
-    """Options of calls that cast rays from points."""
+    """Keyword options of functions that cast rays from points."""
 
 
 class RayKeywords(EstimateKeywords, PointKeywords, total=False):
-    """Options of calls that estimate a mean over directions at each point."""
+    """Keyword options of functions that estimate a mean over directions at each point."""
 
 
 def with_options(keywords: type, defaults: Mapping[str, Any] = DEFAULTS) -> Callable[[Call], Call]:
-    """Decorate a function of `**options` to raise a TypeError for others than its signature shows.
+    """Decorate a function with `**options` so that unknown options raise a TypeError and its signature lists all.
 
     Args:
         keywords: TypedDict of the options.
@@ -109,7 +109,7 @@ def with_options(keywords: type, defaults: Mapping[str, Any] = DEFAULTS) -> Call
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class CallOptions:
-    """Checked options of a call over points, see `SeedKeywords`, `CastKeywords` and `PointKeywords`.
+    """Checked options that functions over points share: seed, ids, mask of active points, device, threads and progress.
 
     Attributes:
         ids: (P,) uint64, the global ids of all rows; None if they are counted from `first_point`.
@@ -129,7 +129,7 @@ class CallOptions:
     def of(
         cls, points: int, *, seed: Any = 0, first_point: Any = 0, ids: Any = None, active: Any = None, **how: Any
     ) -> "CallOptions":
-        """Check the options of a call over `points` points; `ids` are those of SurfacePoints, `how` is as for `replace`."""
+        """Check the options of a call over `points` points, and return a `CallOptions`; `how` is as for `replace`."""
         return cls(
             seed=check_seed(seed),
             first_point=check_first_point(first_point, points, ids),
@@ -139,7 +139,7 @@ class CallOptions:
         )
 
     def replace(self: Options, **how: Any) -> Options:
-        """Check `device`, `workers` and `progress`, and return a copy with them.
+        """Check new values of `device`, `workers` and `progress`, and return a copy with the new values.
 
         A wp.array `given` to the call, as the argument of the name `argument`, is computed with on its own device.
         """
@@ -154,7 +154,7 @@ def _ways(
     given: Array | None = None,
     argument: str = "",
 ) -> dict[str, Any]:
-    """Check the options `device`, `workers` and `progress` of a call, and return them as fields of `CallOptions`."""
+    """Check the options `device`, `workers` and `progress`, and return the corresponding fields of `CallOptions`."""
     return {
         "memory": Memory.of(device, given, argument),
         "workers": check_workers(workers),

@@ -21,7 +21,7 @@ _LONGEST_RUN = 127
 
 
 def read_picture(path: str | PathLike[str], argument: str = "radiance") -> np.ndarray:
-    """Return the picture in a file, row 0 on top: (H, W, 3) float32 of an .hdr, or the array of an .npy.
+    """Read a picture from an .hdr file, (H, W, 3) float32, or from an .npy file; row 0 is the top.
 
     No pickle is loaded; `argument` names the path in errors.
 
@@ -57,7 +57,7 @@ def _read_hdr(path: Path) -> np.ndarray:
 
 
 def _header(file: BinaryIO) -> tuple[slice, slice, int, int]:
-    """Read the header; return slices that put rows and columns in order, the height, and the width."""
+    """Read the header of an .hdr file; return (slices that flip the picture upright, height, width)."""
     if not file.readline(80).startswith(b"#?"):
         raise ValueError("it does not begin with '#?'")
     while line := file.readline(4096).strip():
@@ -72,7 +72,7 @@ def _header(file: BinaryIO) -> tuple[slice, slice, int, int]:
 
 
 def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:
-    """Return the (W, 4) uint8 pixels of the line at an offset, and the offset of the next line."""
+    """Decode one line of pixels of an .hdr file, (W, 4) uint8; also return the offset of the next line."""
     start = data[at : at + 4].ljust(4)
     if not (_SHORTEST <= width <= _LONGEST and start[:2] == b"\2\2" and start[2] < 128):
         return _plain_line(data[at : at + 4 * width], width), at + 4 * width
@@ -91,7 +91,7 @@ def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:
 
 
 def _plain_line(data: bytes, width: int) -> np.ndarray:
-    """Return the (W, 4) uint8 pixels of a line without runs."""
+    """Decode a line of pixels that is stored without run-length encoding, (W, 4) uint8."""
     if len(data) < 4 * width:
         raise ValueError("it ends within a line")
     line = np.frombuffer(data, np.uint8).reshape(width, 4)

@@ -58,7 +58,7 @@ def _bar(what: str, total: int | None) -> Iterator[None]:
 
 @contextmanager
 def awaited(what: str) -> Iterator[None]:
-    """Print a line on stderr if the work within a `with` statement takes more than a second; a bar stays below the line."""
+    """Print a line on stderr if the work within a `with` statement takes more than a second."""
     if not (_is_on.get() or _is_terminal()):
         yield
         return
@@ -87,7 +87,7 @@ def _print_line(line: str) -> None:
 
 @contextmanager
 def asking(wanted: Callable[[], None]) -> Iterator[None]:
-    """Call `wanted` after each batch of this thread's calls, within a `with` statement; its error ends the call."""
+    """Call `wanted` regularly while kernels run within a `with` statement; an error from it stops the kernels."""
     token = _check.set(wanted)
     try:
         yield
@@ -96,7 +96,7 @@ def asking(wanted: Callable[[], None]) -> Iterator[None]:
 
 
 def begin(tasks: int, work: int) -> Callable[[int], None] | None:
-    """Return a function that threads call with the number of tasks of a finished batch; None if there is nothing to do."""
+    """Return the function to call after each batch of a kernel's tasks, which moves the progress bar; None without a bar."""
     advance, wanted = _bar_of(tasks, work), _check.get()
     if wanted is None:
         return advance
@@ -110,7 +110,7 @@ def begin(tasks: int, work: int) -> Callable[[int], None] | None:
 
 
 def _bar_of(tasks: int, work: int) -> Callable[[int], None] | None:
-    """Return the function that moves the bar; None without a bar, or for short work."""
+    """Return the function that moves the current progress bar; None without a bar, or for short work."""
     shown = _display.get()
     if shown is None or work < LEAST_WORK:
         return None

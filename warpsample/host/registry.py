@@ -9,7 +9,7 @@ from warpsample.host.arguments import check_choice
 
 
 def records_of(package: ModuleType) -> dict[str, Any]:
-    """Return the `RECORD` of each module of a package that has one, by the name of the record."""
+    """Import all modules of a package, and return their `RECORD`s, keyed by the record's name."""
     modules = (importlib.import_module(f"{package.__name__}.{info.name}") for info in pkgutil.iter_modules(package.__path__))
     return {module.RECORD.name: module.RECORD for module in modules if hasattr(module, "RECORD")}
 

@@ -1,4 +1,4 @@
-"""Values by their content: a process that receives a mesh twice from another process keeps one mesh, with one tree."""
+"""Cache of values by content hash, so that a process that receives the same mesh twice keeps only one copy."""
 
 import hashlib
 from collections import deque
@@ -17,7 +17,7 @@ _received: deque[Any] = deque(maxlen=_KEPT)
 
 
 def digest_of(*arrays: np.ndarray) -> str:
-    """Return the SHA-256 of the types, shapes and numbers of arrays, in hexadecimal digits."""
+    """Return a SHA-256 hash of arrays (types, shapes and numbers), in hexadecimal digits."""
     found = hashlib.sha256()
     for array in arrays:
         found.update(f"{array.dtype.str}{array.shape}".encode())
@@ -26,13 +26,13 @@ def digest_of(*arrays: np.ndarray) -> str:
 
 
 def remember(digest: str, value: Any) -> None:
-    """Register a value by its digest, so that `find_or_make` returns it in this and in forked processes while it exists."""
+    """Register a value under a hash, so that `find_or_make` finds the value as long as it exists."""
     with making:
         _values.setdefault(digest, value)
 
 
 def find_or_make(digest: str, make: Callable[..., Any], *content: Any) -> Any:
-    """Return the registered value of a digest, or a new value, `make(*content)`.
+    """Return the value registered under a hash, or create and register `make(*content)`.
 
     The last few new values are kept: Dask sends a mesh with each task, and each time a tree would be built.
     """

@@ -1,4 +1,4 @@
-"""Threads that the package keeps to help with calls; no thread works on a call when the call ends.
+"""Worker threads of the package, which are kept between calls and run parts of a call in parallel.
 
 Each helper holds a lock while it works. The caller takes the locks of all helpers before it returns, and never gives them
 back: a thread that comes later finds the lock taken and touches nothing.
@@ -16,7 +16,7 @@ _threads = 0
 
 
 class _Helper:
-    """Part of a call that waits for a free thread of the package; it is dropped when the call ends first."""
+    """Part of a call that waits in a queue for a free worker thread."""
 
     def __init__(self, part: Callable[[], None], stop: Callable[[], None]) -> None:
         self._part: Callable[[], None] | None = part
@@ -26,7 +26,7 @@ class _Helper:
         self.error: BaseException | None = None
 
     def work(self) -> None:
-        """Run the part of the call on one of the package's threads."""
+        """Run this part of the call on a worker thread; an error is stored for the caller."""
         if not self._working.acquire(blocking=False):
             return
         try:
@@ -39,7 +39,7 @@ class _Helper:
             self._working.release()
 
     def end(self) -> None:
-        """Prevent threads from starting the part, and wait for a thread that works on it."""
+        """Cancel this part if it has not started yet, else wait until it is complete."""
         if self._process != os.getpid():  # forked within the call, from a signal handler: the thread does not exist here
             self.error = RuntimeError("this process was forked within a call, and has none of its threads: call again")
             return
@@ -48,7 +48,7 @@ class _Helper:
 
 
 def share(parts: Sequence[Callable[[], None]], stop: Callable[[], None]) -> None:
-    """Run the parts of a call in parallel: the first in this thread, the others on free threads of the package.
+    """Run functions in parallel: the first in this thread, the rest on worker threads; return when all have ended.
 
     All threads have stopped when this function ends, also by the first error of a part. In the main thread, call it within
     `uninterrupted`. `stop` leaves no work to the parts, which all do the same work until none is left.
@@ -76,7 +76,7 @@ def _end(helpers: list[_Helper], stop: Callable[[], None]) -> None:
 
 
 def _start_threads(count: int) -> None:
-    """Start threads until the process has `count` of them, or the system refuses more."""
+    """Start worker threads until there are `count`, or the operating system refuses to start more."""
     global _threads  # noqa: PLW0603  (threads belong to the process)
     with suppress(RuntimeError):
         while _threads < count:

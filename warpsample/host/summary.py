@@ -10,19 +10,19 @@ _LONGEST = 60  # characters of a value that is no array
 
 
 class Summary:
-    """Base of dataclasses of arrays: `repr` and notebooks show one line per field."""
+    """Base class of results: `print` and notebooks show one line per field instead of whole arrays."""
 
     _counted: ClassVar[str] = "points"
     """Plural noun of the things that the first axis counts."""
 
     def __repr__(self) -> str:
-        """Return the kind of result and one line per field."""
+        """Return a short description of the result: its kind, and one line for each field."""
         rows = self._rows()
         width = max(map(len, rows), default=0)
         return "\n".join([self._title(), *(f"  {name:{width}}  {text}" for name, text in rows.items())])
 
     def _repr_html_(self) -> str:
-        """Return the same lines as an HTML table, for notebooks."""
+        """Return the description of the result as an HTML table, for notebooks."""
         cells = (f"<tr><th>{escape(name)}</th><td>{escape(text)}</td></tr>" for name, text in self._rows().items())
         return f"<table><caption>{escape(self._title())}</caption>{''.join(cells)}</table>"
 
@@ -63,7 +63,7 @@ def _describe_array(array: Any) -> str:
 
 
 def _describe_parts(value: Any) -> str:
-    """Return the counts above 0 of a record of whole numbers; for another value the type and the length."""
+    """Describe a value that is no array: the counts above 0 of a record of counts, else type and length."""
     counts = {item.name: getattr(value, item.name) for item in fields(value)} if is_dataclass(value) else {}
     if counts and all(isinstance(count, int) for count in counts.values()):
         return ", ".join(f"{count:,} {name}" for name, count in counts.items() if count) or "nothing"
@@ -71,7 +71,7 @@ def _describe_parts(value: Any) -> str:
 
 
 def _statistics(array: np.ndarray) -> str:
-    """Return the range of an array, the mean of its rows of one number, and the number of its infinite and NaN entries."""
+    """Return text on the numbers in an array: range, mean, and the number of infinite and NaN entries."""
     if array.dtype.kind in "Mm" and array.size:
         return f", {array.min()} to {array.max()}"
     if array.dtype.kind not in "iuf" or not array.size:

@@ -20,7 +20,7 @@ def frame_of(columns: Mapping[str, np.ndarray]) -> Any:
 
 
 def write_csv(stream: BinaryIO, columns: Mapping[str, np.ndarray]) -> None:
-    """Write columns as a .csv in UTF-8 with a header.
+    """Write a dictionary of columns as a .csv file in UTF-8, with a header line.
 
     Floats have nine digits, NaN is an empty cell, and texts are in quotes where .csv requires quotes.
     """
@@ -31,14 +31,14 @@ def write_csv(stream: BinaryIO, columns: Mapping[str, np.ndarray]) -> None:
 
 
 def _lines(rows: Any) -> bytes:
-    """Return the lines of a .csv."""
+    """Convert rows to the lines of a .csv file, as UTF-8 bytes."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue().encode("utf-8", "backslashreplace")
 
 
 def _cells(column: np.ndarray) -> Iterator[Any]:
-    """Yield the cells of a column."""
+    """Yield the texts of a table column for a .csv file; NaN becomes an empty cell."""
     if column.dtype.kind != "f":
         yield from column.tolist()
     else:

@@ -1,4 +1,4 @@
-"""Arrays of vectors for kernels, with address, shape and device; and output arrays of the caller."""
+"""Arrays of vectors in the form that kernels take, and checks of the argument `out`."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -18,7 +18,7 @@ _DIMENSIONS = {wp.vec2: 2, wp.vec3: 3}
 
 @dataclass(frozen=True)
 class Vectors:
-    """C-contiguous array of float32 vectors.
+    """Array of float32 vectors for kernels, with its memory address, shape and device.
 
     Attributes:
         owner: the array, which keeps the address valid.
@@ -34,7 +34,7 @@ class Vectors:
 
     @property
     def address(self) -> int:
-        """Address of the first component."""
+        """Memory address of the first component."""
         return address_of(self.owner)
 
     @property
@@ -44,7 +44,7 @@ class Vectors:
 
 
 def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") -> Vectors:
-    """Return an array as float32 vectors, without a copy of C-contiguous float32 arrays.
+    """Convert an array to float32 vectors, without a copy if it is contiguous float32 already.
 
     Args:
         value: array of floating-point numbers, whose last axis has the length `width`; or a wp.array of vectors.
@@ -68,7 +68,7 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
 
 
 def _rounded(array: np.ndarray) -> np.ndarray:
-    """Convert an array to C-contiguous float32, without a copy if it is so already."""
+    """Round an array to contiguous float32; return an array unchanged that is contiguous float32 already."""
     if array.dtype == _FLOATS[0] and array.flags.c_contiguous and type(array) is np.ndarray:
         return array
     with np.errstate(over="ignore"):
@@ -76,7 +76,7 @@ def _rounded(array: np.ndarray) -> np.ndarray:
 
 
 def as_directions(array: np.ndarray) -> np.ndarray:
-    """Return (..., 3) vectors as float32, scaled by a power of two where float32 cannot hold the length of a vector."""
+    """Convert directions, (..., 3), of any length to float32; very long and short vectors are scaled first."""
     if array.dtype != _FLOATS[0]:
         largest = np.abs(array).max(axis=-1, initial=0.0)
         outside = np.isfinite(largest) & (largest > 0.0) & ~((largest > _SHORTEST) & (largest < _LONGEST))
@@ -87,7 +87,7 @@ def as_directions(array: np.ndarray) -> np.ndarray:
 
 
 def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
-    """Return a contiguous wp.array of vectors or float32 as vectors; raise the errors of `as_vectors`."""
+    """Convert a wp.array of vectors, or of float32 numbers, to `Vectors`; raise the errors of `as_vectors`."""
     of_vectors = _DIMENSIONS.get(array.dtype) == width
     of_floats = array.dtype is wp.float32 and array.ndim > 0 and array.shape[-1] == width
     if not (of_vectors or of_floats):
@@ -103,7 +103,7 @@ def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
 
 
 def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
-    """Return uninitialised vectors in a NumPy array or a wp.array, as `like` has, on the same device.
+    """Allocate vectors, without setting values, in an array of the same library and device as `like`.
 
     With `width` 1 the array has no axis of components.
     """
@@ -115,12 +115,12 @@ def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
 
 @lru_cache(maxsize=64)
 def _describe_output(shape: tuple[int, ...]) -> str:
-    """Return the description of the wanted `out`; kept, since each call needs it, and errors are rare."""
+    """Return the phrase for error messages that describes the required shape of `out`."""
     return f"a C-contiguous, writeable float32 array of shape {(*shape, 3)}"
 
 
 def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
-    """Return the caller's output array as vectors: (*shape, 3) float32, C-contiguous, of the library and device of `like`.
+    """Check the argument `out`, an array for (*shape, 3) float32 results, and return it as `Vectors`.
 
     Raises:
         TypeError: the array is of another library or another type.

@@ -28,7 +28,7 @@ _LARGEST_TAN_SQUARED = wp.constant(wp.float64(1e37))
 
 @wp.func
 def turns_of(x: wp.float32, y: wp.float32) -> wp.float32:
-    """Return the azimuth of (x, y) in turns, in [0, 1); worst absolute error 6e-8.
+    """Return the azimuth of the vector (x, y) divided by 2 pi, in [0, 1); worst absolute error 6e-8.
 
     At the origin the azimuth and its gradient are 0. The method is atan2 without branches: the angle is reduced
     to an octant, then to [0, tan(pi/8)], where the polynomial of Cephes' atanf is used.

@@ -1,4 +1,4 @@
-"""Stretching of directions along x and y, by which an isotropic lobe of microfacet normals becomes an anisotropic one."""
+"""Stretching of microfacet normals along x and y, which turns an isotropic distribution into an anisotropic one."""
 
 import warp as wp
 
@@ -8,7 +8,7 @@ from warpsample.maths.numerics import fma
 
 @wp.func
 def mean_and_stretch(alpha: wp.float32, alpha_y: wp.float32) -> wp.vec3:
-    """Return (mean, alpha / mean, alpha_y / mean) for the geometric mean of the roughnesses along x and y.
+    """Split two roughnesses into their geometric mean and a stretch: (mean, alpha / mean, alpha_y / mean).
 
     For equal roughnesses from 1e-6 to 1 the mean is the roughness and both quotients are 1, exactly: the square root of a
     rounded square is the number itself. Formulas with these quotients do not cancel, unlike those with tan and the azimuth.
@@ -19,7 +19,7 @@ def mean_and_stretch(alpha: wp.float32, alpha_y: wp.float32) -> wp.vec3:
 
 @wp.func
 def contracted_tan_squared(w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32) -> wp.float64:
-    """Return tan^2 of the angle between w, contracted by the exact stretch of both roughnesses, and +z; at most 1e37.
+    """Return tan^2 of the angle between w, after undoing the anisotropic stretch, and +z; at most 1e37.
 
     float64 keeps the digits of an exponential of it. For equal roughnesses it is `tan_squared`, bit for bit.
     """
@@ -30,13 +30,13 @@ def contracted_tan_squared(w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32) -
 
 @wp.func
 def stretched(w: wp.vec3, m: wp.vec3) -> wp.vec3:
-    """Return w with x and y multiplied by the stretch m of `mean_and_stretch`."""
+    """Return w with x and y multiplied by the stretch m[1], m[2] of an anisotropic distribution."""
     return wp.vec3(w[0] * m[1], w[1] * m[2], w[2])
 
 
 @wp.func
 def contracted(w: wp.vec3, m: wp.vec3) -> wp.vec3:
-    """Return w with x and y divided by the stretch m of `mean_and_stretch`."""
+    """Return w with x and y divided by the stretch m[1], m[2] of an anisotropic distribution."""
     return wp.vec3(w[0] / m[1], w[1] / m[2], w[2])
 
 

@@ -1,4 +1,4 @@
-"""Functions that read or write one number or vector at an address, without a view of a whole array.
+"""Warp functions that read or write one number or vector at a memory address.
 
 Loops that must vectorise open a view, `wp.array(ptr=...)`, and index that view instead. An index may have any integer type.
 """

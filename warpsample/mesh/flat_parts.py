@@ -10,7 +10,7 @@ _LEVEL = 1e-3  # sine of the largest angle between up and the normal of a horizo
 
 
 def flat_parts(mesh: Mesh, rows: np.ndarray, upward: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Group neighbouring faces that lie in one plane, and compute two axes in each plane.
+    """Group connected faces that lie in one plane; return the group of each face, and two axes in each group's plane.
 
     Args:
         mesh: Mesh whose neighbouring faces share vertices.
@@ -43,7 +43,7 @@ def axes_in_plane(normal: np.ndarray, upward: np.ndarray) -> tuple[np.ndarray, n
 
 
 def _joined(faces: np.ndarray, normal: np.ndarray, vertices: int) -> np.ndarray:
-    """Return the (N,) number of the flat part that each face belongs to.
+    """Return the number of each face's flat part, (N,): connected faces in one plane.
 
     Two faces are joined if they alone share an edge and the angle between their normals is below 0.1 degrees.
     """

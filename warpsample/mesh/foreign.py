@@ -22,7 +22,7 @@ KINDS = (
 
 
 def arrays_of(value: Any, argument: str) -> Named | None:
-    """Return vertices, faces, parts and part names of a mesh of another library, or None for an unknown type.
+    """Return (vertices, faces, parts, part names) of a mesh of another library, or None for an unknown type.
 
     Raises:
         ValueError: A scene without faces.

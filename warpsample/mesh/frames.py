@@ -39,7 +39,7 @@ def as_tangents(value: Any, points: int, argument: str = "tangent", one_for_all:
 
 
 def turn_vectors(normal: np.ndarray, tangent: np.ndarray | None, vectors: Any, *, to_world: bool) -> np.ndarray:
-    """Return vectors in world coordinates, or in the frames of points.
+    """Convert vectors at points between world coordinates and the points' tangent frames.
 
     Args:
         normal: (P, 3) normals of any length.

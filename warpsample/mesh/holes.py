@@ -10,7 +10,7 @@ from warpsample.mesh.polygons import triangles
 
 @dataclass(frozen=True, eq=False)
 class Outlines:
-    """Outlines of N faces: rings of corners, for each face the outer ring first, then the holes.
+    """N polygons with holes, as rings of corners: for each polygon the outer ring first, then its holes.
 
     Attributes:
         corners: (K,) int64 indices of points, ring after ring; the first corner is not repeated at the end of a ring.
@@ -24,11 +24,11 @@ class Outlines:
 
     @property
     def outer(self) -> np.ndarray:
-        """(N,) index of each face's outer ring."""
+        """Number of each polygon's outer ring, (N,)."""
         return np.cumsum(self.rings) - self.rings
 
     def crosses(self, points: np.ndarray) -> np.ndarray:
-        """Return the (R, 3) normals of the rings by Newell's formula, with a length of twice the ring's area.
+        """Return the normal of each ring of corners, (R, 3), with a length of twice the ring's area (Newell's formula).
 
         The normal is 0 for a ring with fewer than three corners.
         """
@@ -72,7 +72,7 @@ class Outlines:
 
 
 def _cut(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Return (T, 3) corner numbers of the triangles of a polygon with corners (n, 3) and rings of `sizes` corners."""
+    """Triangulate one polygon with holes, given by corners (n, 3) in rings; return (T, 3) corner numbers."""
     flat = _flattened(corners, int(sizes[0]))
     ends = np.cumsum(sizes)
     following = np.arange(1, len(flat) + 1)

@@ -9,7 +9,7 @@ LARGEST = 1e36
 
 
 def check_vertices(vertices: np.ndarray) -> np.ndarray:
-    """Return a read-only float64 copy of (V, 3) vertices.
+    """Check the vertices of a mesh, (V, 3), and return a read-only float64 copy.
 
     Raises:
         ValueError: A wrong shape, or coordinates that are not finite or exceed `LARGEST` in absolute value.
@@ -29,7 +29,7 @@ def check_vertices(vertices: np.ndarray) -> np.ndarray:
 
 
 def check_faces(faces: np.ndarray, vertices: int) -> np.ndarray:
-    """Return a read-only int32 copy of (F, 3) faces.
+    """Check the faces of a mesh, (F, 3) indices of vertices, and return a read-only int32 copy.
 
     Raises:
         TypeError: Faces that are not integers.

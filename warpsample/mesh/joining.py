@@ -1,4 +1,4 @@
-"""Joins the meshes of a scene into one mesh, each transformed by its matrix."""
+"""Joining of the meshes of a scene into one mesh, each transformed by its matrix."""
 
 from collections.abc import Iterable, Iterator
 
@@ -75,7 +75,7 @@ def joined_corners(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | No
 
 
 def _transform_part(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
-    """Return the points of a part after its matrix, and its triangles with the winding reversed if the matrix mirrors."""
+    """Transform one part by its matrix; return points, and triangles whose outside stays outside if the matrix mirrors."""
     if matrix is None:
         return points, triangles
     with np.errstate(all="ignore"):  # `Mesh` refuses coordinates that are not finite
@@ -85,6 +85,6 @@ def _transform_part(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarra
 
 
 def outward(triangles: np.ndarray, matrix: np.ndarray | None) -> np.ndarray:
-    """Return triangles with a reversed winding if the matrix mirrors, so that their outside stays outside."""
+    """Reverse the winding of triangles if a matrix mirrors, so that the outside stays outside."""
     is_mirrored = matrix is not None and np.linalg.det(matrix[:3, :3]) < 0.0
     return triangles[:, ::-1] if is_mirrored else triangles

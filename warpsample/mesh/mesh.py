@@ -143,7 +143,7 @@ class Mesh(Summary):
 
     @property
     def like(self) -> "Mesh | None":
-        """Mesh with the same vertices and faces that this mesh was copied from to change optical properties, or None.
+        """Mesh with the same vertices and faces from which this mesh was copied with other optical properties, or None.
 
         None, too, after that mesh is deleted.
         """

@@ -1,4 +1,4 @@
-"""Checks and digests of the optical properties of faces: the fractions of light that a face transmits and reflects."""
+"""Checks and hashes of the optical properties of faces: the fractions of light that a face transmits and reflects."""
 
 from typing import Any
 
@@ -45,7 +45,7 @@ def check_sum(transmittance: np.ndarray | None, reflectance: np.ndarray | None) 
 
 
 def optics_digest(digest: str, transmittance: np.ndarray | None, reflectance: np.ndarray | None) -> str:
-    """Return the SHA-256 of a mesh's digest and optical properties, or `digest` if there are no optical properties."""
+    """Return a hash of a mesh with optical properties, from the hash `digest` of its vertices and faces."""
     if transmittance is None and reflectance is None:
         return digest
     nothing = np.zeros(0, np.float32)

@@ -13,7 +13,7 @@ import numpy as np
 
 @dataclass(frozen=True, eq=False)
 class PartMeans:
-    """Means over N parts, weighted by area.
+    """Area-weighted means over the N parts of a mesh, with standard errors.
 
     Attributes:
         value: (N,) or (N, k) float64 means; NaN for parts without points.
@@ -56,7 +56,7 @@ def part_means(
 
 
 def _means(face: np.ndarray, points: np.ndarray, value: np.ndarray, error: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the mean of each face's points and the variance of that mean; both are 0 for faces without points."""
+    """Return the mean of the values on each face, and the variance of this mean; 0 for faces without points."""
     many = np.maximum(points, 1)
     mean = np.bincount(face, value, len(points)) / many
     spread = np.bincount(face, np.square(value - mean[face]), len(points)) / (np.maximum(points - 1, 1) * many)

@@ -15,7 +15,7 @@ _WORD_STEP = wp.constant(wp.float64(2.0**-32))
 
 
 def guide_to(sums: np.ndarray, points: int) -> np.ndarray:
-    """Return a lookup table that narrows the search for a face in the cumulative areas `sums`: Chen1974.
+    """Return a lookup table that speeds up the search for the face at a fraction of the total area (Chen1974).
 
     The table has (2^b + 1,) int32 entries. A fraction between i / 2^b and (i + 1) / 2^b of the total area falls on a face
     from guide[i] to guide[i + 1]. Few `points` get a small table.
@@ -63,7 +63,7 @@ def _drawer(block: int) -> wp.Function:
 
 @wp.func
 def _face_of(share: wp.float64, areas: wp.array[wp.float64], low: wp.int32, high: wp.int32) -> wp.int32:
-    """Find the first face from `low` to `high` whose cumulative area exceeds `share`; the face has an area."""
+    """Return the first face from `low` to `high` whose cumulative area exceeds `share`, by bisection."""
     while low < high:
         middle = (low + high) / 2
         if areas[middle] > share:
@@ -109,7 +109,7 @@ def place_points(block: int) -> wp.Kernel:
         barycentric: wp.uint64,
         first_task: wp.int64,
     ):
-        """Place one block of points with one thread."""
+        """Sample one block of random points on the surface."""
         start = (wp.int32(first_task) + wp.tid()) * block
         length = wp.min(block, points - start)
         corners = wp.array(ptr=vertices, shape=(vertex_count,), dtype=wp.vec3d)

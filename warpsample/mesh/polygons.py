@@ -47,7 +47,7 @@ def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np
 
 
 def corner_triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
-    """Return (F, 3) positions in `indices` of the triangles' corners, for the triangles that `triangles` returns."""
+    """Triangulate polygons; return each triangle's corners as positions in `indices`, (F, 3)."""
     return triangles(points[indices], counts, np.arange(len(indices)))
 
 
@@ -68,7 +68,7 @@ def _folded(points: np.ndarray, fans: np.ndarray, counts: np.ndarray) -> np.ndar
 
 
 def _cut(corners: np.ndarray) -> np.ndarray | None:
-    """Return (n - 2, 3) corner numbers of the triangles of a polygon (n, 3), or None if the polygon crosses itself.
+    """Triangulate one polygon (n, 3); return (n - 2, 3) corner numbers, or None if the polygon crosses itself.
 
     In the second case the triangles do not cover the polygon's area. Repeated corners are hidden from earcut: next to
     repeats, earcut drops corners on a straight line, which opens a gap to a neighbouring polygon with the same corners. The

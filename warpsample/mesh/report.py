@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class MeshReport:
-    """Size and defects of a mesh.
+    """Report on a mesh: numbers of vertices and faces, and counts of defects.
 
     Attributes:
         vertices: Number of vertices.
@@ -41,7 +41,7 @@ class MeshReport:
 
 
 def report_of(faces: np.ndarray, areas: np.ndarray, used: np.ndarray, bounds: np.ndarray) -> MeshReport:
-    """Count the vertices, faces and defects of a checked mesh; sorts all edges.
+    """Count the vertices, faces and defects of a checked mesh, and return a `MeshReport`.
 
     Args:
         faces: (F, 3) int32 indices of vertices.

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SurfacePoints(Summary):
-    """Points on a surface with their normals, one per row, at which directions are sampled and numbers are computed.
+    """Points on a surface with normals, where directions are sampled and quantities are computed.
 
     Arrays of other libraries (Warp, PyTorch, JAX, CuPy) are converted to NumPy, without a copy if they are in the CPU's
     memory. Directions, hits and results at the points are NumPy arrays, too.
@@ -35,8 +35,8 @@ class SurfacePoints(Summary):
         id: (P,) uint64 global ids that determine the random numbers of each point, so that reordered or selected points keep
             their random numbers. Default: None, row i has the id first_point + i.
         raised: (P,) bool mask of points whose rays start vertically above the point (below for a normal that points down),
-            however steep the adjacent faces are. Valid only at vertices of a mesh with one height at each (x, y), such as
-            `rasters.surface` with model "tin". Default: None, no point.
+            however steep the adjacent faces are. Valid only at vertices whose faces have one height at each (x, y), such as
+            the centres of cells of `rasters.surface`. Default: None, no point.
         tangent: (P, 4) float32: vectors whose part along the surface is the x axis of the frame of each point, and 1, or -1
             for a left-handed frame (glTF's TANGENT). (P, 3) vectors get 1. Default: None, the frame depends on the normal
             alone. `with_tangents` sets it.
@@ -80,7 +80,7 @@ class SurfacePoints(Summary):
             object.__setattr__(self, name, array)
 
     def __len__(self) -> int:
-        """Return the number of points."""
+        """Return the number of surface points."""
         return len(self.position)
 
     def take(self, rows: Any) -> "SurfacePoints":

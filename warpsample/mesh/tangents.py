@@ -76,7 +76,7 @@ def _compute_u_directions(position: np.ndarray, uv: np.ndarray) -> tuple[np.ndar
 
 
 def _pair_edges(vertex: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return pairs of equal edges that two faces traverse in opposite directions.
+    """Return pairs of face edges that connect neighbouring faces: the same edge in opposite directions.
 
     Edges are (E,) numbers, 3 * face + first corner. `vertex` is the (F, 3) vertex number of each corner.
     """
@@ -92,7 +92,7 @@ def _pair_edges(vertex: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _spread_orientation(upright: np.ndarray, flat: np.ndarray, vertex: np.ndarray) -> np.ndarray:
-    """Return the (F,) mask of unmirrored faces; degenerate faces take the orientation of a neighbour, repeatedly."""
+    """Return a mask of the faces with unmirrored texture, (F,); degenerate faces are treated like a neighbour."""
     one, other = (edges // 3 for edges in _pair_edges(vertex))
     upright, open_ = upright.copy(), flat.copy()
     while len(found := np.flatnonzero(open_[one] & ~open_[other])[::-1]):
@@ -102,7 +102,7 @@ def _spread_orientation(upright: np.ndarray, flat: np.ndarray, vertex: np.ndarra
 
 
 def _group_corners(vertex: np.ndarray, upright: np.ndarray) -> np.ndarray:
-    """Return the (3F,) group of each corner; corners in a group share a tangent."""
+    """Return the group of each face corner, (3 F,): corners of neighbouring faces that share a tangent."""
     one, other = _pair_edges(vertex)
     alike = upright[one // 3] == upright[other // 3]
     one, other = one[alike], other[alike]

@@ -66,7 +66,7 @@ def _limit_memory() -> None:
 
 
 def _read(path: Path, what: str) -> list[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]] | str:
-    """Return the meshes of a USD file, or its up axis."""
+    """Read one kind of data from a USD file, named by `what`: the meshes, a set of texture coordinates, or the up axis."""
     from pxr import Tf, UsdGeom
 
     try:
@@ -124,7 +124,7 @@ def _layer(path: Path) -> Any:
 
 
 def _check_sections(path: Path) -> None:
-    """Raise a ValueError for a binary file too short for its declared sections.
+    """Raise a ValueError if a binary USD file is shorter than the sections that it declares.
 
     usd-core would allocate memory of the declared size.
     """
@@ -170,7 +170,7 @@ def _describe_error(error: Any, path: Path) -> str:
 
 
 def _parts(stage: Any, uv: int | None) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
-    """Yield points or texture coordinates, triangles, matrix and name of each mesh with faces."""
+    """Yield (points or texture coordinates, triangles, matrix, name) of each visible mesh."""
     from pxr import Usd, UsdGeom
 
     first = Usd.TimeCode.EarliestTime()

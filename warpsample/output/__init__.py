@@ -1,1 +1,1 @@
-"""Files of directions, and of numbers for each point."""
+"""Commands that write files: sampled directions, and quantities computed at the points of a mesh."""

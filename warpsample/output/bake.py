@@ -30,7 +30,9 @@ _FULL = 1 << 20  # points of a part on a CUDA device, which is idle most of the 
 
 
 def bake(source: Source, record: RunRecord) -> str:
-    """Compute a checked run and write its output, which appears when it is complete; an interrupt leaves the old file.
+    """Compute the quantity of a `warpsample bake` command, write the output file, and return a report in lines.
+
+    The file appears when it is complete; an interrupt leaves the old file.
 
     Args:
         source: Source of the run, as `read_source` returns it.
@@ -52,7 +54,7 @@ def bake(source: Source, record: RunRecord) -> str:
 
 
 def _compute(source: Source, record: RunRecord) -> Any:
-    """Compute the quantity of a run at all points of the source, and return the result."""
+    """Compute the quantity of a `warpsample bake` command at all points, part by part, and return the result."""
     quantity, points, options = source.quantity, source.points, source.run.options
     numbers = quantity.numbers(source.mesh, len(points), options)
     numbers(points.take(slice(0, 1)), 0)  # builds the tree and the kernel
@@ -61,14 +63,14 @@ def _compute(source: Source, record: RunRecord) -> Any:
 
 
 def part_size(quantity: Quantity, options: dict[str, Any]) -> int:
-    """Return the number of points to compute at a time, given the options of a quantity."""
+    """Return the number of points to compute at a time, between two updates of the progress bar."""
     rays = options.get("samples") or quantity.default("samples") or _RAYS
     least = _TRIED if options.get("tolerance") else 1
     return max(least if Memory.of(options.get("device")).in_place else _FULL, RAYS_PER_PART // rays)
 
 
 class Takeable(Protocol):
-    """Interface of point sets from which a range of rows can be selected."""
+    """Interface of a set of points with a method to select a range, for example SurfacePoints."""
 
     def __len__(self) -> int:
         """Return the number of points."""
@@ -78,7 +80,7 @@ class Takeable(Protocol):
 
 
 def compute_parts(points: Takeable, numbers: Numbers, size: int, record: RunRecord) -> Iterator[Any]:
-    """Compute parts of `size` points one after the other, yield their results, and add each to the record."""
+    """Compute a quantity for `size` points at a time, yield each result, and add each to the progress record."""
     for first in range(0, len(points), size):
         part = numbers(points.take(slice(first, first + size)), first)
         record.add(summarize_result(part))
@@ -86,7 +88,7 @@ def compute_parts(points: Takeable, numbers: Numbers, size: int, record: RunReco
 
 
 def _write(baked: Baked, city: City | None) -> list[str]:
-    """Write the output and the report, and return a sentence on the report."""
+    """Write the output file and the .html report of a `warpsample bake` command; return a sentence on the report."""
     run = baked.run
     if is_by_parts(run):
         write_parts(baked, city)
@@ -100,7 +102,7 @@ def _write(baked: Baked, city: City | None) -> list[str]:
 
 
 def _describe_skips(found: Any) -> Iterator[str]:
-    """Yield sentences on skipped rays and on points without a value."""
+    """Yield sentences with the numbers of skipped rays and of points without a value."""
     skipped = getattr(found, "skipped", None)
     if isinstance(skipped, SkySkipped):
         yield from _describe("sky patches without rays: ", {"open": skipped.open_patches, "closed": skipped.closed_patches})

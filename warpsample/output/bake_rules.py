@@ -1,4 +1,4 @@
-"""Checks of a run of `warpsample bake` against the table, before any file is read."""
+"""Checks that the options of a `warpsample bake` command fit together, before any file is read."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -41,7 +41,7 @@ def check_table(run: BakeRun) -> None:
 
 
 def can_hold(quantity: Quantity, source: str, suffix: str) -> bool:
-    """Return whether an output format can hold a quantity that is computed on a kind of source."""
+    """Return whether a file with this suffix can hold a quantity, computed on a mesh, a city, a raster or a texture."""
     if suffix not in FILES[source]:
         return False
     if source == RASTER:
@@ -91,14 +91,14 @@ def _check_option(run: BakeRun, quantity: Quantity, name: str, value: Any) -> No
 
 
 def _flaws(run: BakeRun, quantity: Quantity) -> Iterator[str]:
-    """Yield an error message for each incompatible pair of options, or of an option and the quantity."""
+    """Yield an error message for each pair of options, or option and quantity, that exclude each other."""
     for is_wrong, describe in _PAIRS:
         if is_wrong(run, quantity):
             yield describe(run, quantity)
 
 
 def is_by_parts(run: BakeRun) -> bool:
-    """Return whether a run writes means over parts instead of values at points."""
+    """Return whether a `warpsample bake` command writes means over parts of the mesh instead of values at points."""
     is_mean = run.kind == CITY and run.output.suffix in MEAN_FILES[CITY] and (run.output.suffix != ".png" or run.at is None)
     return run.by is not None or is_mean
 
@@ -110,7 +110,7 @@ def _places(run: BakeRun) -> list[str]:
 
 
 def _other_city(run: BakeRun) -> bool:
-    """Return whether the source and the output are CityJSON of different kinds, .json and .jsonl."""
+    """Return whether one of source and output is a .json and the other a .jsonl, the two kinds of CityJSON files."""
     cities = set(MEAN_FILES[CITY]) - set(MEAN_FILES[MESH]) - {".png"}
     return {run.mesh.suffix, run.output.suffix} == cities
 

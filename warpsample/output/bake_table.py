@@ -1,4 +1,4 @@
-"""The table of `warpsample bake`: kinds of sources, files of each kind, and the sources and files of each option.
+"""Table of all options of `warpsample bake`, with the inputs and output formats to which each option applies.
 
 The checks, the error messages, the help page and the test of all combinations follow from this table.
 """
@@ -43,7 +43,7 @@ PANELS = (COMPUTE, WHERE, LIGHT, _CITY_PANEL, _RASTER_PANEL, _TEXTURE_PANEL, _ST
 
 @dataclass(frozen=True)
 class Option:
-    """Option of `warpsample bake`, a row of the table.
+    """Description of one option of `warpsample bake`: type, help text, and where the option applies.
 
     Attributes:
         kind: Type of a given value.
@@ -63,7 +63,7 @@ class Option:
 
 
 def _on(*sources: str, only: tuple[str, ...] = (), but: tuple[str, ...] = ()) -> dict[str, tuple[str, ...]]:
-    """Return the output suffixes to which an option applies, keyed by kind of source."""
+    """Return the output suffixes to which an option applies, for each of the given kinds of input."""
     return {
         source: tuple(suffix for suffix in FILES[source] if suffix not in but and (not only or suffix in only))
         for source in sources
@@ -276,7 +276,7 @@ OPTIONS: dict[str, Option] = {
 
 
 def kind_of(source: Path, output: Path, texture: Any) -> str:
-    """Return the kind of a run's source, from its suffix; the output's suffix decides for a source of unknown suffix.
+    """Return the kind of an input (mesh, city, raster or texture), from the suffixes of the input and the output.
 
     Args:
         source: Path of the source.
@@ -294,7 +294,7 @@ def kind_of(source: Path, output: Path, texture: Any) -> str:
 
 
 def describe_scope(name: str, source: str | None = None) -> str:
-    """Return the sources to which an option applies, or the suffixes for one kind of source; "" for all."""
+    """Return the inputs to which an option applies as text or, for one kind of input, the output suffixes; "" for all."""
     where = OPTIONS[name].where
     if source is not None:
         return "" if where[source] == FILES[source] else join_words(where[source])
@@ -302,6 +302,6 @@ def describe_scope(name: str, source: str | None = None) -> str:
 
 
 def join_words(words: Iterable[str]) -> str:
-    """Join words by commas and a last "and"."""
+    """Return words as an enumeration: "a, b and c"."""
     *others, last = words
     return f"{', '.join(others)} and {last}" if others else last

@@ -1,4 +1,4 @@
-"""Arguments of a run of `warpsample bake`, and the writers of its files: .ply, .vtp, .glb, .npz, .csv, .mtx and .png."""
+"""Arguments of a `warpsample bake` command, and writers of its output files: .ply, .vtp, .glb, .npz, .csv, .mtx and .png."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -64,7 +64,7 @@ class BakeRun:
 
     @classmethod
     def of(cls, mesh: Path, output: Path, quantity: str, given: Mapping[str, Any]) -> "BakeRun":
-        """Return the run of a command, from the given options by name."""
+        """Build the `BakeRun` of a command from its options, keyed by name."""
         left = {name: value for name, value in given.items() if value is not None and value is not False}
         own = {name: left.pop(name) for name in _OWN if name in left}
         own = {"at": None, "points": None, **own}
@@ -74,7 +74,7 @@ class BakeRun:
 
     @property
     def kind(self) -> str:
-        """Kind of the source, one of `bake_table.SOURCES`."""
+        """Kind of the input: mesh, city, raster or texture; one of `bake_table.SOURCES`."""
         return kind_of(self.mesh, self.output, self.more.get("texture"))
 
     @property
@@ -86,7 +86,7 @@ class BakeRun:
 
     @property
     def optics(self) -> dict[str, str | None]:
-        """Reflectance and transmittance options of the run, keyed by name."""
+        """Values of the options `--reflectance` and `--transmittance` that are given, keyed by name."""
         return {"transmittance": self.transmittance, "reflectance": self.reflectance}
 
     @property
@@ -102,27 +102,27 @@ _OWN = ("at", "points", "by", "lod", "split", "context", "report", "transmittanc
 
 @dataclass(frozen=True)
 class Baked:
-    """Content of an output file: arguments, mesh, points and the result at the points."""
+    """Content to write to an output file: arguments of the command, mesh, points, and the result at the points."""
 
     run: BakeRun
     mesh: Mesh
     points: SurfacePoints
-    found: Any
+    result: Any
 
     @property
     def quantity(self) -> Quantity:
-        """Record of the quantity."""
+        """Description of the computed quantity: its name, unit and options."""
         return quantity_of(self.run.quantity)
 
     @property
     def arrays(self) -> dict[str, np.ndarray]:
-        """Arrays with a row for each point, keyed by name."""
-        return self.quantity.arrays_of(self.found)
+        """Result arrays with a row for each point, keyed by name."""
+        return self.quantity.arrays_of(self.result)
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
         """Results at the points as one-dimensional columns, keyed by name."""
-        return self.quantity.columns(self.found)
+        return self.quantity.columns(self.result)
 
 
 def check_glb(run: BakeRun, mesh: Mesh) -> None:
@@ -145,7 +145,7 @@ def check_glb(run: BakeRun, mesh: Mesh) -> None:
 
 
 def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
-    """Return the vertices as float32, (V, 3), and their float64 translation: 0 for a mesh near the origin."""
+    """Return (vertices relative to a centre, (V, 3) float32; the centre, float64), for files that hold float32 only."""
     single = mesh.vertices.astype(np.float32)
     middle = mesh.bounds.mean(axis=0)
     if np.abs(middle).max() <= mesh.diagonal or np.array_equal(single, mesh.vertices):
@@ -154,7 +154,7 @@ def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _write_npz(file: BinaryIO, baked: Baked, **more: np.ndarray) -> None:
-    """Write points, results, the arrays `more` and the arguments as JSON."""
+    """Write an .npz file with points, results, and the command's arguments as JSON."""
     points = baked.points
     arrays = {"position": points.position, "normal": points.normal, "face": points.face, **baked.arrays, **more}
     options = baked.quantity.recorded_options(baked.run.options)
@@ -163,7 +163,7 @@ def _write_npz(file: BinaryIO, baked: Baked, **more: np.ndarray) -> None:
 
 
 def _write_csv(file: BinaryIO, baked: Baked) -> None:
-    """Write a row for each point: position and values."""
+    """Write a .csv file with a row for each point: position and values."""
     columns = baked.columns
     formats = ["%.17g"] * 3 + ["%d" if name in ("rays", "status") else "%.9g" for name in columns]
     table = np.column_stack([baked.points.position, *columns.values()])
@@ -172,32 +172,32 @@ def _write_csv(file: BinaryIO, baked: Baked) -> None:
 
 
 def _write_ply(file: BinaryIO, baked: Baked) -> None:
-    """Write the values as properties of vertices or faces and as colours; vertices as float32 if that is exact."""
+    """Write a .ply file with the values as properties and colours of the vertices or faces."""
     vertices = baked.mesh.vertices
     single = Lazy(vertices.shape, np.dtype(np.float32), lambda i: vertices[i])
     exact = all(np.array_equal(single[i : i + 65536], vertices[i : i + 65536]) for i in range(0, len(vertices), 65536))
     elements = {"vertex": {"x y z": single if exact else vertices}, "face": {"vertex_indices": baked.mesh.faces}}
     elements["face" if baked.run.at == "faces" else "vertex"] |= {
-        "red green blue alpha": baked.quantity.colours(baked.found),
+        "red green blue alpha": baked.quantity.colours(baked.result),
         **baked.columns,
     }
     write_ply(file, elements)
 
 
 def _write_glb(file: BinaryIO, baked: Baked) -> None:
-    """Write the values as attributes of vertices; each face gets its own corners for values at faces.
+    """Write a .glb file with the values as vertex attributes; values at faces are stored at the face's corners.
 
     Values at the vertices of a .glb are added to the content of that file.
     """
     if keeps(baked.run.mesh, baked.run.output, baked.run.at):
         columns = {f"_{name}": array.astype(np.float32) for name, array in baked.columns.items()}
-        write_kept_file(file, baked.run.mesh, {"COLOR_0": baked.quantity.colours(baked.found), **columns})
+        write_kept_file(file, baked.run.mesh, {"COLOR_0": baked.quantity.colours(baked.result), **columns})
         return
     local, middle = _local(baked.mesh)
     faces, times = baked.mesh.faces, 3 if baked.run.at == "faces" else 1
     corners = Lazy(faces.shape, np.dtype(np.uint32), lambda i: faces[i] if times == 1 else 3 * i[:, None] + np.arange(3))
     vertices = local if times == 1 else Lazy((faces.size, 3), local.dtype, lambda i: local[faces.ravel()[i]])
-    attributes = {"COLOR_0": _repeated(baked.quantity.colours(baked.found), times, np.uint8)}
+    attributes = {"COLOR_0": _repeated(baked.quantity.colours(baked.result), times, np.uint8)}
     # names of custom attributes begin with an underscore
     attributes |= {f"_{name}": _repeated(array, times, np.float32) for name, array in baked.columns.items()}
     write_glb(
@@ -206,12 +206,12 @@ def _write_glb(file: BinaryIO, baked: Baked) -> None:
 
 
 def _repeated(array: np.ndarray, times: int, dtype: type) -> Lazy:
-    """Return the rows of an array, each repeated, as a `Lazy` array that is computed when written."""
+    """Return an array with each row repeated `times` times, which is computed only when it is written."""
     return Lazy((times * len(array), *array.shape[1:]), np.dtype(dtype), lambda i: array[i // times])
 
 
 def _write_vtp(file: BinaryIO, baked: Baked) -> None:
-    """Write the points, or the mesh with values at vertices or faces."""
+    """Write a .vtp file: the points with their values, or the mesh with values at vertices or faces."""
     points, arrays = baked.points, baked.arrays
     if baked.run.at is None:
         write_vtp(file, points.position, None, {"Normals": points.normal, "face": points.face, **arrays}, {})
@@ -221,8 +221,8 @@ def _write_vtp(file: BinaryIO, baked: Baked) -> None:
 
 
 def _write_matrix_npz(file: BinaryIO, baked: Baked) -> None:
-    """Write many values per point, with the directions and solid angles of the sky's patches."""
-    sky = baked.found.patches
+    """Write an .npz file of a sky matrix: a row of values per point, and directions and solid angles of the sky patches."""
+    sky = baked.result.patches
     _write_npz(file, baked, directions=sky.directions, solid_angles=sky.solid_angles)
 
 
@@ -239,7 +239,7 @@ PICTURES = {".png": write_png}
 
 MATRIX_WRITERS: dict[str, Callable[..., None]] = {
     ".npz": _write_matrix_npz,
-    ".mtx": lambda file, baked: write_matrix(file, baked.found.value, pi),
+    ".mtx": lambda file, baked: write_matrix(file, baked.result.value, pi),
 }
 """Writers of many values per point, keyed by suffix; the .mtx is in Radiance's form, like that of `SkyMatrix.save`."""
 

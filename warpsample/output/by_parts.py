@@ -15,7 +15,7 @@ from warpsample.output.pictured import draw_picture, get_picture_values
 
 
 def write_parts(baked: Baked, city: City | None) -> None:
-    """Write the means as a picture, as a .csv with a row for each part, or as attributes of a city."""
+    """Write the means over the parts of a mesh as a .png, as a .csv with a row per part, or into a CityJSON file."""
     output = baked.run.output
     if output.suffix not in (".png", ".csv"):
         assert city is not None
@@ -29,7 +29,7 @@ def write_parts(baked: Baked, city: City | None) -> None:
 
 
 def part_table(baked: Baked, city: City | None) -> dict[str, np.ndarray]:
-    """Return the columns of a table of parts: name, area, means, errors, and sums for units per area."""
+    """Return a table with a row for each part of the mesh: name, area, mean, standard error, and total."""
     rows = list_parts(baked.mesh) if city is None else city.surfaces.columns
     area = rows.pop("area")
     return rows | {"area_m2": area} | dict(add_totals(dict(_means(baked)), area))
@@ -45,7 +45,7 @@ def list_parts(mesh: Mesh) -> dict[str, np.ndarray]:
 
 
 def _means_of_faces(baked: Baked) -> np.ndarray:
-    """Return the (F,) mean of the shown values over the part of each face; NaN for faces without a part or a value."""
+    """Return, for each face, the mean of the values over the part that contains the face, (F,); NaN without a part."""
     mesh = baked.mesh
     assert mesh.part is not None
     value = get_picture_values(baked)
@@ -56,8 +56,8 @@ def _means_of_faces(baked: Baked) -> np.ndarray:
 
 
 def _means(baked: Baked) -> Iterator[tuple[str, np.ndarray]]:
-    """Yield the means over the parts of a mesh and their errors, by the headers of the columns."""
-    mesh, found = baked.mesh, baked.found
+    """Yield the columns of a table of parts, (header, array): means of the values, and their standard errors."""
+    mesh, found = baked.mesh, baked.result
     assert mesh.part is not None
     good = (found.status == 0).reshape(-1, *[1] * (found.value.ndim - 1))
     value = np.where(good, found.value, np.nan)

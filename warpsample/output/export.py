@@ -41,7 +41,7 @@ _BYTES_IN_CLOUD = 24  # of a direction: once as sampled, once without the points
 
 @dataclass(frozen=True)
 class DirectionsRun:
-    """Arguments of `warpsample directions`, which the file records.
+    """Arguments of a `warpsample directions` command, which the output file records.
 
     Attributes:
         mesh: Path of the mesh.
@@ -67,7 +67,7 @@ class DirectionsRun:
 
 
 def export(run: DirectionsRun, workers: int | None = None) -> str:
-    """Sample directions and write `run.output`; return a sentence about the file.
+    """Sample directions as a `warpsample directions` command asks, write the file, and return a sentence about it.
 
     An .npz file holds position, normal, face, vectors, status and `run`, a JSON text; the points and one part of the
     directions are in memory at a time. In .vtp and .ply each direction w is a point at position + CLOUD_SCALE * diagonal *
@@ -95,7 +95,7 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
 
 
 def _array(run: DirectionsRun, name: str) -> np.ndarray:
-    """Read an array that the distribution of a run names, such as "@roughness"."""
+    """Read the array of distribution parameters that the command names, for example "@roughness"."""
     return read_array(run.mesh if run.arrays is None else run.arrays, name, "--arrays")
 
 
@@ -155,7 +155,7 @@ def _check(run: DirectionsRun) -> None:
 def _parts(
     points: SurfacePoints, lobe: Distribution, run: DirectionsRun, workers: int | None
 ) -> Iterator[tuple[int, Directions]]:
-    """Yield (first row, directions) of parts that fit into memory, with a progress bar if stderr is a terminal."""
+    """Sample directions for as many points at a time as fit into memory; yield (first row, directions)."""
     step, record = max(1, DIRECTIONS_PER_PART // run.samples), RunRecord("directions")
     with record.show("sampling"), record.count(len(points), f"{run.output} is as it was before"):
         for start in range(0, len(points), step):
@@ -171,7 +171,7 @@ def _sampled(points: Any, lobe: Distribution, run: DirectionsRun, workers: int |
 
 
 def _record(run: DirectionsRun) -> dict[str, object]:
-    """Return the arguments, the digest of the mesh and the versions of libraries, which repeat a run to the bit."""
+    """Return what is needed to repeat a command to the bit: arguments, hash of the mesh, versions of libraries."""
     digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
     if run.arrays is None:

@@ -12,7 +12,7 @@ _WANTS = "a number, NAME.npy of one for each face, or by part, as leaf=0.2,glass
 
 
 def with_optics(mesh: Mesh, **options: str | None) -> Mesh:
-    """Return a mesh with the transmittance and the reflectance of the options.
+    """Return a copy of a mesh with the transmittance and reflectance given by command-line options.
 
     A pair such as leaf=0.2 applies to all parts with that name, or with that name between slashes, as in OBJECT/MATERIAL.
     Faces of other parts get 0.
@@ -30,7 +30,7 @@ def with_optics(mesh: Mesh, **options: str | None) -> Mesh:
 
 
 def _shares(mesh: Mesh, text: str, option: str) -> np.ndarray:
-    """Parse an option such as --reflectance to one number for all faces, or an array with a number per face."""
+    """Parse an option like `--reflectance` to one number for all faces, or an array with a number per face."""
     if text.endswith(".npy"):
         file = check_file(Path(text), option, _WANTS)
         with naming_file(option, file, _WANTS):
@@ -39,7 +39,7 @@ def _shares(mesh: Mesh, text: str, option: str) -> np.ndarray:
 
 
 def _by_parts(mesh: Mesh, text: str, option: str) -> np.ndarray:
-    """Parse numbers by part, such as "wall=0.3,roof=0.1", to (F,) float64 numbers per face; 0 for other faces."""
+    """Parse numbers by part, for example "wall=0.3,roof=0.1", to (F,) float64 numbers per face; 0 for other faces."""
     if mesh.part is None:
         raise ValueError(f"{option}: got {text!r} for a mesh without named parts, want a number or NAME.npy")
     shares = np.zeros(len(mesh.parts) + 1)  # the last is of faces of no part

@@ -52,7 +52,7 @@ def to_frame(found: Any, points: SurfacePoints, mesh: Any = None, *, first_point
 
 
 def _of_faces(face: np.ndarray | None, mesh: Mesh) -> dict[str, np.ndarray]:
-    """Return the columns with the part and the area of each point's face."""
+    """Return two table columns: the name of the part, and the area, of the face that each point lies on."""
     assert face is not None
     if face.size and face.max() >= len(mesh.faces):
         raise ValueError(f"points: got the face {face.max()}, want faces of the mesh, which has {len(mesh.faces):,}")
@@ -64,7 +64,7 @@ def _of_faces(face: np.ndarray | None, mesh: Mesh) -> dict[str, np.ndarray]:
 
 
 def _numbers(found: Any, count: int) -> dict[str, np.ndarray]:
-    """Return the arrays of a result with a row for each point, as columns."""
+    """Return the arrays of a result that have a row for each point, as table columns keyed by name."""
     arrays = {item.name: getattr(found, item.name) for item in fields(found)}
     arrays = {name: as_ndarray(array, name) for name, array in arrays.items() if hasattr(array, "shape")}
     of_points = {name: array for name, array in arrays.items() if array.shape[:1] == (count,)}

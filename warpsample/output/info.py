@@ -20,7 +20,7 @@ _MOST_PARTS = 20
 
 
 def describe_source(path: Path) -> list[Row]:
-    """Return the rows of the table of a mesh, a CityJSON file or a raster.
+    """Return the lines of `warpsample info` on a mesh, a CityJSON file or a raster, as pairs (property, value).
 
     Raises:
         TypeError, ValueError, FileNotFoundError: a file that cannot be read.

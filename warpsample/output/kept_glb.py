@@ -1,4 +1,4 @@
-"""Values at the vertices of a .glb, added to the content of that .glb."""
+"""Copies of a .glb file with computed values added at its vertices; all other content is kept."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,7 +12,7 @@ from warpsample.texture.primitives import Primitive, list_primitives
 
 
 def keeps(source: Path, output: Path, at: str | None) -> bool:
-    """Return whether a run copies its source .glb and adds the computed values, instead of writing a new mesh."""
+    """Return whether the output is the input .glb with values added at its vertices, instead of a new mesh."""
     return source.suffix.lower() in (".glb", ".gltf") and output.suffix == ".glb" and at == "vertices"
 
 
@@ -31,7 +31,7 @@ def describe_kept_file(source: Path) -> list[str]:
 
 
 def write_kept_file(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]) -> None:
-    """Write the source with further attributes of the vertices, (V,) or (V, 4) by name; uint8 represents 0 to 1."""
+    """Write a copy of a .glb file with additional vertex attributes, (V,) or (V, 4), keyed by name."""
     file, primitives = _open(source)
     for one in primitives:
         attributes = file.tree["meshes"][one.mesh]["primitives"][one.number]["attributes"]
@@ -42,7 +42,7 @@ def write_kept_file(stream: BinaryIO, source: Path, columns: Mapping[str, np.nda
 
 
 def _open(source: Path) -> tuple[GlbFile, list[Primitive]]:
-    """Read a glTF file and list its primitives."""
+    """Read a glTF file; return its editable content and the list of its primitives."""
     with convert_read_errors(source):
         file = GlbFile(source)
         return file, list_primitives(file.part, file.data)

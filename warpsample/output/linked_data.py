@@ -1,4 +1,4 @@
-"""Writes a file and, beside it, a file of data that the first one names, as a .gltf and its .bin.
+"""Writing of two files that belong together: a text file, such as a .gltf, and the data file that it names, its .bin.
 
 The user names only the first file, so the data never replace a file of another owner. Whatever ends the work, the old pair
 or the new pair is complete: the data are on the disk under a free name before the first file names them.
@@ -28,7 +28,7 @@ _BEAT, _PATIENCE = 0.01, 60.0  # seconds between two tries to lock a folder, and
 
 
 def check_linked_data(path: Path, suffix: str, argument: str) -> None:
-    """Raise a ValueError if no data file, such as a .bin, can be created in the folder of an output file.
+    """Raise a ValueError if no data file (for example a .bin) can be created in the folder of an output file.
 
     Raises:
         ValueError: the folder cannot be written; names the argument.
@@ -49,7 +49,7 @@ def write_with_data(
     named_by: Callable[[Path], Iterable[Path]],
     inputs: Iterable[Path] = (),
 ) -> Path:
-    """Write an output file and the data file that it refers to, such as a .gltf and its .bin; return the data file's path.
+    """Write an output file and the data file that it names, for example a .gltf and its .bin; return the latter's path.
 
     The data keep the name that the old file at `path` gives them, if it names NAME.bin or NAME-1.bin and the like beside it.
     Else they get the first free name of these. Two runs that write the same path do so one after the other, where the file
@@ -80,7 +80,7 @@ def write_with_data(
 def _publish(
     part: Path, path: Path, suffix: str, text_naming: Callable[[str], bytes], find_old: Callable[[], Path | None]
 ) -> Path:
-    """Move the data file into place and write the output file, with the folder locked; return the data file's path."""
+    """Move the finished data file to its final name and write the file that names it; return the data file's path."""
     with _alone_in(path):
         return _write_pair(part, path, suffix, text_naming, find_old())
 
@@ -102,7 +102,7 @@ def _write_pair(part: Path, path: Path, suffix: str, text_naming: Callable[[str]
 
 
 def _take_name(data: Path, old: Path, path: Path, text_naming: Callable[[str], bytes]) -> Path:
-    """Rename the new data file to the name of the old one, if that name is still free; return the final path.
+    """Rename the new data file to the name of the data file that it replaces; return the final path.
 
     The data have both names until the file at `path` names the second one. Without hard links they keep the first.
     """
@@ -122,7 +122,7 @@ def _take_name(data: Path, old: Path, path: Path, text_naming: Callable[[str], b
 
 
 def _new_file(path: Path, suffix: str) -> Path:
-    """Create an empty data file under the first free name next to `path`, safely against other programs."""
+    """Create an empty data file under the first free name next to `path`, and return its path."""
     for number in count():
         made = path.with_name(f"{path.stem}-{number}{suffix}") if number else path.with_suffix(suffix)
         try:
@@ -136,7 +136,7 @@ def _new_file(path: Path, suffix: str) -> Path:
 
 
 def _old_data(path: Path, suffix: str, named_by: Callable[[Path], Iterable[Path]], inputs: Iterable[Path]) -> Path | None:
-    """Return the data file that the existing file at `path` refers to, if it may be replaced, else None."""
+    """Return the data file named by the existing file at `path` if it may be overwritten, else None."""
     ours, kept = re.compile(rf"{re.escape(path.stem)}(-\d+)?{re.escape(suffix)}"), list(inputs)
     for file in named_by(path):
         is_ours = file.parent == path.parent and ours.fullmatch(file.name) and file.is_file()
@@ -147,7 +147,7 @@ def _old_data(path: Path, suffix: str, named_by: Callable[[Path], Iterable[Path]
 
 
 def _named_by_siblings(path: Path, named_by: Callable[[Path], Iterable[Path]]) -> Iterator[Path]:
-    """Yield the data files that other files of the same suffix and folder refer to, without links to `path`."""
+    """Yield the data files named by other files in the folder that have the same suffix as `path`."""
     for sibling in path.absolute().parent.iterdir():
         if sibling.suffix.lower() == path.suffix.lower() and os.path.realpath(sibling) != os.path.realpath(path):
             yield from named_by(sibling)
@@ -155,7 +155,7 @@ def _named_by_siblings(path: Path, named_by: Callable[[Path], Iterable[Path]]) -
 
 @contextmanager
 def _alone_in(path: Path) -> Iterator[None]:
-    """Lock the folder of `path` within a `with` statement, so that only one run at a time writes a pair."""
+    """Lock the folder of `path` within a `with` statement, so that only one process at a time writes there."""
     opened = None
     try:
         with suppress(OSError):  # a folder that cannot be listed

@@ -32,7 +32,7 @@ class Lazy:
         return self.shape[0]
 
     def __getitem__(self, rows: slice) -> np.ndarray:
-        """Return the rows of a slice without a step."""
+        """Compute and return the rows of a slice."""
         return self.make(np.arange(*rows.indices(len(self)))).astype(self.dtype, copy=False)
 
 
@@ -41,7 +41,7 @@ Rows = np.ndarray | Lazy
 
 
 def write_ply(file: BinaryIO, elements: dict[str, dict[str, Rows]]) -> None:
-    """Write a binary .ply of {"vertex": columns, "face": columns}.
+    """Write a binary .ply file from the columns of its vertices and faces: {"vertex": columns, "face": columns}.
 
     The key of a column is the name of its property, or of several properties with blanks between the names.
     "vertex_indices" are the (F, 3) corners of faces.
@@ -68,7 +68,7 @@ def write_ply(file: BinaryIO, elements: dict[str, dict[str, Rows]]) -> None:
 def write_vtp(
     file: BinaryIO, points: Rows, faces: Rows | None, point_data: dict[str, Rows], cell_data: dict[str, Rows]
 ) -> None:
-    """Write a binary PolyData of VTK: points (N, 3) with faces, (F, 3) indices of points, or with each point as a cell.
+    """Write a binary .vtp file of points (N, 3), with triangles (F, 3) or without.
 
     Data are arrays (N, ...) or (F, ...) by name; "Normals" of points become the active normals.
     """
@@ -149,7 +149,7 @@ def write_glb(
 
 
 def _count(columns: dict[str, Any]) -> int:
-    """Return the number of rows that the columns of a table have."""
+    """Return the number of rows of a table, given its columns."""
     return len(next(iter(columns.values())))
 
 

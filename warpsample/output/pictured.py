@@ -15,21 +15,21 @@ _MOST_CELLS = 2000  # cells along the sides of a picture of a raster
 
 
 def get_picture_values(baked: Any) -> np.ndarray:
-    """Return the (P,) values to show: the value, or the length of three components; NaN for points without a value."""
-    value = baked.found.value.astype(np.float64)
+    """Return the (P,) values that a picture shows: a vector counts as its length; NaN where there is no value."""
+    value = baked.result.value.astype(np.float64)
     length = np.linalg.norm(value, axis=1) if value.ndim == 2 else value
-    return np.where(baked.found.status == 0, length, np.nan)
+    return np.where(baked.result.status == 0, length, np.nan)
 
 
 def title_of(baked: Any) -> str:
     """Return the title of a picture: the name of the shown quantity, with the unit."""
     unit = baked.quantity.unit
-    name = f"length of {baked.quantity.title}" if baked.found.value.ndim == 2 else baked.quantity.title
+    name = f"length of {baked.quantity.title}" if baked.result.value.ndim == 2 else baked.quantity.title
     return f"{name}, {unit}" if unit else name
 
 
 def draw_picture(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
-    """Draw a .png of the values, or of the (F,) means over parts in `of_faces`, and return its content."""
+    """Draw the mesh or points coloured by the computed values, and return the .png file as bytes."""
     if baked.mesh is None:
         return _draw_map(baked)
     value, at, what = get_picture_values(baked), baked.run.at, baked.run.at or "points"
@@ -52,7 +52,7 @@ def draw_picture(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
 
 
 def _draw_map(baked: Any) -> bytes:
-    """Draw a .png of the cells of a raster, and return its content; large rasters are shown by every k-th cell."""
+    """Draw the cells of a raster coloured by the computed values, and return the .png file as bytes."""
     value = get_picture_values(baked).reshape(baked.shape)
     step = -(-max(baked.shape) // _MOST_CELLS)
     largest = float(np.nanmax(value, initial=0.0))

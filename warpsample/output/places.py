@@ -1,4 +1,4 @@
-"""Points of a command: random on the surface (`--points`), or vertices or face centres (`--at`)."""
+"""Points at which a command computes: random on the surface (`--points`), or vertices or face centres (`--at`)."""
 
 from warpsample.host.arguments import check_integer
 from warpsample.host.engine import check_memory

@@ -1,4 +1,4 @@
-"""All quantities, by their names on the command line."""
+"""All quantities that commands can compute, keyed by name, such as "ao" for ambient occlusion."""
 
 from collections.abc import Iterable, Mapping
 from functools import cache
@@ -18,7 +18,7 @@ def quantities() -> dict[str, Quantity]:
 
 
 def quantity_of(name: str) -> Quantity:
-    """Return the record of a quantity; raise the ValueError of `look_up` for an unknown name."""
+    """Return the `Quantity` with the given name, for example "ao"; raise a ValueError for an unknown name."""
     return look_up(quantities(), name, "quantity")
 
 
@@ -49,7 +49,7 @@ def check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
 
 
 def call_table() -> str:
-    """Return the table of the calls of `estimate` for the README, in Markdown."""
+    """Return the README's Markdown table of the functions that estimate quantities."""
     of = [quantity for quantity in records_of(of_rays).values() if quantity.in_stores]
     everywhere = set.intersection(*(set(quantity.parameters) for quantity in of))
     rows = [("call", "value at each point"), ("---", "---")]
@@ -70,7 +70,7 @@ def name_table() -> str:
 
 
 def _markdown(rows: Iterable[tuple[str, ...]]) -> str:
-    """Return rows as a table in Markdown."""
+    """Return rows of texts as a Markdown table; the first row is the header."""
     return "".join(f"| {' | '.join(row)} |\n" for row in rows)
 
 

@@ -56,7 +56,7 @@ def write_report(path: Path, baked: Baked, city: Any) -> None:
 
 
 def _draw(baked: Baked) -> Iterator[str]:
-    """Yield the picture, or a sentence if this machine cannot draw one."""
+    """Yield the HTML text of the picture, or a sentence if this machine cannot draw one."""
     try:
         check_rendering()
     except (RuntimeError, ModuleNotFoundError) as error:
@@ -82,7 +82,7 @@ def _histogram(value: np.ndarray, title: str) -> str:
 
 def _statistics(baked: Baked) -> Iterator[tuple[str, str]]:
     """Yield the number of points, mean, standard error, quartiles and number of rays."""
-    found, value = baked.found, get_picture_values(baked)
+    found, value = baked.result, get_picture_values(baked)
     good = value[np.isfinite(value)]
     yield "points", f"{len(value):,}"
     for status, count in zip(*np.unique(found.status, return_counts=True), strict=True):
@@ -99,7 +99,7 @@ def _statistics(baked: Baked) -> Iterator[tuple[str, str]]:
 
 
 def _by_part(baked: Baked, city: Any) -> Iterator[str]:
-    """Yield a table of means over parts, unless the mesh has no parts or the points are vertices, which are on no part."""
+    """Yield the HTML table of means over the parts of the mesh, or nothing for a mesh without parts."""
     if baked.mesh is None or baked.mesh.part is None or baked.run.at == "vertices":
         return
     columns = part_table(baked, city)
@@ -110,12 +110,12 @@ def _by_part(baked: Baked, city: Any) -> Iterator[str]:
 
 
 def _arguments(baked: Baked) -> Mapping[str, Any]:
-    """Return all arguments of the run, keyed by option name."""
+    """Return all arguments of the command, defaults included, keyed by option name."""
     return baked.run.recorded | baked.quantity.recorded_options(baked.run.options) | baked.run.more
 
 
 def _table(rows: Iterable[Iterable[Any]], header: Iterable[str] = ()) -> str:
-    """Return rows as the text of an HTML table."""
+    """Return the HTML text of a table with the given rows."""
     head = "".join(f"<th>{escape(name)}</th>" for name in header)
     body = "".join(f"<tr>{''.join(f'<td>{escape(_cell(cell))}</td>' for cell in row)}</tr>" for row in rows)
     return f"<div><table>{f'<tr>{head}</tr>' if head else ''}{body}</table></div>"

@@ -1,4 +1,4 @@
-"""Record of a run that computes part by part: sums over the parts, the progress bar, and the report in lines.
+"""Progress bar and final report of a command that computes its points or tiles part by part.
 
 Points, texels, tiles of rasters and chunks of stores use the same record.
 """
@@ -22,7 +22,7 @@ standard errors, the sum, the lowest and the highest value."""
 
 
 def summarize(value: np.ndarray, error: np.ndarray, rays: int, known: np.ndarray | None = None) -> np.void:
-    """Return the counts, sums and range of values of a part of a run, as a record of dtype SUMMARY.
+    """Return the number, sums and range of some computed values, as a NumPy record of dtype SUMMARY.
 
     Args:
         value: (P,) or (P, C) values. Three components are summarized by their length, more by their mean.
@@ -40,13 +40,13 @@ def summarize(value: np.ndarray, error: np.ndarray, rays: int, known: np.ndarray
 
 
 def summarize_result(found: Any) -> np.void:
-    """Return the counts, sums and range of the values of a result, as a record of dtype SUMMARY."""
+    """Return the number, sums and range of a result's values, as a NumPy record of dtype SUMMARY."""
     return summarize(found.value, found.standard_error, int(found.rays.sum(dtype=np.int64)), found.status == 0)
 
 
 @dataclass(eq=False)
 class RunRecord:
-    """Progress and summary of a run that is computed part by part.
+    """Progress bar and running totals of a command that computes its points or tiles part by part.
 
     Attributes:
         title: Name of the quantity.
@@ -72,7 +72,7 @@ class RunRecord:
 
     @classmethod
     def of(cls, quantity: Quantity, things: str = "points") -> "RunRecord":
-        """Return the empty record of a run of a quantity."""
+        """Build the record of a command that computes a quantity; `things` are "points" or "tiles"."""
         return cls(quantity.title, quantity.unit, things=things)
 
     @contextmanager
@@ -91,7 +91,7 @@ class RunRecord:
 
     @contextmanager
     def count(self, total: int, left: str) -> Iterator[None]:
-        """Count the parts of a run within a `with` statement; an interrupt states how far the run was.
+        """Measure the time of the computation within a `with` statement; an interrupt reports how much is done.
 
         Args:
             total: Number of things to compute.
@@ -108,7 +108,7 @@ class RunRecord:
             self._computing += perf_counter() - self._first
 
     def skip(self, there: int) -> None:
-        """Count tiles or points that an earlier run completed, in the progress bar."""
+        """Count tiles or points that an earlier, interrupted command completed as done in the progress bar."""
         self.there, self._first = there, perf_counter()
         self.advance(there)
 
@@ -118,7 +118,10 @@ class RunRecord:
         self._update()
 
     def add(self, part: np.void, count: int | None = None) -> None:
-        """Move the bar by `count` things, by default the points of a part, and include the part's SUMMARY in the sums."""
+        """Add the counts and sums of a computed part to the totals, and advance the progress bar.
+
+        The bar advances by `count` points or tiles, by default by the number of points in the part.
+        """
         for name in SUMMARY.names or ():
             join = {"low": min, "high": max}.get(name, lambda old, new: old + new)
             self.sums[name] = join(self.sums[name], part[name])
@@ -143,12 +146,16 @@ class RunRecord:
         return float(self.sums["rays"]) / max(seconds, 1e-9) / 1e6
 
     def describe(self) -> list[str]:
-        """Return the report of a finished run: mean, range, standard error, rays and time, in lines."""
+        """Return the report of a finished run: mean, range, standard error, rays and time, in lines.
+
+        Sums cover this run alone. So a resumed run reports the mean of the other points or tiles.
+        """
         lines = [f"{self.there:,} of the {self.total:,} {self.things} were complete before"] if self.there else []
         rays, known = int(self.sums["rays"]), int(self.sums["known"])
         if known:
             error = f"; standard error {self.error:.2g}, root mean square over the points" if self.error or rays else ""
-            lines += [f"{self._values(known)}{error}"]
+            others = f"for the other {self.things}: " if self.there else ""
+            lines += [f"{others}{self._values(known)}{error}"]
         took = f"took {perf_counter() - self._start:.2f} s, with reading, compiling and writing"
         if rays:
             speed = self._speed(self._computing)
@@ -156,7 +163,7 @@ class RunRecord:
         return [*lines, took]
 
     def _values(self, known: int) -> str:
-        """Return the mean and the range of the values as text."""
+        """Return the mean and the range of all computed values as text."""
         unit = f" {self.unit}" if self.unit else ""
         mean, low, high = float(self.sums["sum"]) / known, float(self.sums["low"]), float(self.sums["high"])
         return f"mean {mean:.4f}{unit}, from {low:.4g} to {high:.4g}"

@@ -23,7 +23,7 @@ _MOST_POINTS = 2**20  # of a group, whose suns stand in memory: four gigabytes
 
 @dataclass(frozen=True)
 class Shading:
-    """Arguments of a run of `warpsample shading`.
+    """Arguments of a `warpsample shading` command.
 
     Attributes:
         mesh: Path of the mesh.

@@ -1,4 +1,4 @@
-"""Source of a run of `warpsample bake`: the checked arguments, the mesh or city, and the points to compute at."""
+"""Input of a `warpsample bake` command: the checked arguments, the mesh or city, and the points to compute at."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,7 +30,7 @@ from warpsample.plotting.rendering import check_rendering
 
 @dataclass(frozen=True, eq=False)
 class Source:
-    """Checked and loaded input of a run: the mesh or city, the arguments and the points.
+    """Input of a `warpsample bake` command, checked and loaded: arguments, mesh or city, and points.
 
     Attributes:
         run: Arguments of the command.
@@ -50,7 +50,7 @@ class Source:
 
 
 def read_source(run: BakeRun) -> Source:
-    """Check all arguments of a run, read the mesh or the CityJSON, and place the points.
+    """Check the arguments of a `warpsample bake` command, read the mesh or the CityJSON file, and place the points.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: a file or an option that cannot be used; the message names the option.
@@ -66,7 +66,7 @@ def read_source(run: BakeRun) -> Source:
 
 
 def _check(run: BakeRun, quantity: Quantity) -> None:
-    """Check all arguments of a run before any file is read."""
+    """Check all arguments of a `warpsample bake` command before any file is read."""
     check_table(run)
     check_places(run.points, run.at)
     if run.output.suffix == ".png":
@@ -77,7 +77,7 @@ def _check(run: BakeRun, quantity: Quantity) -> None:
 
 
 def input_files(run: BakeRun, quantity: Quantity) -> list[Path]:
-    """Return the files that a run reads."""
+    """Return the paths of all files that a `warpsample bake` command reads."""
     files = [run.options.get(option) for option in quantity.files]
     files += [Path(run.context)] if run.context else []
     return [Path(file) for file in (run.mesh, *list_linked_files(run.mesh), *files) if file is not None]
@@ -92,7 +92,7 @@ def _read_context(name: str | None) -> Any:
 
 
 def _check_glb(run: BakeRun, mesh: Mesh) -> list[str]:
-    """Check that a .glb can hold the values, and return sentences on the parts that it replaces."""
+    """Check that the output .glb can hold the values; return sentences on content of the input that is not kept."""
     if run.kind != CITY and keeps(run.mesh, run.output, run.at):
         return describe_kept_file(run.mesh)
     if run.output.suffix == ".glb":
@@ -101,7 +101,7 @@ def _check_glb(run: BakeRun, mesh: Mesh) -> list[str]:
 
 
 def _place_points(run: BakeRun, mesh: Mesh, city: City | None) -> SurfacePoints:
-    """Return the points of a run: vertices, face centres, random points, or points spread over all parts.
+    """Return the points to compute at: vertices, face centres, or random points on the surface.
 
     Raises:
         ValueError: means over parts of a mesh without named parts.

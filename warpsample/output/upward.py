@@ -17,7 +17,7 @@ _Y, _NORTH_BY_Y = (0.0, 1.0, 0.0), (0.0, 0.0, -1.0)
 
 
 def with_up(path: Path, quantity: Quantity, options: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
-    """Return the options of a run with the axes of the file, and a sentence on the added axes or "".
+    """Add the up and north axes of a mesh file's format to the options of a command; return (options, a note or "").
 
     Args:
         path: path of the mesh.
@@ -47,7 +47,7 @@ def upright_by_y(path: Path) -> str:
 
 
 def up_of(quantity: Quantity, options: Mapping[str, Any]) -> Any:
-    """Return the up vector of a run, or None for a quantity without the option --up."""
+    """Return the vector of the option `--up` or its default; None for a quantity without this option."""
     return options.get("up") or quantity.default("up") if quantity.takes("up") else None
 
 

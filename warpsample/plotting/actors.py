@@ -1,4 +1,4 @@
-"""Parts of a PyVista scene with replaceable contents: clouds, lobes, pins, sheets of pixels and mouse picking.
+"""Objects of a PyVista scene whose contents can be replaced: point clouds, surfaces, pins and pictures.
 
 The constructor of each class adds the part to the current renderer of the plotter.
 """
@@ -50,7 +50,7 @@ class CloudActor:
             self._bar.SetBelowRangeAnnotation("")
 
     def show(self, position: np.ndarray, pdf: np.ndarray, peak: float) -> None:
-        """Replace the cloud's points, (N, 3), and densities per steradian, (N,); the density `peak` has the last colour."""
+        """Show other points, (N, 3), coloured by densities, (N,); `peak` is the density of the last colour."""
         import pyvista as pv
 
         cloud = pv.PolyData(position)
@@ -78,7 +78,7 @@ def label_bar(bar: Any, high: float) -> None:
 
 
 class LobeActor:
-    """Lobe in a PyVista scene: the density of directions as a translucent surface over the tangent plane."""
+    """Density of directions in a PyVista scene, as a translucent surface over the tangent plane."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
         import pyvista as pv
@@ -87,7 +87,7 @@ class LobeActor:
         self.actor = plotter.add_mesh(pv.Plane(i_resolution=1, j_resolution=1), **style)
 
     def show(self, grid: np.ndarray) -> None:
-        """Replace the lobe's surface by a grid of points, (I, J, 3), on I rings and J spokes."""
+        """Show another surface, given by a grid of points, (I, J, 3), on I rings and J spokes."""
         rings, spokes = grid.shape[:2]
         first = (np.arange(rings - 1)[:, None] * spokes + np.arange(spokes - 1)).ravel()
         quads = np.stack([first, first + 1, first + spokes + 1, first + spokes], axis=1)
@@ -95,7 +95,7 @@ class LobeActor:
 
 
 class Sheet:
-    """Picture that fills a renderer of a PyVista scene, for every camera position."""
+    """Picture that fills a whole panel of a PyVista window."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
         import pyvista as pv
@@ -111,7 +111,7 @@ class Sheet:
         plotter.add_actor(self._actor, pickable=False)
 
     def show(self, pixels: np.ndarray) -> None:
-        """Replace the picture by pixels, (H, W, 3) uint8."""
+        """Show another picture, given by its pixels, (H, W, 3) uint8."""
         import pyvista as pv
 
         self._actor.SetTexture(pv.Texture(pixels))

@@ -44,7 +44,7 @@ class AngleHistogram:
         return self.test is not None and self.test.p_value < _SURE
 
     def verdict(self) -> str:
-        """Return two lines of text: whether the directions agree with the compared density, and the numbers of the test."""
+        """Return the result of the comparison with the density in two lines of text: a verdict, and the test's numbers."""
         if self.test is None:
             return "cannot be judged\ntoo few directions"
         agreement = f"{'does NOT agree' if self.is_wrong else 'agrees'} with {self.claim}"

@@ -31,7 +31,7 @@ class LobeCharts:
     """
 
     def __init__(self, size: tuple[int, int]):
-        """Arrange the charts on a sheet with a width and height in pixels."""
+        """Create empty charts on a sheet of the given width and height in pixels."""
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
 
@@ -96,7 +96,7 @@ class HistogramChart:
     """
 
     def __init__(self, figure: Any, *, above: tuple[float, ...], below: tuple[float, ...], name: str, label: str):
-        """Add the chart of an angle, without data, to a figure.
+        """Create the chart of one angle in a figure, without data.
 
         Args:
             figure: figure to draw into.
@@ -180,7 +180,7 @@ class DiskChart:
     """
 
     def __init__(self, figure: Any, box: tuple[float, ...]):
-        """Add the chart of the projected hemisphere to a figure.
+        """Create the chart of the projected hemisphere in a figure, without data.
 
         `box` is left, bottom, width and height as fractions of the figure.
         """
@@ -197,7 +197,7 @@ class DiskChart:
         axes.set_ylabel("ω·b, along the bitangent", fontsize=_TEXT, labelpad=-6)
 
     def show(self, disk: np.ndarray) -> None:
-        """Replace the drawn directions by components along tangent and bitangent, (N, 2)."""
+        """Show other directions, given by components along tangent and bitangent, (N, 2)."""
         points, _, words = (artist for _, artist in self.moving)
         points.set_data(disk[:, 0], disk[:, 1])
         words.set_text(f"{len(disk):,} directions of the\npinned point, seen along n")

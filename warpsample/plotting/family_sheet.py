@@ -1,4 +1,4 @@
-"""Figure of the projected offset sets: points, angles, and the half angle that explains the cosine lobe."""
+"""Figure that explains Shirley's trick: sampling directions by adding the normal to points of a sphere or disk."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -18,7 +18,7 @@ _SYMBOL = 22
 
 @dataclass(frozen=True, eq=False)
 class SetPanel:
-    """Panel of a figure: a set of points about the tip of the normal, and the angles of their projection to directions.
+    """One panel of the figure: points around the tip of the normal, and the angles of the directions to the points.
 
     Attributes:
         title: text above the panel.
@@ -44,7 +44,7 @@ class SetPanel:
 
 
 def family_sheet(sets: list[SetPanel], spheres: list[SetPanel], caption: str) -> "Figure":
-    """Draw four projected offset sets, spheres of three radii, and the half angle that proves the cosine lobe."""
+    """Draw a figure on Shirley's trick: four sets of points around the normal's tip, three spheres, and the proof."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(16.0, 16.5), layout="constrained", dpi=100)
@@ -59,7 +59,7 @@ def family_sheet(sets: list[SetPanel], spheres: list[SetPanel], caption: str) ->
 
 
 def _draw_set(axes: "Axes", panel: SetPanel) -> None:
-    """Draw the points of an offset set and their projection to directions, seen from the side."""
+    """Draw points around the tip of the normal and the directions to the points, seen from the side."""
     turn = np.linspace(-np.pi / 2, np.pi / 2, 91)
     axes.plot(np.sin(turn), np.cos(turn), color="0.75", linewidth=1)
     axes.plot(*panel.points.T, ".", color=BARS, markersize=4, label="n + point")

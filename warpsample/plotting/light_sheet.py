@@ -17,7 +17,7 @@ _GAMMA = 2.2
 def light_sheet(
     columns: dict[str, list[np.ndarray]], rows: tuple[str, ...], heights: tuple[float, ...], caption: str
 ) -> "Figure":
-    """Draw pictures of light as a screen shows them: raised to the power 1/2.2 and cut at 1.
+    """Draw a grid of pictures of light with the usual gamma of 1/2.2; values above 1 are white.
 
     Args:
         columns: pictures of each column, (H, W) or (H, W, 3), keyed by the title above the column. Light of 0 is black,

@@ -92,7 +92,7 @@ def _draw_north(axes: "Axes", at: np.ndarray, edge: float, north: tuple[float, f
 
 
 def _draw_rectangle(axes: "Axes", corner: Any, width: float, height: float, **style: Any) -> None:
-    """Draw a filled rectangle."""
+    """Draw a filled rectangle, given by its lower left corner and size."""
     from matplotlib.patches import Rectangle
 
     axes.add_patch(Rectangle(corner, width, height, linewidth=0.0, **style))

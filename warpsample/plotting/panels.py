@@ -1,4 +1,4 @@
-"""Scenes side by side over a caption, each with a title and a colour bar."""
+"""PyVista windows with several scenes side by side, each with a title and a colour bar, over a caption."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any

@@ -103,7 +103,7 @@ def _is_successful(probe: str) -> bool:
 
 
 def limit_counts(points: int, count: int) -> tuple[int, int]:
-    """Limit the numbers of points and of directions at each point, so that at most MOST_POINTS directions are drawn."""
+    """Reduce the numbers of points and of directions per point so that at most MOST_POINTS directions are drawn."""
     points = min(points, MOST_POINTS)
     return points, max(1, min(count, MOST_POINTS // max(points, 1)))
 
@@ -154,7 +154,7 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
 
 @contextmanager
 def _without_download() -> Iterator[None]:
-    """Context manager: trame does not download its WebAssembly viewer, which an .html with vtk.js does not need."""
+    """Prevent a download of trame's WebAssembly viewer within a `with` statement, since .html files do not need it."""
     try:
         from trame.widgets import vtklocal
     except ImportError:

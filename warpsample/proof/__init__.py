@@ -1,1 +1,1 @@
-"""Tests of samplers: laws, second implementations (twins) to compare with, and planted defects that test the laws."""
+"""Statistical and numerical tests of samplers, second implementations to compare with, and tests of these tests."""

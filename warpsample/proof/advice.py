@@ -1,4 +1,4 @@
-"""Advice on broken laws in sentences: the wrong part, the parts that are merely imprecise, and a way to mend each."""
+"""Advice for users whose sampler fails tests: which function is wrong or imprecise, and how to mend it."""
 
 from collections.abc import Iterable, Iterator
 
@@ -36,7 +36,7 @@ _JUDGED = {
 
 
 def advise(verdicts: Iterable[Verdict], subjects: Iterable[Subject] = ()) -> list[str]:
-    """Return sentences of advice on each distribution with a broken law.
+    """Return sentences of advice on each distribution that fails a test.
 
     Args:
         verdicts: verdicts of any laws.
@@ -52,7 +52,7 @@ def advise(verdicts: Iterable[Verdict], subjects: Iterable[Subject] = ()) -> lis
 
 
 def _advise_one(verdicts: list[Verdict], known: dict[str, Subject]) -> Iterator[str]:
-    """Yield the sentences on one distribution, without its name at the beginning."""
+    """Yield sentences of advice on one distribution that fails tests, without its name at the beginning."""
     worst = {v.law: v for v in sorted(verdicts, key=lambda v: v.measured)}
     imprecise = [law for law in _ERRORS if law in worst and worst[law].measured <= WRONG]
     only_digits = not worst.keys() - _IMPRECISE and not _large_errors(worst)
@@ -75,7 +75,7 @@ def _advise_one(verdicts: list[Verdict], known: dict[str, Subject]) -> Iterator[
 
 
 def _describe_outside(subject: Subject | None) -> str:
-    """Return a sentence on a density that is not 0 outside the support, with a condition for this support."""
+    """Return a sentence of advice on a density that is not 0 outside the declared support."""
     if subject is None:
         return "has a density beyond its support, or at NaN: return 0 there."
     chart, (_, end) = chart_of(subject.sampler), support_of(subject.sampler)
@@ -88,7 +88,7 @@ def _describe_outside(subject: Subject | None) -> str:
 
 
 def _large_errors(worst: dict[str, Verdict]) -> set[str]:
-    """Return the laws whose error is too large to be a rounding error."""
+    """Return the tests whose measured error is too large to be a rounding error."""
     return {law for law in _ERRORS if law in worst and worst[law].measured > WRONG}
 
 
@@ -123,12 +123,12 @@ _BETWEEN = {
 
 
 def _in_order(parts: Iterable[str]) -> list[str]:
-    """Return parts in the order of `_MEND`."""
+    """Return the parts of a sampler (map, density, inverse, ...) in the order in which they are to be mended."""
     return [part for part in _MEND if part in parts]
 
 
 def _evidence(conflicts: list[Conflict]) -> str:
-    """Return the first result of each group of parts, joined in one text."""
+    """Return one text with the first failed check of each group of parts."""
     texts: dict[frozenset[str], str] = {}
     for conflict in conflicts:
         texts.setdefault(conflict.parts, conflict.text)
@@ -136,7 +136,7 @@ def _evidence(conflicts: list[Conflict]) -> str:
 
 
 def _describe_unexplained(worst: dict[str, Verdict]) -> str:
-    """Return a sentence on broken laws that no conflict of parts explains."""
+    """Return a sentence on failed tests that no wrong part of the sampler explains."""
     laws = ", ".join(worst)
     return (
         f"breaks {laws}, while all parts agree to {WRONG:g} at 2^18 values of u: the error is small or rare. Look at the "

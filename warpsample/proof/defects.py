@@ -1,4 +1,4 @@
-"""Planted defects: wrong samplers, each with one deliberate error that real samplers have had, to test the laws."""
+"""Deliberately wrong samplers and random numbers, which the tests of samplers must reject."""
 
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -25,6 +25,7 @@ from warpsample.proof.wrong_lights import WRONG_LIGHTS
 from warpsample.proof.wrong_lobes import WRONG_LOBES
 from warpsample.proof.wrong_microfacets import WRONG_MICROFACETS
 from warpsample.proof.wrong_pictures import WRONG_PICTURES
+from warpsample.proof.wrong_scattered import WRONG_SCATTERED
 from warpsample.sequences.hashing import run_words
 from warpsample.statistics.charts import DISK
 
@@ -69,7 +70,7 @@ def _with_change(change: Callable[[np.ndarray, np.ndarray], None], u: np.ndarray
 
 
 def _nan_in_the_middle(w: np.ndarray, u: np.ndarray) -> None:
-    """Replace the direction of u = (0.5, 0.5), the centre of the unit square, by NaN, in place."""
+    """Set the direction of the unit square's centre, u = (0.5, 0.5), to NaN, in place."""
     w[(u == 0.5).all(axis=-1)] = np.nan
 
 
@@ -105,13 +106,13 @@ def _sine(w: np.ndarray) -> np.ndarray:
 
 
 def _on_grid(bits: int, points: int, count: int, seed: int) -> np.ndarray:
-    """Return variates with a planted defect: independent variates rounded down to multiples of 2^-bits."""
+    """Return defective random numbers: independent ones, rounded down to multiples of 2^-bits."""
     return np.floor(independent(points, count, seed) * _F(2**bits)) / _F(2**bits)
 
 
 @wp.kernel(enable_backward=False)
 def _builtin_kernel(seed: wp.int32, count: wp.int32, out: wp.array[wp.vec2]):
-    """Draw variates from Warp's own generator `wp.randf`, as in Warp's documentation.
+    """Draw random numbers from Warp's own generator `wp.randf`, as in Warp's documentation.
 
     Each thread has a state of 32 bits, and all states are on one cycle.
     """
@@ -122,7 +123,7 @@ def _builtin_kernel(seed: wp.int32, count: wp.int32, out: wp.array[wp.vec2]):
 
 
 def _built_in_generator(points: int, count: int, seed: int) -> np.ndarray:
-    """Return (points, count, 2) variates of Warp's own generator `wp.randf`."""
+    """Return (points, count, 2) random numbers of Warp's own generator `wp.randf`."""
     load(_builtin_kernel, "cpu")
     out = wp.empty(points * count, dtype=wp.vec2, device="cpu")
     wp.launch(_builtin_kernel, points, inputs=[seed % 2**31, count], outputs=[out], device="cpu")
@@ -130,25 +131,25 @@ def _built_in_generator(points: int, count: int, seed: int) -> np.ndarray:
 
 
 def _duplicated(points: int, count: int, seed: int) -> np.ndarray:
-    """Return variates with a planted defect: one point in 10^5 has the same variates as point 1."""
+    """Return defective random numbers: one point in 10^5 has the same numbers as point 1."""
     u = independent(points, count, seed)
     u[::100_000] = u[1]
     return u
 
 
 def _one_stream_for_all_seeds(points: int, count: int, seed: int) -> np.ndarray:
-    """Return variates with a planted defect: the same variates for all seeds."""
+    """Return defective random numbers: the same numbers for all seeds."""
     return independent(points, count, 0)
 
 
 def _second_is_the_next_first(points: int, count: int, seed: int) -> np.ndarray:
-    """Return variates with a planted defect: the second coordinate equals the next point's first coordinate."""
+    """Return defective random numbers: each second coordinate equals the first coordinate of the next point."""
     u = sample_square("independent", points + 1, count, seed=seed)
     return np.stack([u[:-1, :, 0], u[1:, :, 0]], axis=-1)
 
 
 def _raw_words_as_key(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
-    """Return variates with a planted defect: PCG4D hashes seed, id, stream and sample without mixing the four words first.
+    """Return defective random numbers: PCG4D hashes seed, id, stream and sample number without mixing them first.
 
     A single step of pcg4d then carries each bit only to higher bits.
     """
@@ -159,7 +160,7 @@ def _raw_words_as_key(seed: int, first: int, stream: int | None = None, sample: 
 
 
 def _ids_of_32_bits(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
-    """Return variates with a planted defect: the upper 32 bits of the point ids are ignored."""
+    """Return defective random numbers: the upper 32 bits of the point ids are ignored."""
     return cells_of("independent")(seed, first % 2**32, stream, sample)
 
 
@@ -169,13 +170,13 @@ def _in_one_word(points: np.ndarray, run: tuple[int, ...]) -> np.ndarray:
 
 
 def _ids_in_one_word(seed: int, streams: bool) -> np.ndarray:
-    """Return keys of points with a planted defect: the point id enters only one of the four arguments of PCG4D."""
+    """Return defective random keys of points: the point id enters only one of the four arguments of PCG4D."""
     random = np.random.default_rng(1).integers(2**32, size=16 * POINTS, dtype=np.uint64)
     return keys_of(seed, streams) if streams else _in_one_word(random, run_words(seed, 0)[1:])
 
 
 def _samples_in_one_word() -> np.ndarray:
-    """Return words with a planted defect: the sample number enters only one of the four arguments of PCG4D."""
+    """Return defective random words: the sample number enters only one of the four arguments of PCG4D."""
     halves = 512 * np.arange(16 * POINTS, dtype=np.uint64)
     return _in_one_word(halves ^ halves >> np.uint64(16), run_words(1, 0)[1:]) >> np.uint64(8)
 
@@ -184,6 +185,7 @@ _SAMPLERS = (
     WRONG_LOBES
     | WRONG_MICROFACETS
     | WRONG_PICTURES
+    | WRONG_SCATTERED
     | WRONG_LIGHTS
     | {
         "sphere scaled by 0.98": WrongSampler(_RIGHT, sample=partial(_scaled_sphere, 0.98)),
@@ -227,12 +229,12 @@ _SAMPLES = {"samples in one word of a hash": _samples_in_one_word}
 
 
 def names() -> list[str]:
-    """Return the names of all planted defects."""
+    """Return the names of all deliberate defects."""
     return [*_SAMPLERS, *_STREAMS, *_MIXERS, *_KEYS, *_SAMPLES]
 
 
 def subject_of(name: str) -> Subject:
-    """Return the wrong sampler or the wrong variates of a planted defect, with the twin to compare with."""
+    """Return the deliberately wrong sampler with the given name, and the implementation to compare it with."""
     sampler = _SAMPLERS.get(name, _RIGHT)
     return Subject(name, sampler, getattr(sampler, "claims", _RIGHT), _STREAMS.get(name, independent))
 
@@ -240,7 +242,7 @@ def subject_of(name: str) -> Subject:
 def judge_defect(
     name: str, every: int = 16, draws: int = 1 << 22, points: int = 1_000_000, which: Iterable[Law] = LAWS
 ) -> list[Verdict]:
-    """Test the sampler of one planted defect by all laws that apply to it; return the verdicts.
+    """Run all tests on the deliberately wrong sampler with the given name, and return the verdicts.
 
     Args:
         name: name of the defect.

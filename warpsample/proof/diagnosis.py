@@ -1,4 +1,4 @@
-"""Search for the wrong parts of a lobe or of its twin: the fewest parts that explain all disagreements.
+"""Search for the wrong function of a sampler, by comparing its functions with each other and with a second implementation.
 
 Six parts describe one lobe: the map, the density, the inverse and the cdf of the class, and the two functions of the twin.
 A seventh part, the declared support, limits all others. Each check compares two parts, or one part with a property of every
@@ -28,7 +28,7 @@ _MANY = 1000  # least number of directions in the support for a meaningful test
 
 @dataclass(frozen=True)
 class Conflict:
-    """Failed check of a lobe: a set of parts of which at least one is wrong, and the result in words.
+    """Failed check of a sampler: a set of functions, at least one of them wrong, and the result in words.
 
     Attributes:
         parts: parts of which at least one is wrong.
@@ -40,7 +40,7 @@ class Conflict:
 
 
 def find_smallest_sets(conflicts: Iterable[Conflict]) -> list[frozenset[str]]:
-    """Return the smallest sets of parts that have a member in every conflict; several if the conflicts leave a choice."""
+    """Return the smallest sets of parts that explain all failed checks; several sets if the checks leave a choice."""
     wanted = {conflict.parts for conflict in conflicts}
     for size in range(len(PARTS) + 1):
         sets = [frozenset(parts) for parts in combinations(PARTS, size) if all(some & {*parts} for some in wanted)]
@@ -50,7 +50,7 @@ def find_smallest_sets(conflicts: Iterable[Conflict]) -> list[frozenset[str]]:
 
 
 def find_conflicts(subject: Subject) -> list[Conflict]:
-    """Compare all parts of a lobe and of its twin with each other, and return the checks that fail."""
+    """Compare the functions of a sampler and of its second implementation with each other; return the failed checks."""
     o = Opinions(subject)
     with np.errstate(all="ignore"):
         early = [Conflict(frozenset(parts), text) for parts, text in _check_support(o)]
@@ -74,7 +74,7 @@ Conflicts = Iterator[tuple[set[str], str]]
 
 
 def _check_support(o: Opinions) -> Conflicts:
-    """Yield a conflict of the declared support if both maps and the density agree on another support."""
+    """Yield a failed check of the declared support if both maps and the density agree on another support."""
     beyond = [o.directions_outside(part) for part in MAPS]
     if all(len(w) and (o.density("density", w) > 0.0).mean() > 0.5 for w in beyond):
         yield {"support"}, f"both maps leave it, {_describe_reach(o, 'map')}, and the density is above 0 there"
@@ -87,12 +87,12 @@ def _check_support(o: Opinions) -> Conflicts:
 
 
 def _describe_reach(o: Opinions, part: str) -> str:
-    """Describe the greatest angle of the directions of one map, and the greatest angle that the lobe declares."""
+    """Describe the largest angle of the directions of one map, and the largest angle that the sampler declares."""
     return f"at {_format_angle(o, o.greatest_angle(part))}, while `largest_angle` is {_format_angle(o, o.high)}"
 
 
 def _check_maps(o: Opinions) -> Conflicts:
-    """Yield a conflict of each map with directions that are invalid, not of unit length, or outside the support."""
+    """Yield a failed check of each map with directions that are invalid, not of unit length, or outside the support."""
     for part in MAPS:
         w = o.at_u[part]
         length = np.abs(np.linalg.norm(w, axis=-1) - 1.0) if o.chart is not DISK else np.abs(w).sum(axis=-1) * 0.0
@@ -105,7 +105,7 @@ def _check_maps(o: Opinions) -> Conflicts:
 
 
 def _check_densities(o: Opinions) -> Conflicts:
-    """Yield a conflict of each density that has invalid values or does not integrate to 1."""
+    """Yield a failed check of each density that has invalid values or does not integrate to 1."""
     w = np.concatenate(list(o.draws.values()))[::16]
     for part in DENSITIES:
         pdf, masses = o.density(part, w), o.masses[part]
@@ -119,7 +119,7 @@ def _check_densities(o: Opinions) -> Conflicts:
 
 
 def _compare_maps(o: Opinions) -> Conflicts:
-    """Yield a conflict of the two maps if their directions differ."""
+    """Yield a failed check of the two maps if their directions differ."""
     w, twin = (o.at_u[part] for part in MAPS)
     apart = np.linalg.norm(w - twin, axis=-1)
     if np.nanmax(apart, initial=0.0) > WRONG:
@@ -131,7 +131,7 @@ def _compare_maps(o: Opinions) -> Conflicts:
 
 
 def _compare_densities(o: Opinions) -> Conflicts:
-    """Yield a conflict of the two densities if their values differ."""
+    """Yield a failed check of the two densities if their values differ."""
     for part in MAPS:
         w = o.at_u[part]
         kept = o.is_inside(w, -1e-4)
@@ -148,7 +148,7 @@ def _compare_densities(o: Opinions) -> Conflicts:
 
 
 def _compare_stretch(o: Opinions, u: np.ndarray, *densities: np.ndarray) -> Conflicts:
-    """Yield a conflict of the twin's map and the one density that does not fit the map's area stretch, if the other does."""
+    """Yield a failed check if one density, but not the other, contradicts how the reference map stretches areas."""
     if len(u) == 0:
         return
     stretch = o.stretch("twin's map", u)
@@ -163,7 +163,7 @@ def _compare_stretch(o: Opinions, u: np.ndarray, *densities: np.ndarray) -> Conf
 
 
 def _compare_samples(o: Opinions) -> Conflicts:
-    """Yield a conflict of each map and density if the map's directions do not follow the density."""
+    """Yield a failed check of each pair of map and density if the map's directions do not follow the density."""
     for density in DENSITIES:
         masses = o.masses[density]
         if masses is None or not masses.sum() > 0.0:
@@ -179,7 +179,7 @@ def _compare_samples(o: Opinions) -> Conflicts:
 
 
 def _describe_means(o: Opinions, *parts: str) -> str:
-    """Describe the mean angles of two parts of a lobe; return "" if the means agree."""
+    """Describe the mean angles under two functions of a sampler; return "" if the means agree."""
     means = [o.mean_angle(part) for part in parts]
     if None in means or abs(means[0] - means[1]) < WRONG * (o.high - o.low):
         return ""
@@ -195,7 +195,7 @@ def _cells_p_value(law: laws.Sampler, w: np.ndarray, edges: np.ndarray) -> float
 
 
 def _check_inverse(o: Opinions) -> Conflicts:
-    """Yield a conflict of the inverse and each map that the inverse does not undo."""
+    """Yield a failed check of the inverse and each map that the inverse does not undo."""
     if o.sampler.maps.invert is None:
         return
     for part in MAPS:
@@ -212,7 +212,7 @@ def _check_inverse(o: Opinions) -> Conflicts:
 
 
 def _check_cdf(o: Opinions) -> Conflicts:
-    """Yield a conflict of the cdf alone, or of the cdf and each map or density that contradicts it."""
+    """Yield a failed check of the cdf, alone or together with each map or density that contradicts it."""
     if not o.sampler.symmetric:
         return
     cdf = np.asarray(o.sampler.cdf(o.edges), np.float64)
@@ -234,7 +234,7 @@ def _check_cdf(o: Opinions) -> Conflicts:
 
 
 def _check_polar(o: Opinions) -> Conflicts:
-    """Yield a conflict of the map that breaks the `polar` declaration, if the other map follows it.
+    """Yield a failed check of the map that contradicts the declaration `polar`, if the other map agrees.
 
     With `polar`, u[0] is the cdf and u[1] the azimuth divided by 2 pi.
     """

@@ -1,4 +1,4 @@
-"""Evidence on one sampler, computed once for all laws: variates, directions, and the worst errors of a sweep."""
+"""Numbers measured on one sampler, shared by all its tests: directions, and worst errors over many inputs."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,13 +18,13 @@ _ROWS = 40
 
 
 def independent(points: int, count: int, seed: int) -> np.ndarray:
-    """Return (points, count, 2) float32 variates of the sequence "independent", as the statistical tests assume."""
+    """Return independent uniform random numbers, (points, count, 2) float32, of the sequence "independent"."""
     return sample_square("independent", points, count, seed=seed)
 
 
 @dataclass(frozen=True)
 class Subject:
-    """Sampler to be judged, with its name in tables and its twin (a second implementation in float64).
+    """Sampler under test, with its name in tables and a second implementation in float64 to compare with.
 
     Attributes:
         name: name in tables.
@@ -40,7 +40,7 @@ class Subject:
 
 
 class Evidence:
-    """Directions and errors of one sampler that the laws evaluate, each computed on first use."""
+    """Directions and errors measured on one sampler, computed when a test needs them first."""
 
     subject: Subject
     sampler: Any
@@ -48,7 +48,7 @@ class Evidence:
     draws: int
 
     def __init__(self, subject: Subject, every: int = 1, draws: int = 1 << 22):
-        """Store the sampler to be judged and the amount of evidence to compute.
+        """Set the sampler under test, and how many inputs to measure.
 
         Args:
             subject: sampler to be judged.
@@ -59,7 +59,7 @@ class Evidence:
         self.chart: Chart = chart_of(subject.sampler)
 
     def draw(self, seed: int, draws: int) -> np.ndarray:
-        """Sample `draws` directions of the sampler with independent variates."""
+        """Sample `draws` directions of the sampler from independent random numbers."""
         u = self.subject.variates(draws // _SAMPLES, _SAMPLES, seed)
         return self.sampler.sample(u.reshape(-1, 2))
 
@@ -70,17 +70,17 @@ class Evidence:
 
     @cached_property
     def directions(self) -> np.ndarray:
-        """Independent directions of the sampler, `draws` in number."""
+        """Sampled directions from independent random numbers, `draws` in number."""
         return self.draw(self.seed, self.draws)
 
     @cached_property
     def first_directions(self) -> np.ndarray:
-        """First 2^20 of the independent directions, or all if there are fewer."""
+        """First 2^20 of the independent sampled directions, or all if there are fewer."""
         return self.directions[:_CELL_DRAWS]
 
     @cached_property
     def angles(self) -> np.ndarray:
-        """Polar coordinate a (angle or radius, see `Chart`) of each independent direction."""
+        """Angle to the normal (or radius, on the disk) of each independent sampled direction."""
         return self.chart.polar(self.directions)
 
     @cached_property
@@ -101,7 +101,7 @@ class Evidence:
 
     @cached_property
     def smooth(self) -> np.ndarray:
-        """Points u at which the map is smooth, (N, 2).
+        """Points of the unit square at which the sampler's map is smooth, (N, 2).
 
         The points are at least 2^-7 from the rim, and off seams and the kinks of the concentric map.
         """
@@ -112,13 +112,13 @@ class Evidence:
 
     @cached_property
     def stretch(self) -> tuple[float, float]:
-        """Greatest and mean error of the pdf times the area stretch of the map (`laws.area_stretch_error`)."""
+        """Largest and mean deviation from 1 of the density times the local stretch of areas by the map."""
         with np.errstate(all="ignore"):
             return laws.area_stretch_error(self.sampler, self.smooth)
 
     @cached_property
     def sweep(self) -> dict[str, float]:
-        """Worst errors of the sampler over the corner grid and the sweep of variates, keyed by the kind of error.
+        """Worst errors of the sampler over many points of the unit square, keyed by the kind of error.
 
         The key "broken" is the number of invalid values.
         """
@@ -130,7 +130,7 @@ class Evidence:
         return found
 
     def _errors(self, u: np.ndarray) -> dict[str, float]:
-        """Return the worst errors of the sampler and its number of invalid values at points u, keyed by kind."""
+        """Return the worst errors of the sampler at points u of the unit square, keyed by the kind of error."""
         sampler, twin = self.sampler, self.subject.twin
         w, exact = sampler.sample(u), twins.directions(twin, u.astype(np.float64))
         pdf = sampler.pdf(w)

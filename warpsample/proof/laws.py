@@ -1,4 +1,4 @@
-"""Laws that a sampler must obey, one function each: it returns a measured error, or the p-value of a statistical test.
+"""Tests of samplers, one function each, which returns a measured error or the p-value of a statistical test.
 
 The functions take distributions and arrays, not meshes. They assert nothing; `verify` and the tests compare their results
 with limits. A wrong sampler may return anything, so NaN counts as the worst error.
@@ -20,7 +20,7 @@ _LEAST_COUNT = 10.0  # least expected count of a cell in Pearson's test
 
 
 def corner_grid() -> np.ndarray:
-    """Return the points of the unit square at which samplers tend to fail: all pairs of critical values, (N, 2) float32.
+    """Return points of the unit square where samplers tend to fail (corners, edges, ...), (N, 2) float32.
 
     These are the ends, the middle, quarters, eighths, and their neighbours.
     """
@@ -33,7 +33,7 @@ def corner_grid() -> np.ndarray:
 
 
 def all_variates(every: int = 1) -> Iterator[np.ndarray]:
-    """Yield arrays of points of the unit square in which each coordinate takes all 2^24 multiples of 2^-24 once.
+    """Yield arrays of points of the unit square; overall, each coordinate takes all 2^24 multiples of 2^-24 once.
 
     Each array has up to 2^16 points, float32.
 
@@ -51,7 +51,7 @@ def length_error(w: np.ndarray) -> float:
 
 
 def angle_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Return the greatest angle, in radians, between directions and the exact directions of their float64 twin.
+    """Return the largest angle, in radians, between float32 directions and exact directions computed in float64.
 
     It is computed from the component of w perpendicular to the twin, and is pi if some angle is 90 degrees or more.
     """
@@ -61,13 +61,13 @@ def angle_error(w: np.ndarray, twin: np.ndarray) -> float:
 
 
 def distance_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Return the greatest distance between points and the exact points of their float64 twin."""
+    """Return the largest distance between float32 points and exact points computed in float64."""
     difference = w - twin
     return worst(np.sqrt(_dot(difference, difference)))
 
 
 def sine_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Return the greatest relative error of sin theta of directions w, float64, which matters for narrow lobes."""
+    """Return the largest relative error of the sine of the angle between directions and +z."""
     exact = twin[..., 0] ** 2 + twin[..., 1] ** 2
     ratio = (w[..., 0] ** 2 + w[..., 1] ** 2) / np.maximum(exact, 1e-60)
     return worst(np.sqrt(ratio) - (exact > 0.0))  # at the pole itself any nonzero sine is an error
@@ -79,13 +79,15 @@ def density_error(pdf: np.ndarray, exact: np.ndarray) -> float:
 
 
 def round_trip_error(back: np.ndarray, u: np.ndarray) -> float:
-    """Return the greatest difference of a coordinate of u after `sample` and `invert`, modulo 1 as for azimuths."""
+    """Return the largest difference between u and invert(sample(u)), modulo 1."""
     difference = back.astype(np.float64) - u
     return worst(difference - np.round(difference))
 
 
 def area_stretch_error(sampler: Sampler, u: np.ndarray, step: float = 2.0**-11) -> tuple[float, float]:
-    """Return (greatest, mean) error of the pdf times the area stretch of the map, which is 1 for a correct sampler.
+    """Return the (largest, mean) deviation from 1 of the density times the local stretch of areas by the map.
+
+    The product is 1 for a correct sampler.
 
     The stretch is the area of the image of a square of side 2 `step`, divided by the area of the square. On the sphere the
     image is two spherical triangles, so that the area is exact for any curvature. The density is averaged over the square by
@@ -155,17 +157,17 @@ def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
 
 
 def mass_error(sampler: Sampler, edges: np.ndarray) -> float:
-    """Return the absolute difference between the density's integral and 1."""
+    """Return by how much the integral of a sampler's density differs from 1."""
     return worst(cell_masses(sampler, edges, _COLUMNS).sum() - 1.0)
 
 
 def angles_p_value(sampler: Sampler, a: np.ndarray) -> float:
-    """Return the p-value of a Kolmogorov-Smirnov test of polar coordinates a against the sampler's cdf."""
+    """Return the p-value of a Kolmogorov-Smirnov test of angles to the normal against the sampler's cdf."""
     return uniform_p_value(sampler.cdf(a))
 
 
 def tails_p_value(sampler: Sampler, a: np.ndarray) -> float:
-    """Return the p-value of the numbers of directions in both tails of the polar angle, with probability `thinnest_tail`.
+    """Return the p-value of the numbers of directions at very small and very large angles.
 
     It is twice the smaller p-value of the two tails.
 
@@ -177,7 +179,7 @@ def tails_p_value(sampler: Sampler, a: np.ndarray) -> float:
 
 
 def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float:
-    """Return the p-value of the means of a and a^2 of polar coordinates a, compared with integrals of the density.
+    """Return the p-value of the mean angle and mean squared angle of directions, compared with integrals of the density.
 
     It is twice the smaller p-value of the two means.
     """
@@ -246,7 +248,7 @@ def worst(errors: np.ndarray) -> float:
 
 
 def _quantile(sampler: Sampler, probability: float) -> float:
-    """Return the polar coordinate at which the cdf of a sampler reaches a probability, by bisection."""
+    """Return the quantile of a sampler's angle to the normal at a probability, by bisection of the cdf."""
     low, high = support_of(sampler)
     for _ in range(80):
         middle = 0.5 * (low + high)

@@ -1,4 +1,4 @@
-"""Tests that every bit of a seed, point id, stream number and sample number changes the variates independently.
+"""Tests of random numbers: changing any bit of seed, point id, stream or sample number gives independent numbers.
 
 Each pair of runs differs in one bit. A chi-square test compares one variate of each of 2^16 points between the two runs, on
 16 x 16 cells. A second test counts the points at which each of the 24 bits of a variate changes, which should be half of all
@@ -56,7 +56,7 @@ def _variates_kernel(name: str) -> wp.Kernel:
         count: wp.array[wp.uint32],
         out: wp.array[wp.vec2],
     ):
-        """Write the variate of the point with this thread's index."""
+        """Write the random numbers of one sample of one point: those of this thread's index."""
         i = wp.tid()
         key = key_of(run_of(seed, high_word(point[i])), low_word(point[i]))
         if stream >= wp.int64(0):
@@ -68,7 +68,7 @@ def _variates_kernel(name: str) -> wp.Kernel:
 
 
 def grid_cells(name: str, seed: int, stream: int | None, *asked: np.ndarray) -> np.ndarray:
-    """Return (N, 2) variates of a sequence as integers below 2^24.
+    """Return (N, 2) random numbers of a sequence as integers below 2^24.
 
     `asked` holds three (N,) arrays: point ids, sample numbers and counts.
     """
@@ -82,10 +82,10 @@ def grid_cells(name: str, seed: int, stream: int | None, *asked: np.ndarray) -> 
 
 
 def cells_of(name: str) -> Cells:
-    """Return a function that evaluates a sequence of the package at POINTS consecutive point ids (see `Cells`)."""
+    """Return a function that evaluates a sequence at many consecutive point ids."""
 
     def cells(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
-        """Return a variate of each of POINTS points as integers below 2^24."""
+        """Return one sample of each of many points, as integers below 2^24."""
         points = np.uint64(first) + np.arange(POINTS, dtype=np.uint64)
         samples = np.full(POINTS, sample, np.uint32)
         return grid_cells(name, seed, stream, points, samples, samples + np.uint32(1)).T
@@ -94,7 +94,7 @@ def cells_of(name: str) -> Cells:
 
 
 def dependence_p_value(first: np.ndarray, second: np.ndarray) -> float:
-    """Return the p-value of all tests of whether the variates of two runs are independent (Bonferroni)."""
+    """Return the combined p-value of several tests of whether two arrays of random numbers are independent."""
     from scipy.special import chdtrc, erfc
 
     coarse = [cells >> (_BITS - 4) for cells in (first, second)]
@@ -112,7 +112,7 @@ def _count_bits(octets: np.ndarray) -> np.ndarray:
 
 
 def seed_pairs(cells: Cells) -> Iterator[Pair]:
-    """Yield the variates of pairs of runs whose seeds differ in one of 64 bits, are consecutive, or are random."""
+    """Yield pairs of arrays of random numbers, with seeds that differ in one bit, are consecutive, or are random."""
     rng = np.random.default_rng(1)
     random = [tuple(map(int, rng.integers(2**64, size=2, dtype=np.uint64))) for _ in range(64)]
     for base in (0, _SEED):
@@ -122,7 +122,7 @@ def seed_pairs(cells: Cells) -> Iterator[Pair]:
 
 
 def point_pairs(cells: Cells) -> Iterator[Pair]:
-    """Yield the variates of pairs of runs whose point ids differ in one of 64 bits, are consecutive, or are random."""
+    """Yield pairs of arrays of random numbers, for point ids that differ in one bit, are consecutive, or are random."""
     rng = np.random.default_rng(2)
     far = [(int(first) * POINTS, int(second) * POINTS) for first, second in rng.integers(2**48, size=(64, 2))]
     row = np.arange(POINTS)
@@ -135,7 +135,7 @@ def point_pairs(cells: Cells) -> Iterator[Pair]:
 
 
 def stream_pairs(cells: Cells) -> Iterator[Pair]:
-    """Yield the variates of pairs of runs that must be independent despite a common seed.
+    """Yield pairs of arrays of random numbers with one seed that must be independent: different streams.
 
     The runs are two streams of a point, a stream and its point, or the seeds of two internal purposes.
     """
@@ -149,7 +149,7 @@ def stream_pairs(cells: Cells) -> Iterator[Pair]:
 
 
 def sample_pairs(cells: Cells) -> Iterator[Pair]:
-    """Yield the variates of pairs of runs whose sample numbers differ in one of 31 bits.
+    """Yield pairs of arrays of random numbers, for sample numbers that differ in one bit.
 
     The sequence must have independent samples.
     """
@@ -175,7 +175,7 @@ def _keys_kernel() -> wp.Kernel:
 
 
 def keys_of(seed: int, streams: bool) -> np.ndarray:
-    """Return the keys of 16 POINTS points, or of as many streams of one point: (16 POINTS, 4) random words."""
+    """Return the random keys of many points, or of many streams of one point: (N, 4) 32-bit words."""
     load(_keys_kernel(), "cpu")
     out = wp.empty(16 * POINTS, dtype=wp.vec4ui, device="cpu")
     wp.launch(_keys_kernel(), 16 * POINTS, inputs=[seed, streams], outputs=[out], device="cpu")
@@ -183,7 +183,7 @@ def keys_of(seed: int, streams: bool) -> np.ndarray:
 
 
 def far_samples_of(name: str) -> np.ndarray:
-    """Return pairs of consecutive samples of one point, 1,024 samples apart, as (16 POINTS, 4) integers below 2^24."""
+    """Return pairs of consecutive samples of one point, 1,024 samples apart, as (N, 4) integers below 2^24."""
     first = 1024 * np.arange(16 * POINTS)
     ones, most = np.ones_like(first), np.full_like(first, 2**31 - 1)
     return np.hstack([grid_cells(name, _SEED, None, ones, sample, most) for sample in (first, first + 1)])
@@ -203,7 +203,7 @@ def low_bits_p_value(words: np.ndarray, bits: int) -> float:
 
 
 def judge_keys(name: str, keys: Callable[[int, bool], np.ndarray] = keys_of) -> Verdict:
-    """Test whether the lowest bits of the keys of points and streams are evenly distributed; return the verdict.
+    """Test whether the lowest bits of the random keys of points and streams are uniform; return the result.
 
     The seeds are ordinary ones and ones for which a weak hash fails.
     """
@@ -213,7 +213,7 @@ def judge_keys(name: str, keys: Callable[[int, bool], np.ndarray] = keys_of) -> 
 
 
 def judge_far_samples(name: str, samples: np.ndarray) -> Verdict:
-    """Test whether the lowest bits of samples that are 1,024 apart are evenly distributed; return the verdict.
+    """Test whether the lowest bits of samples that are 1,024 apart are uniform; return the result.
 
     The sequence must have independent samples.
     """
@@ -225,7 +225,7 @@ _OF_RANDOM = {"bits of samples": sample_pairs}
 
 
 def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
-    """Test whether a change of one bit of seed, point id, stream or sample gives independent variates; return the verdicts.
+    """Test that changing one bit of seed, point id, stream or sample gives independent random numbers; return results.
 
     `random` states whether the samples of one point should be independent, too.
     """
@@ -237,7 +237,7 @@ def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
 
 
 def judge_mixing(name: str) -> list[Verdict]:
-    """Test a sequence of the package by all tests of this module; return the verdicts."""
+    """Run all tests of this module on a sequence, and return the results."""
     random = sequences.get(name).random
     verdicts = [judge_keys(name), *judge_cells(name, cells_of(name), random)]
     return [*verdicts, judge_far_samples(name, far_samples_of(name))] if random else verdicts

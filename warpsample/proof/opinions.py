@@ -1,4 +1,4 @@
-"""Values of each part of a lobe and of its twin at the same arguments, so that the parts can be compared in pairs."""
+"""Values of a sampler's functions and of its second implementation at the same arguments, for comparison."""
 
 from collections.abc import Callable
 from functools import cached_property
@@ -32,7 +32,7 @@ class SamplerWithDensity:
 
 
 class Opinions:
-    """Directions, densities and integrals by a lobe's own functions and by those of its twin, to be compared.
+    """Results of a sampler's own functions and of its second implementation, to be compared.
 
     A part is one of MAPS or DENSITIES: "map", "twin's map", "density" or "twin's density".
     """
@@ -44,7 +44,7 @@ class Opinions:
         self.low, self.high = support_of(subject.sampler)
 
     def directions(self, part: str, u: np.ndarray) -> np.ndarray:
-        """Return the directions to which one of the two maps takes u, float64."""
+        """Return the directions of one of the two maps for points u of the unit square, float64."""
         with np.errstate(all="ignore"):
             w = self.sampler.sample(u) if part == "map" else twins.directions(self.subject.twin, u.astype(np.float64))
         return np.asarray(w, np.float64)
@@ -58,13 +58,13 @@ class Opinions:
         return np.asarray(pdf, np.float64)
 
     def is_inside(self, w: np.ndarray, margin: float = 0.0) -> np.ndarray:
-        """Return the mask of directions w inside the declared support, enlarged by `margin` times the support's width."""
+        """Return a mask of the directions w inside the sampler's declared support, enlarged by `margin` times its width."""
         a, margin = self.chart.polar(w), margin * (self.high - self.low)
         return (a >= self.low - margin) & (a <= self.high + margin)
 
     @cached_property
     def u(self) -> np.ndarray:
-        """Points of the unit square at which the maps are compared, (N, 2): every 64th of the sweep, away from seams."""
+        """Points of the unit square at which the two maps are compared, (N, 2)."""
         u = np.concatenate(list(laws.all_variates(_EVERY)))
         return u[~self.sampler.seam(u)]
 
@@ -82,7 +82,7 @@ class Opinions:
 
     @cached_property
     def edges(self) -> np.ndarray:
-        """Polar coordinates that divide the support into cells: quantiles of both maps, and the ends of the support."""
+        """Angles that divide the support into cells for integrals: quantiles of both maps, and the ends of the support."""
         quantiles = np.arange(1, _ROWS) / _ROWS
         inner = [np.quantile(self.chart.polar(w), quantiles) for w in self.draws.values() if len(w)]
         bend = [np.pi / 2.0] if self.chart is SPHERE else []
@@ -98,7 +98,7 @@ class Opinions:
         return {part: self.integrate(part, self.edges) for part in DENSITIES}
 
     def integrate(self, part: str, edges: np.ndarray, weight: int = 0) -> np.ndarray | None:
-        """Integrate one density times a^weight over cells of the polar coordinate a; None if the integral diverges."""
+        """Integrate one density, times angle^weight, over cells between the angles `edges`; return None if it diverges."""
         try:
             return cell_masses(self.sampler_with_density(part), edges, COLUMNS if self.chart.azimuths > 1.0 else 1, weight)
         except ValueError:
@@ -113,14 +113,14 @@ class Opinions:
         return SamplerWithDensity(self.sampler, lambda w: np.where(self.is_inside(w), self.density(part, w) / mass, 0.0))
 
     def mean_angle(self, part: str) -> float | None:
-        """Return the mean polar coordinate under a map or a density; None if an integral does not converge."""
+        """Return the mean angle to the normal under one map or density; None if an integral does not converge."""
         if part in MAPS:
             return float(self.chart.polar(self.draws[part]).mean()) if len(self.draws[part]) else None
         masses, first = self.masses[part], self.integrate(part, self.edges, 1)
         return None if masses is None or first is None else float(first.sum() / masses.sum())
 
     def stretch(self, part: str, u: np.ndarray) -> np.ndarray:
-        """Return the area stretch of one map at u: area on the sphere over area in the square, by central differences.
+        """Return by how much one map stretches areas at u, from the square to the sphere, by central differences.
 
         u: (N, 2), at least STEP from the rim of the square.
         """
@@ -139,5 +139,5 @@ class Opinions:
         return w[np.isfinite(w).all(axis=-1) & ~self.is_inside(w, MARGIN)]
 
     def greatest_angle(self, part: str) -> float:
-        """Return the greatest absolute polar coordinate of the directions of one map, at the points `u`."""
+        """Return the largest angle to the normal among the directions of one map at the points `u`."""
         return float(np.nanmax(np.abs(self.chart.polar(self.at_u[part])), initial=0.0))

@@ -1,4 +1,4 @@
-"""Laws of rays: no ray leaves a closed mesh, even if aimed at an edge, and both tracers and both queries agree."""
+"""Tests of ray tracing: no ray leaves a closed mesh, even if aimed at an edge, and both tracers agree."""
 
 from functools import cache
 
@@ -74,7 +74,7 @@ def _allowed_differences(rays: int) -> float:
 
 
 def judge_rays(thorough: bool) -> list[Verdict]:
-    """Test that rays cannot leave closed meshes, on every test mesh; return the verdicts.
+    """Test that rays cannot leave closed meshes, for several meshes, and return the results.
 
     There are 10^6 rays inside and 10^5 rays at edges; with `thorough` ten times as many.
     """
@@ -88,7 +88,7 @@ def judge_rays(thorough: bool) -> list[Verdict]:
 
 
 def judge_mesh(name: str, mesh: Mesh, origin: tuple[float, float, float], inside: int, at_edges: int) -> list[Verdict]:
-    """Test that rays cannot leave one closed mesh, whose faces point outwards; return the verdicts.
+    """Test that rays cannot leave one closed mesh, whose faces point outwards, and return the results.
 
     Args:
         name: name in tables.

@@ -1,4 +1,4 @@
-"""Tables of verdicts: one table for each law, and the table in the README of the distributions."""
+"""Tables of test results: one table for each test, and the table in the README of the distributions."""
 
 import re
 from collections.abc import Iterable
@@ -47,7 +47,7 @@ _SUMMARIES = {
 
 
 def show_one(verdicts: list[Verdict], console: Any) -> None:
-    """Print verdicts as one table, with a row for each law and distribution: the case closest to failing."""
+    """Print test results as one table, with a row for each test and distribution: the case closest to failing."""
     table = _make_table()
     for heading in ("law", "of", "cases", "measured", "limit"):
         table.add_column(heading, justify="left" if heading in ("law", "of") else "right")
@@ -63,7 +63,7 @@ def show_one(verdicts: list[Verdict], console: Any) -> None:
 
 
 def show(verdicts: list[Verdict], console: Any) -> None:
-    """Print verdicts as one table per law on a rich Console.
+    """Print test results on a rich Console, with a table for each test.
 
     A row is a distribution, with its case closest to failing, the limit and the verdict.
     """
@@ -84,7 +84,7 @@ def show(verdicts: list[Verdict], console: Any) -> None:
 
 
 def summarize(verdicts: list[Verdict]) -> str:
-    """Return sentences with the numbers of verdicts, of broken laws, and of statistical tests."""
+    """Return sentences with the numbers of tests, of failed tests, and of statistical tests."""
     failed = sum(not v.passed for v in verdicts)
     statistics = sum(v.statistical for v in verdicts)
     return (
@@ -94,7 +94,7 @@ def summarize(verdicts: list[Verdict]) -> str:
 
 
 def _make_table(title: str | None = None) -> Any:
-    """Return a rich table without columns, in the style of all tables of verdicts."""
+    """Return an empty rich table in the style of all tables of test results."""
     from rich import box
     from rich.table import Table
 
@@ -102,7 +102,7 @@ def _make_table(title: str | None = None) -> Any:
 
 
 def power_table(caught: dict[str, list[Verdict]]) -> Any:
-    """Return a rich table with one row per planted defect (deliberate error in a sampler): the laws that reject it."""
+    """Return a rich table with a row for each deliberately wrong sampler: the tests that reject it."""
     table = _make_table("Planted defects, and the laws that catch them")
     table.add_column("defect")
     table.add_column("caught by")
@@ -146,7 +146,7 @@ def _describe_inverse(kind: type[Distribution]) -> str:
 
 
 def _worst_by_name(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
-    """Return the worst error that one law has measured, keyed by distribution."""
+    """Return the worst error that one test has measured, keyed by distribution."""
     worst: dict[str, float] = {}
     for v in verdicts:
         if v.law == law:
@@ -155,7 +155,7 @@ def _worst_by_name(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
 
 
 def _group_verdicts(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
-    """Group verdicts by distribution, with the case closest to failing first in each group."""
+    """Group test results by distribution, with the case closest to failing first in each group."""
     groups: dict[str, list[Verdict]] = {}
     for v in verdicts:
         groups.setdefault(name_of(v), []).append(v)
@@ -163,18 +163,18 @@ def _group_verdicts(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
 
 
 def name_of(v: Verdict) -> str:
-    """Return the name of the distribution that a verdict judges, without parameters; other names stay whole."""
+    """Return the name of the distribution that a test result is about, without parameters."""
     case = re.fullmatch(r"(\w+)\(.*\)", v.subject)
     return case[1] if case else v.subject
 
 
 def _distance_to_failure(v: Verdict) -> float:
-    """Return a sort key for verdicts that is smallest for the verdict closest to failing."""
+    """Return a sort key for test results that is smallest for the result closest to failing."""
     return v.measured if v.statistical else -v.measured / max(v.limit, 1e-300)
 
 
 def _format_row(group: list[Verdict]) -> list[str]:
-    """Return the texts of a table row that summarises a group of verdicts."""
+    """Return the texts of a table row that summarises a group of test results."""
     hardest = group[0]
     verdict = "[green]holds[/]" if all(v.passed for v in group) else "[red]BROKEN[/]"
     at = hardest.subject[len(name_of(hardest)) + 1 : -1] if len(group) > 1 and hardest.measured != 0.0 else ""

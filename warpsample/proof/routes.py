@@ -1,4 +1,4 @@
-"""Routes: other methods from the literature to sample the package's distributions, in float64 NumPy.
+"""Other methods from the literature to sample the package's distributions, in float64 NumPy, to compare with.
 
 Chizhov2019 samples each offset set in two ways: a uniform point of the set plus the normal, normalised; and by inversion or
 rejection. These methods are compared with the package's maps, and with each other.
@@ -38,7 +38,7 @@ _TURN = 2.0 * np.pi
 
 
 def circle(turns: np.ndarray) -> np.ndarray:
-    """Sample points of the unit circle from one variate each (Chizhov2019, section 3.4).
+    """Sample points of the unit circle from one random number each (Chizhov2019, section 3.4).
 
     The source prints two different variates in sine and cosine.
     """
@@ -98,14 +98,14 @@ def disk_by_inverted_distribution(u: np.ndarray) -> np.ndarray:
 
 
 def variates(dimensions: int) -> np.ndarray:
-    """Return (N, dimensions) float64 independent variates, each at the centre of a cell of the 2^-24 grid."""
+    """Return (N, dimensions) independent uniform random numbers, float64, at centres of cells of width 2^-24."""
     u = sample_square("independent", _DRAWS // 16, 16 * ((dimensions + 1) // 2), seed=7)
     return u.reshape(-1, 2 * ((dimensions + 1) // 2))[:, :dimensions].astype(np.float64) + 2.0**-25
 
 
 @dataclass(frozen=True)
 class Route:
-    """Route: another method than the package's to sample one of its distributions.
+    """Method from the literature to sample one of the package's distributions in another way.
 
     Attributes:
         name: name in tables.
@@ -199,7 +199,7 @@ def _compare_densities() -> dict[str, float]:
 
 
 def judge_routes() -> list[Verdict]:
-    """Test that other methods sample the same distributions, and that equal formulas agree; return the verdicts."""
+    """Test that methods from the literature sample the same distributions as the package; return the results."""
     verdicts = []
     for route in ROUTES:
         w, name = route.draw(variates(route.dimensions)), f"{type(route.to).__name__} by {route.name}"

@@ -1,4 +1,4 @@
-"""Tasks of `warpsample verify` (samplers, sequences, meshes and rays to test), and a pool of processes that runs them."""
+"""Tasks of `warpsample verify` (samplers, sequences, meshes and rays to test), run in a pool of processes."""
 
 import multiprocessing
 import os
@@ -23,7 +23,7 @@ _MOST_PROCESSES = 8  # each uses up to 3 GB, and all cores for its kernels
 
 @dataclass(frozen=True)
 class TrialPart:
-    """One task of `warpsample verify`: what is tested, and by which kind of test.
+    """One task of `warpsample verify`: the tests of one distribution, sequence or mesh.
 
     Attributes:
         kind: kind of task: "case", "sequence", "defect", "routes", "meshes" or "rays".
@@ -34,7 +34,7 @@ class TrialPart:
     key: Any = None
 
     def verdicts(self, thorough: bool = False) -> list[Verdict]:
-        """Run the tests of this task and return the verdicts; `thorough` sweeps all variates, as in `run`."""
+        """Run the tests of this task and return the results; `thorough` tests all 2^24 random numbers."""
         return _KINDS[self.kind](self.key, thorough)
 
 
@@ -68,7 +68,7 @@ def list_tasks(only: str | None = None) -> list[TrialPart]:
 
 
 def subjects(tasks: Iterable[TrialPart]) -> list[Subject]:
-    """Return the samplers, with their twins, of all tasks that judge a distribution or a planted defect."""
+    """Return the samplers that the given tasks test, each with its second implementation."""
     found = [Subject(repr(task.key), task.key, task.key) for task in tasks if task.kind == "case"]
     return found + [defects.subject_of(task.key) for task in tasks if task.kind == "defect"]
 
@@ -80,7 +80,7 @@ def _kinds_of_parts() -> dict[str, str]:
 
 
 def describe_sweep(thorough: bool) -> str:
-    """Return a sentence on how many values of the variates a run takes."""
+    """Return a sentence on how many different random numbers are tested."""
     if thorough:
         return "The sweep takes each of the 2^24 values of both coordinates."
     slow = " and ".join(_SLOW_TWINS)
@@ -90,12 +90,12 @@ def describe_sweep(thorough: bool) -> str:
 
 
 def defect_tasks() -> list[TrialPart]:
-    """Return one task for each planted defect, a sampler with a deliberate error."""
+    """Return one task for each deliberately wrong sampler."""
     return [TrialPart("defect", name) for name in defects.names()]
 
 
 def run(tasks: list[TrialPart], thorough: bool = False) -> Iterator[tuple[TrialPart, list[Verdict]]]:
-    """Run tasks of `warpsample verify` in one process per core; yield each task with its verdicts when it ends.
+    """Run tasks of `warpsample verify` in one process per core; yield each task with its test results when it ends.
 
     A thorough run sweeps all 2^24 variates, not every fourth, or every 16th for a twin that inverts by bisection.
     """
@@ -133,19 +133,19 @@ def _ignore_signals_in_children() -> Iterator[None]:
 
 
 def _judge_case(case: Distribution, thorough: bool) -> list[Verdict]:
-    """Test a distribution by all laws and return the verdicts; three-dimensional ones are also tested on hostile normals."""
+    """Run all tests of a distribution, including tests with extreme normals, and return the results."""
     hostile = stress.judge_normals(case) if case.width == 3 else []
     every = 1 if thorough else _SLOW if case.name in _SLOW_TWINS else _USUAL
     return verify.judge_case(case, every=every) + hostile
 
 
 def _judge_sequence(name: str, thorough: bool) -> list[Verdict]:
-    """Test a sequence by all laws and return the verdicts."""
+    """Run all tests of a sequence, and return the results."""
     return [*streams.judge_sequence(name), *mixing.judge_mixing(name), stress.judge_indices(name)]
 
 
 def _judge_meshes(key: None, thorough: bool) -> list[Verdict]:
-    """Test invalid normals, and meshes that are tiny, huge or damaged; return the verdicts."""
+    """Run tests with invalid normals, and with meshes that are tiny, huge or damaged; return the results."""
     return [stress.judge_bad_normals(), *stress.judge_meshes()]
 
 

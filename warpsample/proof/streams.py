@@ -1,4 +1,4 @@
-"""Laws of independence of sequences over points, samples and seeds, and a command that writes their bits.
+"""Tests of the independence of random numbers over points, samples and seeds, and a command that writes them.
 
 External test batteries read the stream: `python -m warpsample.proof.streams independent | dieharder -a -g 200`.
 """
@@ -23,12 +23,12 @@ _SIDE = 128  # points, and samples of each, in a block of the endless stream
 
 
 def integers(u: np.ndarray) -> np.ndarray:
-    """Convert variates to integers of the 2^24 grid."""
+    """Convert random numbers in [0, 1) to integers below 2^24, exactly."""
     return (u * np.float32(GRID)).astype("<u4", order="C")
 
 
 def digest(name: str) -> str:
-    """Return a hash of some points of a sequence, which reveals any change of the sequence's values.
+    """Return a hash of some points of a sequence, to detect any change of the sequence's values.
 
     The ids of the surface points cross a multiple of 2^32.
     """
@@ -37,7 +37,7 @@ def digest(name: str) -> str:
 
 
 def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random: bool = True) -> list[Verdict]:
-    """Test variates for independence over points, samples and seeds; return the verdicts.
+    """Test random numbers for independence over points, samples and seeds; return the results.
 
     Args:
         name: name in tables.
@@ -69,7 +69,7 @@ def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random:
 
 
 def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
-    """Test a sequence of the package for independence, and test that its values have not changed; return the verdicts."""
+    """Test a sequence for independence, and test that its values have not changed; return the results."""
 
     def variates(points: int, samples: int, seed: int) -> np.ndarray:
         return sample_square(name, points, samples, seed=seed)
@@ -101,7 +101,7 @@ def shared_streams(variates: Variates, points: int) -> int:
 
 
 def emitted_bytes(name: str) -> Iterator[bytes]:
-    """Yield all 24 bits of each variate, low byte first, as an endless stream.
+    """Yield the random numbers of a sequence as an endless stream of bytes, three bytes for each number.
 
     A block holds both dimensions of 128 points x 128 samples, for seed 0, 1, 2, and so on. A battery compares neighbours in
     its stream. So the neighbours are samples of a point for even seeds, and points for odd seeds.

@@ -1,4 +1,4 @@
-"""Laws for hostile input: extreme and invalid normals, ids and indices at word limits, bad and huge meshes."""
+"""Tests with extreme and invalid input: normals, ids and indices at the limits of integers, damaged and huge meshes."""
 
 from itertools import product
 
@@ -59,7 +59,7 @@ def exact_directions(distribution: Distribution, normals: np.ndarray, u: np.ndar
 
 
 def judge_normals(distribution: Distribution) -> list[Verdict]:
-    """Test a distribution about extreme normals; return the verdicts on lost points, unit length, angle and density."""
+    """Test a distribution about extremely long, short and tilted normals, and return the results."""
     normals = hostile_normals()
     got = sample_directions(normals, _SAMPLES, distribution=distribution, sequence="independent", pdf=True)
     u = sample_square("independent", len(normals), _SAMPLES)
@@ -88,7 +88,7 @@ def judge_normals(distribution: Distribution) -> list[Verdict]:
 
 
 def judge_bad_normals() -> Verdict:
-    """Test that zero, NaN and infinite normals give zero vectors, density 0 and a status; return the verdict.
+    """Test that zero, NaN and infinite normals give zero vectors, density 0 and a status; return the result.
 
     The directions of their neighbours must not change.
     """
@@ -107,7 +107,7 @@ def judge_bad_normals() -> Verdict:
 
 
 def judge_indices(name: str) -> Verdict:
-    """Test a sequence at the limits of 32- and 64-bit point ids, sample indices, counts and seeds; return the verdict.
+    """Test a sequence at the limits of 32- and 64-bit ids, sample indices, counts and seeds; return the result.
 
     The exact integers of the twins are the reference.
     """
@@ -122,7 +122,7 @@ def judge_indices(name: str) -> Verdict:
 
 
 def judge_meshes() -> list[Verdict]:
-    """Test points sampled on meshes that are tiny, far away, huge, or full of bad faces; return the verdicts."""
+    """Test points sampled on meshes that are tiny, far away, huge, or full of bad faces; return the results."""
     corner = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], float)
     faces = np.array([(0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3)])
     verdicts = []

@@ -1,4 +1,4 @@
-"""Verdicts of every law on every case of every distribution, for `warpsample verify` and the tests.
+"""List of all tests of samplers, with limits, and functions that run the tests, for `warpsample verify`.
 
 Errors are compared with the limits in the record of each distribution. Statistical tests reject p-values below LEVEL, so
 that correct samplers fail by chance in at most FAMILY_WISE of all runs, on any machine.
@@ -23,7 +23,7 @@ LEVEL = FAMILY_WISE / MOST_STATISTICS
 
 @dataclass(frozen=True)
 class Verdict:
-    """Verdict of one law on one sampler: the measured error or p-value, and its limit.
+    """Result of one test of one sampler: the measured error or p-value, and its limit.
 
     Attributes:
         law: name of the law.
@@ -43,23 +43,23 @@ class Verdict:
 
     @classmethod
     def from_error(cls, law: str, subject: str, measured: float, *, limit: float = 0.0, note: str = "") -> "Verdict":
-        """Build the verdict on a worst error or a number of failures; the law holds up to `limit`."""
+        """Build the result of a test from a measured error or a number of failures, which must not exceed `limit`."""
         return cls(law, subject, float(measured), limit, False, note)
 
     @classmethod
     def from_p_value(cls, law: str, subject: str, p_value: float, note: str = "") -> "Verdict":
-        """Build the verdict on the p-value of a statistical test; the law holds from LEVEL upwards."""
+        """Build the result of a statistical test from its p-value, which must be at least LEVEL."""
         return cls(law, subject, p_value, LEVEL, True, note)
 
     @property
     def passed(self) -> bool:
-        """True if the sampler obeys the law."""
+        """True if the sampler has passed the test."""
         return self.measured >= self.limit if self.statistical else self.measured <= self.limit
 
 
 @dataclass(frozen=True)
 class Law:
-    """Law that samplers must obey: a measure, its limit, and the samplers to which it applies.
+    """Test of samplers: function that measures an error or p-value, its limit, and the samplers to which it applies.
 
     Attributes:
         name: name in tables.
@@ -77,7 +77,7 @@ class Law:
     applies: Callable[[Any], bool] = lambda sampler: True
 
     def judge(self, evidence: Evidence) -> Verdict:
-        """Test a sampler by this law and return the verdict; a law that cannot be evaluated counts as broken."""
+        """Run this test on a sampler, and return the result; a test that cannot be evaluated counts as failed."""
         note, subject = "", evidence.subject
         try:
             with np.errstate(all="ignore"):  # a wrong sampler may return anything
@@ -228,12 +228,12 @@ def cases(only: str | None = None) -> list[Distribution]:
 
 
 def judge(evidence: Evidence, which: Iterable[Law] = LAWS) -> list[Verdict]:
-    """Test one sampler by all laws that apply to it; return the verdicts."""
+    """Run all tests that apply to a sampler, and return the results."""
     return [law.judge(evidence) for law in which if law.applies(evidence.sampler)]
 
 
 def judge_case(case: Distribution, **effort: int) -> list[Verdict]:
-    """Test a distribution by all laws that apply to it; return the verdicts.
+    """Run all tests that apply to a distribution, and return the results.
 
     `effort` holds keyword arguments of `Evidence`.
     """

@@ -1,4 +1,4 @@
-"""Sampler with wrong parts, in place of the distribution that it claims to be."""
+"""Sampler with deliberately wrong functions, to test the tests."""
 
 from collections.abc import Callable
 from typing import Any
@@ -9,7 +9,7 @@ from warpsample.distributions.record import Distribution
 
 
 class WrongSampler:
-    """Sampler with a planted defect: a distribution with some of its functions replaced by wrong ones."""
+    """Deliberately wrong sampler: a distribution with some of its functions replaced by wrong ones."""
 
     def __init__(self, claims: Distribution, **replaced: Callable[[np.ndarray], np.ndarray]):
         """Store the correct distribution and the wrong functions that replace some of its functions.

@@ -4,12 +4,16 @@ from functools import partial
 
 import numpy as np
 
+from warpsample.distributions.lights.spherical_rectangle import SphericalRectangle
 from warpsample.distributions.lights.spherical_triangle import SphericalTriangle
 from warpsample.proof.wrong import WrongSampler
 
 _F = np.float32
 _TRIANGLE, _SMALL = SphericalTriangle.cases()[1:3]
 _TINY = SphericalTriangle(((0.3, 0.0, 1.0), (0.31, 0.02, 1.03), (0.33, -0.01, 1.01)))  # 2.3e-4 sr, seen from the side
+
+_WINDOW, _PANE = SphericalRectangle.cases()[1:3]
+_SLIT = SphericalRectangle((0.3, 0.0, 1.0), (0.03, 0.0, 0.03), (0.0, 0.03, 0.0))  # 5e-4 sr, seen from the side
 
 
 def _normalize(v: np.ndarray) -> np.ndarray:
@@ -18,7 +22,7 @@ def _normalize(v: np.ndarray) -> np.ndarray:
 
 
 def _even_in_area(lobe: SphericalTriangle, u: np.ndarray) -> np.ndarray:
-    """Return directions to points that are uniform in the area of a triangle."""
+    """Return wrong directions to a triangle: to points that are uniform by area instead of by solid angle."""
     a, b, c = np.array(lobe.corners)
     x, y = u.astype(np.float64).T[..., None]
     side = np.sqrt(y)
@@ -31,7 +35,7 @@ def _angle_of(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
 
 
 def _by_girard(lobe: SphericalTriangle, w: np.ndarray) -> np.ndarray:
-    """Return the density of a triangle with the area as the sum of three angles minus pi, in float32."""
+    """Return the density of directions to a triangle with float32 rounding errors, by Girard's formula for its area."""
     a, b, c = _normalize(np.array(lobe.corners, _F))
     area = _angle_of(a, b, c) + _angle_of(b, c, a) + _angle_of(c, a, b) - _F(np.pi)
     return np.where(lobe.pdf(w) > 0.0, 1.0 / area, 0.0).astype(_F)
@@ -64,11 +68,49 @@ def _corners_not_unit(lobe: SphericalTriangle, u: np.ndarray) -> np.ndarray:
     return (z[..., None] * _normalize(b) + np.sqrt(1.0 - z * z)[..., None] * side).astype(_F)
 
 
+def _points_of(lobe: SphericalRectangle, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Return directions to points of a rectangle, given as shares of its edges, in float32."""
+    corner, edge_x, edge_y = map(np.array, lobe.kernel_values())
+    return _normalize(corner + x[..., None] * edge_x + y[..., None] * edge_y).astype(_F)
+
+
+def _linear_along_y(lobe: SphericalRectangle, u: np.ndarray) -> np.ndarray:
+    """Return directions with the right share of edge_x, and an even share of edge_y in place of the sine of an elevation."""
+    matrix = np.stack(list(map(np.array, lobe.kernel_values())), axis=1)
+    there = lobe.sample(u).astype(np.float64) @ np.linalg.inv(matrix).T
+    return _points_of(lobe, there[..., 1] / there[..., 0], u[..., 1].astype(np.float64))
+
+
+def _by_four_angles(lobe: SphericalRectangle, w: np.ndarray) -> np.ndarray:
+    """Return the density of a rectangle with the solid angle as the sum of four angles minus 2 pi, in float32."""
+    corner, edge_x, edge_y = (np.array(v, _F) for v in lobe.kernel_values())
+    corners = _normalize(np.stack([corner, corner + edge_x, corner + edge_x + edge_y, corner + edge_y]))
+    turned = [np.roll(corners, -k, axis=0) for k in (-1, 1)]
+    area = sum(_angle_of(a, b, c) for a, b, c in zip(corners, turned[1], turned[0], strict=True)) - _F(2.0 * np.pi)
+    return np.where(lobe.pdf(w) > 0.0, 1.0 / area, 0.0).astype(_F)
+
+
+def _mirrored(lobe: SphericalRectangle, u: np.ndarray) -> np.ndarray:
+    """Return directions mirrored at the plane through the eye that is parallel to a rectangle."""
+    _, edge_x, edge_y = map(np.array, lobe.kernel_values())
+    normal, w = _normalize(np.cross(edge_x, edge_y)), lobe.sample(u).astype(np.float64)
+    return (w - 2.0 * (w @ normal)[..., None] * normal).astype(_F)
+
+
 WRONG_LIGHTS: dict[str, WrongSampler] = {
     "triangle sampled by area": WrongSampler(_TRIANGLE, sample=partial(_even_in_area, _TRIANGLE)),
     "triangle below 3e-4 sr sampled by area": WrongSampler(_TINY, sample=partial(_even_in_area, _TINY)),
     "solid angle of a triangle by Girard": WrongSampler(_SMALL, pdf=partial(_by_girard, _SMALL)),
     "triangle with corners not of unit length": WrongSampler(_TRIANGLE, sample=partial(_corners_not_unit, _TRIANGLE)),
+    "rectangle below 1e-3 sr sampled by area": WrongSampler(
+        _SLIT, sample=lambda u: _points_of(_SLIT, *u.astype(np.float64).T)
+    ),
+    "rectangle even along y": WrongSampler(_WINDOW, sample=partial(_linear_along_y, _WINDOW)),
+    "solid angle of a rectangle by four angles": WrongSampler(_PANE, pdf=partial(_by_four_angles, _PANE)),
+    "rectangle behind the eye": WrongSampler(_WINDOW, sample=partial(_mirrored, _WINDOW)),
+    "rectangle with swapped edges": WrongSampler(
+        _WINDOW, sample=SphericalRectangle(_WINDOW.corner, _WINDOW.edge_y, _WINDOW.edge_x).sample
+    ),
     "triangle even in the angle of its arcs": WrongSampler(_TRIANGLE, sample=partial(_even_in_angle, _TRIANGLE)),
 }
 """Wrong samplers, keyed by name."""

@@ -18,7 +18,7 @@ _TRANSFORMED, _MIRRORED = (LinearlyTransformedCosine.cases()[i] for i in (1, -1)
 
 
 def _henyey_greenstein_by_cosine(g: float, u: np.ndarray) -> np.ndarray:
-    """Return directions of the phase function with the cosine by the usual quotient and the sine from it, in float32."""
+    """Return directions of the phase function with float32 rounding errors, by the usual formula for the cosine."""
     g, (x, turns) = _F(g), u.astype(_F).T
     quotient = (1 - g * g) / (1 - g + 2 * g * (1 - x))
     cosine = (1 + g * g - quotient * quotient) / (2 * g)
@@ -28,20 +28,20 @@ def _henyey_greenstein_by_cosine(g: float, u: np.ndarray) -> np.ndarray:
 
 
 def _henyey_greenstein_of_power_1(w: np.ndarray) -> np.ndarray:
-    """Return the phase function of g = 0.7 with the power 1 in place of 3/2, with the factor that makes its integral 1."""
+    """Return a wrong phase function for g = 0.7: the power 1 in place of 3/2, normalised to the integral 1."""
     g, cosine = 0.7, w[..., 2].astype(np.float64)
     factor = g / (2.0 * np.pi * np.log((1.0 + g) / (1.0 - g)))
     return np.nan_to_num(factor / (1.0 + g * g - 2.0 * g * cosine)).astype(_F)
 
 
 def _of_power_2(w: np.ndarray) -> np.ndarray:
-    """Return the density of a linearly transformed cosine with the square of the length of the inverse's product."""
+    """Return a wrong density of a linearly transformed cosine: a length to the power 2 instead of 3."""
     length = np.linalg.norm(w.astype(np.float64) @ np.linalg.inv(_TRANSFORMED.stretch).T, axis=-1)
     return (_TRANSFORMED.pdf(w) * length).astype(_F)
 
 
 def _not_normalised(u: np.ndarray) -> np.ndarray:
-    """Return products of the matrix and directions of the cosine lobe, of any length."""
+    """Return wrong directions of a linearly transformed cosine, which do not have unit length."""
     return (CosineHemisphere().sample(u).astype(np.float64) @ np.array(_TRANSFORMED.stretch).T).astype(_F)
 
 

@@ -22,12 +22,12 @@ _AZIMUTH = 2.0 * np.pi
 
 
 def _scaled(density: Callable[[np.ndarray], np.ndarray], factor: float, w: np.ndarray) -> np.ndarray:
-    """Return a density times a factor."""
+    """Return a wrong density: the density of directions w times a factor."""
     return (density(w) * factor).astype(_F)
 
 
 def _unstretched_azimuth(u: np.ndarray) -> np.ndarray:
-    """Return GGX normals with the azimuth 2 pi u[1] and, for this azimuth, the slope of the anisotropic lobe."""
+    """Return wrong anisotropic GGX normals: the azimuth is not stretched by the roughnesses."""
     u = u.astype(np.float64)
     c, s = np.cos(_AZIMUTH * u[..., 1]), np.sin(_AZIMUTH * u[..., 1])
     slope = np.sqrt(u[..., 0] / (1.0 - u[..., 0]) / ((c / _X) ** 2 + (s / _Y) ** 2))
@@ -35,7 +35,7 @@ def _unstretched_azimuth(u: np.ndarray) -> np.ndarray:
 
 
 def _density_by_cosine(w: np.ndarray) -> np.ndarray:
-    """Return the GGX density by tan^2 theta = (1 - z^2) / z^2 and the azimuth, in float32."""
+    """Return the GGX density with float32 rounding errors, by tan^2 theta = (1 - z^2) / z^2 and the azimuth."""
     x, y, z = w.astype(_F).T
     square = z * z
     tangent = (1 - square) / square

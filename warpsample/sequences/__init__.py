@@ -22,7 +22,7 @@ def names() -> list[str]:
 
 
 def get(name: str) -> Sequence:
-    """Return the record that describes a sequence.
+    """Return the description of a sequence: its Warp functions and statistical properties.
 
     Args:
         name: one of `names()`.

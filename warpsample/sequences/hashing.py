@@ -101,13 +101,13 @@ def finalise(word: wp.uint32) -> wp.uint32:
 
 @wp.func
 def run_key(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
-    """Hash the seed and the upper half of a point id to four random words, which kernels compute once for many points."""
+    """Return four random words from the seed and the upper 32 bits of a point id."""
     return philox4x32_10(wp.vec4ui(high, ZERO_WORD, ZERO_WORD, _KEYS), low_word(seed), high_word(seed))
 
 
 @lru_cache(maxsize=1024)
 def run_words(seed: int, high: int) -> tuple[int, int, int, int]:
-    """Compute the four random words of `run_key` in Python instead of in a kernel.
+    """Return the four random words of `run_key`, computed in Python instead of in a kernel.
 
     This saves kernels for directions a tenth of their time.
     """
@@ -128,7 +128,7 @@ def swap_halves(word: wp.uint32) -> wp.uint32:
 
 @wp.func
 def premixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
-    """Return a partly mixed key of a surface point: four words, to be hashed again at each sample.
+    """Return a cheap random key of a surface point: four words that must be hashed again for each sample.
 
     Word 0 differs between any two ids with the same upper half.
     """
@@ -138,7 +138,7 @@ def premixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
 
 @wp.func
 def mixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
-    """Return the key of a surface point: four random words with which a sequence scrambles or shifts its samples."""
+    """Return the random key of a surface point: four words with which a sequence scrambles or shifts its samples."""
     key = premixed_key(run, low)
     return pcg4d(key[0], key[1], key[2], key[3])
 
@@ -151,7 +151,7 @@ def point_key(seed: wp.uint64, point: wp.uint64) -> wp.vec4ui:
 
 @wp.func
 def stream_key(key: wp.vec4ui, stream: wp.uint32) -> wp.vec4ui:
-    """Return the key of random stream number `stream` of a surface point, from the point's key.
+    """Return the random key of an independent stream of random numbers, number `stream`, of a surface point.
 
     Keys of different streams are independent.
     """

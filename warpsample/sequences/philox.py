@@ -9,12 +9,12 @@ from warpsample.sequences.record import Sequence
 
 @wp.func
 def _run(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
-    """Return the seed and the upper half of a point id as words, unmixed, since Philox mixes all bits itself."""
+    """Return four words with the seed and the upper 32 bits of a point id, unchanged, for Philox to mix later."""
     return wp.vec4ui(ZERO_WORD, high, low_word(seed), high_word(seed))
 
 
 def _run_words(seed: int, high: int) -> tuple[int, int, int, int]:
-    """Compute the words of `_run` in Python instead of in a kernel."""
+    """Return the words of `_run`, computed in Python instead of in a kernel."""
     return 0, high, seed % 2**32, seed >> 32
 
 

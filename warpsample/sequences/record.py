@@ -69,7 +69,9 @@ class Sequence:
     cells_off: int = 0
 
     def edge_variance(self, count: int) -> float:
-        """Return the variance of the difference between the counts, in two sets of samples, on one side of an edge.
+        """Return how much two sets of `count` samples differ in the number of samples on one side of a straight edge.
+
+        The result is the variance of the difference.
 
         It is n^edge / 2 for sets of n = `count` samples, with the attribute `edge`.
         """

@@ -42,7 +42,7 @@ def sobol_second(index: wp.uint32) -> wp.uint32:
 
 @wp.func
 def _scramble(index: wp.uint32, second: wp.uint32, key: wp.vec4ui) -> wp.vec2:
-    """Scramble both bit-reversed coordinates of a Sobol' point with the key; return the point of the unit square."""
+    """Scramble a Sobol' point, given by bit-reversed coordinates, with the key; return the point of the unit square."""
     x = laine_karras(index, key[1])
     y = laine_karras(second, key[2])
     return wp.vec2(uniform_from_bits(reverse_bits(x)), uniform_from_bits(reverse_bits(y)))

@@ -14,7 +14,7 @@ _LONGEST_PANEL = 4.0  # largest ratio of the ends of one panel: lobes span ten p
 def cell_masses(
     sampler: Sampler, edges: np.ndarray, columns: int, weight: int = 0, *, chart: Chart | None = None
 ) -> np.ndarray:
-    """Integrate pdf * a^weight over each cell of the sampler's chart.
+    """Integrate a sampler's density, times a^weight, over cells of the polar coordinates (a, phi).
 
     Args:
         sampler: its pdf is integrated.
@@ -44,7 +44,7 @@ def cell_masses(
 def _integrate_cells(
     sampler: Sampler, chart: Chart, edges: np.ndarray, columns: int, weight: int, *, nodes: int
 ) -> np.ndarray:
-    """Integrate pdf * a^weight over each cell, by Gauss-Legendre rules of `nodes` nodes a panel."""
+    """Integrate a sampler's density, times a^weight, over cells, by Gauss-Legendre quadrature with `nodes` nodes."""
     panels, owner = _divide_cells(edges)
     t, gauss = np.polynomial.legendre.leggauss(nodes)
     # With a = low + length sin^2(pi (t + 1) / 4) an inverse root at either end is smooth, as at an offset sphere's edge.
@@ -67,7 +67,7 @@ def _integrate_cells(
 
 
 def _divide_cells(edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Divide long cells of a grid geometrically into panels; return the panels' edges and each panel's cell."""
+    """Divide long cells into panels for quadrature; return the panels' edges and the cell of each panel."""
     panels, owner = [edges[0]], []
     for cell, (low, high) in enumerate(pairwise(edges)):
         pieces = max(1, int(np.ceil(np.log(high / low) / np.log(_LONGEST_PANEL)))) if low > 0.0 else 1

@@ -1,1 +1,1 @@
-"""Texture baking: texels as points on a mesh, images of computed values, and glTF files that show the images."""
+"""Texture baking: quantities computed at the texels of a mesh, as images and in glTF files."""

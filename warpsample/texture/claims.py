@@ -1,4 +1,4 @@
-"""Assignment of texels and samples to faces, and detection of overlapping faces, by the kernels of `coverage`."""
+"""Assignment of the texels of an image to the faces of a mesh, and detection of faces that overlap in the image."""
 
 from dataclasses import dataclass
 
@@ -20,7 +20,7 @@ _LAST_FACE = 0xFFFFFFFF
 
 @dataclass(frozen=True, eq=False)
 class Claims:
-    """Points of an image's texels, with the texel, sample and face of each point.
+    """Assignment of texels to faces: points in texels, each with its number and the face that covers it.
 
     Attributes:
         id: (P,) uint64, point numbers in ascending order: (row * width + column) * samples + sample.
@@ -38,7 +38,7 @@ class Claims:
 
 
 def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int], samples: int, memory: Memory) -> Claims:
-    """Find the texels that a bilinear lookup on the faces reads, and return their points with a face each.
+    """Find all texels that a viewer reads when it draws the faces, and return a point with a face for each.
 
     With one sample, a point is at the texel's centre, or at the nearest point of a face. With several samples, a texel has a
     point for each sample inside a face, or for its first sample if none is inside.
@@ -87,7 +87,7 @@ def compute_weights(
 
 
 def _split_into_tasks(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, int]:
-    """Return the texel boxes of faces, the kernel tasks (T, 2), and the number of image rows per task.
+    """Divide the texels around each face into kernel tasks; return (boxes of texels, tasks, image rows per task).
 
     Boxes and tasks have the layout that `claim_texels` describes. A box holds all texels with a centre nearer than 1 to the
     face, along both axes.
@@ -108,7 +108,7 @@ def _split_into_tasks(corners: np.ndarray, usable: np.ndarray, size: tuple[int, 
 
 
 def _list_points(nearest: np.ndarray, owners: np.ndarray, samples: int, faces: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the ids and the faces of all points, from the outputs of `claim_texels`."""
+    """Return (point numbers, face numbers) of all points, from the output arrays of the kernel of `claim_texels`."""
     texel = np.flatnonzero(nearest)
     face = (np.uint64(_LAST_FACE) - (nearest[texel] & np.uint64(_LAST_FACE))).astype(np.int32)
     if samples == 1:

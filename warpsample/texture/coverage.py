@@ -1,4 +1,4 @@
-"""Kernels that find the texels read for each face and the point of each texel, on the CPU and on CUDA.
+"""Kernels that find which face covers each texel of an image, and where on the face the texel lies.
 
 Lengths are in texels: the centre of the first texel is (0.5, 0.5). A texel belongs to the face with the largest key, so the
 result does not depend on the order in which threads write.
@@ -24,7 +24,7 @@ NO_FACE = 0
 
 @wp.struct
 class Triangle:
-    """Corners of a face and inward normals of its edges.
+    """Face in the image: its corners in texels, and the inward normals of its edges.
 
     A point p is on the inner side of an edge where dot(normal, p - corner) >= 0. Normals have the length of their edges.
     """
@@ -75,7 +75,7 @@ def _smallest(e: wp.vec3d) -> wp.float64:
 
 @wp.func
 def _is_near(e: wp.vec3d, t: Triangle, half: wp.float64) -> wp.bool:
-    """Return False if one edge has the whole square of half width `half` about a point on its outer side, else True.
+    """Return whether a triangle may overlap the square of half width `half` around a point; e are the edge values there.
 
     `e` is `edge_values` at the point. The caller has already compared bounding boxes.
     """
@@ -88,7 +88,7 @@ def _is_near(e: wp.vec3d, t: Triangle, half: wp.float64) -> wp.bool:
 
 @wp.func
 def _is_strictly_inside(e: wp.vec3d, t: Triangle) -> wp.bool:
-    """Return whether a point with edge values `e` is inside a triangle by more than a rounding error."""
+    """Return whether a point is inside a triangle by more than a rounding error; e are the point's edge values."""
     return e[0] > _STRICTLY * wp.length(t.bc) and e[1] > _STRICTLY * wp.length(t.ca) and e[2] > _STRICTLY * wp.length(t.ab)
 
 
@@ -111,7 +111,7 @@ def _squared_distance(start: wp.vec2d, end: wp.vec2d, s: wp.float64, p: wp.vec2d
 
 @wp.func
 def find_nearest(t: Triangle, e: wp.vec3d, p: wp.vec2d) -> wp.vec4d:
-    """Return the weights of a, b and c at the triangle's point nearest to p, and the squared distance."""
+    """Return the triangle's point nearest to p, as barycentric weights of a, b and c, and its squared distance from p."""
     if _smallest(e) >= _ZERO:
         sum = e[0] + e[1] + e[2]
         return wp.vec4d(e[0] / sum, e[1] / sum, e[2] / sum, _ZERO)
@@ -130,7 +130,7 @@ def find_nearest(t: Triangle, e: wp.vec3d, p: wp.vec2d) -> wp.vec4d:
 
 @wp.func
 def _claim_key(squared: wp.float64, face: wp.int32) -> wp.uint64:
-    """Return a key that is larger for a smaller distance and, at equal distance, for a lower face; never 0."""
+    """Return a 64-bit key of a face's claim to a texel; the largest key is that of the nearest face. Never 0."""
     near = _FARTHEST - wp.uint64(wp.cast(wp.float32(squared), wp.uint32))
     return (near << _WORD) | (_LAST_FACE - wp.uint64(face))
 
@@ -147,7 +147,7 @@ def sample_at(seed: wp.uint64, texel: wp.int32, width: wp.int32, sample: wp.int3
 
 @once
 def claim_texels() -> wp.Kernel:
-    """Return the kernel that finds the nearest face of each texel, the face of each sample, and overlaps.
+    """Build the kernel that finds the nearest face of each texel, the face of each sample, and overlaps.
 
     Each task covers some image rows of one face's bounding box. The kernel's arguments are addresses of arrays:
 
@@ -207,7 +207,7 @@ def claim_texels() -> wp.Kernel:
 
 @once
 def mark_overlaps() -> wp.Kernel:
-    """Return the kernel that marks faces which share a texel's centre with another face.
+    """Build the kernel that marks all faces that overlap another face at the centre of a texel.
 
     Tasks are those of `claim_texels`; `marks` (F,) int32 becomes 1 for each marked face.
     """
@@ -246,7 +246,7 @@ def mark_overlaps() -> wp.Kernel:
 
 @once
 def weigh_corners() -> wp.Kernel:
-    """Return the kernel that computes the corner weights (P, 3) float64 of points from their ids and faces.
+    """Build the kernel that computes the barycentric weights, (P, 3) float64, of points in texels on their faces.
 
     A point's id is texel * samples + sample.
     """

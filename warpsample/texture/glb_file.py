@@ -1,4 +1,4 @@
-"""Editing of a .glb or .gltf in memory: its JSON is changed and bytes are appended; all other bytes stay the same.
+"""Editing of a .glb or .gltf file in memory: arrays, pictures and materials are added, all else stays the same.
 
 trimesh and pygltflib are not used, since they drop the parts of a file that they do not know.
 """
@@ -59,7 +59,7 @@ class GlbFile:
     part: Part
 
     def __init__(self, path: Path) -> None:
-        """Read a file.
+        """Read a .glb, or a .gltf and the files that it names.
 
         Raises:
             ValueError: the file is neither .glb nor .gltf, or the first buffer of the .glb is an external file.
@@ -81,16 +81,16 @@ class GlbFile:
             self._embed_files(path)
 
     def add_vertices(self, array: np.ndarray, **more: Any) -> int:
-        """Append vertex values (V,) or (V, k), with rows of multiples of 4 bytes; return the new accessor's number."""
+        """Append an array of vertex values, (V,) or (V, k), and return the number of its glTF accessor."""
         return self._add_array(array, _VERTICES, more)
 
     def add_indices(self, array: np.ndarray) -> int:
-        """Append (N,) vertex indices and return the number of the new accessor."""
+        """Append an array of (N,) vertex indices, and return the number of its glTF accessor."""
         kind = np.uint16 if array.max(initial=0) < 65535 else np.uint32
         return self._add_array(array.astype(kind), _INDICES, {})
 
     def add_like(self, accessor: Part, array: np.ndarray) -> int:
-        """Append vertex values (V, k) with the type and properties of another accessor; return the new accessor's number."""
+        """Append vertex values of the type of an existing glTF accessor, and return the new accessor's number."""
         more = {key: value for key, value in accessor.content.items() if key not in _OF_ARRAY}
         bounds = {"min": array.min(axis=0), "max": array.max(axis=0)}
         more |= {key: value.tolist() for key, value in bounds.items() if key in accessor and np.isfinite(value).all()}
@@ -110,7 +110,7 @@ class GlbFile:
         return self._append("textures", {"name": name, "sampler": sampler, "source": image})
 
     def add_material(self, material: dict[str, Any]) -> int:
-        """Append a material and return its number."""
+        """Append a glTF material, given as JSON, and return its number."""
         return self._append("materials", material)
 
     def copy_mesh(self, number: int) -> int:
@@ -118,7 +118,7 @@ class GlbFile:
         return self._append("meshes", json.loads(json.dumps(self.tree["meshes"][number])))
 
     def write(self, file: BinaryIO) -> None:
-        """Write the file as a .glb.
+        """Write the edited content to an open file as a .glb.
 
         Raises:
             ValueError: the file would be longer than 4 GiB.
@@ -138,12 +138,12 @@ class GlbFile:
         file.write(self._rest)
 
     def write_data(self, data: BinaryIO) -> None:
-        """Write the binary data, as the file beside a .gltf."""
+        """Write the binary data of the edited content to an open file, for a .gltf that refers to it."""
         self._append_bytes(b"")  # pads the data, as in a .glb
         data.writelines(self._chunks)
 
     def text_naming(self, name: str) -> bytes:
-        """Return the content of a .gltf that names `name` as the file with its data."""
+        """Return the content of a .gltf file whose binary data are in the file `name`."""
         self.tree["buffers"][0] |= {"byteLength": self._size, "uri": quote(name)}
         return json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode()
 
@@ -175,7 +175,7 @@ class GlbFile:
                 image |= {"mimeType": kind, "bufferView": self._add_view(content, {})}
 
     def _append_bytes(self, content: bytes) -> int:
-        """Append bytes to the buffer, aligned to 4 bytes, and return their offset."""
+        """Append bytes to the binary data, aligned to 4 bytes, and return the offset of the first byte."""
         before = -self._size % 4
         self._chunks += [b"\0" * before, content]
         start = self._size + before
@@ -200,7 +200,7 @@ class GlbFile:
 
 
 def _read_trailing_bytes(path: Path, chunk: int) -> bytes:
-    """Return the bytes after the JSON chunk and the data chunk, which has `chunk` bytes."""
+    """Return the bytes of a .glb file after its JSON chunk and its data chunk of `chunk` bytes."""
     with path.open("rb") as file:
         size = int.from_bytes(file.read(20)[12:16], "little")
         file.seek(20 + size)

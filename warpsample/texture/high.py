@@ -1,4 +1,4 @@
-"""Projection of texels of a coarse mesh onto a fine mesh, by rays that start at a cage around the coarse mesh."""
+"""Baking from a fine mesh to the texture of a coarse one: texels are projected onto the fine mesh by rays."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +19,7 @@ _STEP = 2e-6  # of the fine mesh's diagonal: distance behind a back face at whic
 
 @dataclass(frozen=True, eq=False)
 class HighMesh:
-    """Fine mesh at whose surface the values of a coarse mesh's texels are computed.
+    """Fine mesh on whose surface values are computed for the texture of a coarse mesh.
 
     Attributes:
         mesh: the fine mesh.
@@ -35,13 +35,13 @@ class HighMesh:
 
     @classmethod
     def load(cls, path: Path, cage: float, normals: str) -> "HighMesh":
-        """Read the fine mesh and its normals from a file."""
+        """Read the fine mesh and its normals from a file; `cage` is the distance at which projecting rays start."""
         mesh = load_mesh(path)
         given = read_corners(path, "NORMAL") if path.suffix.lower() in (".glb", ".gltf") else None
         return cls(mesh, compute_corner_normals(mesh, given), cage, normals)
 
     def project(self, points: SurfacePoints, low: Mesh, workers: int | None = None) -> tuple[SurfacePoints, np.ndarray]:
-        """Return the first front-facing hit on the fine mesh of a ray from the cage through each point.
+        """Project points of the coarse mesh onto the fine mesh: the first front-facing hit of a ray through each point.
 
         Rays run against the normals of the points. The rays of points on an edge are shifted into their face by a few
         rounding errors, so that they hit the texel's own side where both meshes have the same hard edge.
@@ -70,7 +70,7 @@ class HighMesh:
         return SurfacePoints(position, normal, np.where(missed, -1, on).astype(np.int32), weights, points.id), missed
 
     def _find_front_faces(self, start: np.ndarray, inward: np.ndarray, workers: int | None) -> np.ndarray:
-        """Return the (P,) first face that each ray hits from the front, within twice the cage; -1 without a hit."""
+        """Return the first face that each ray hits from the front, (P,), within twice the cage; -1 without a hit."""
         found = np.full(len(start), -1, np.int64)
         travelled, pending = np.zeros(len(start)), np.arange(len(start))
         step = _STEP * self.mesh.diagonal

@@ -13,14 +13,14 @@ _BLOCK = 1 << 22  # points summed at a time
 
 
 def check_gutter(gutter: Any, argument: str = "gutter") -> float:
-    """Return the checked fill distance in texels; infinite for "all"."""
+    """Check the option `gutter`, the distance in texels up to which empty texels are filled; return inf for "all"."""
     if isinstance(gutter, str) and gutter == "all":
         return np.inf
     return float(check_integer(gutter, argument, 0, _MOST_GUTTER, "'all' or a whole number of at least 0"))
 
 
 class TexelRows:
-    """Sums over texels of values at points in ascending order of texels, computed block by block.
+    """Grouping of points by texel, for means and standard errors per texel.
 
     Attributes:
         id: (P,) uint64, ids of the points, as in `Claims`.
@@ -33,18 +33,18 @@ class TexelRows:
     texels: int
 
     def __init__(self, id: np.ndarray, samples: int, texels: int) -> None:
-        """Store the ascending ids of the points, the samples per texel and the number of texels."""
+        """Set the points, given by ids in ascending order, the samples per texel and the number of texels."""
         self.id, self.samples, self.texels = id, np.uint64(samples), texels
 
     def blocks(self) -> Iterator[tuple[slice, np.ndarray]]:
-        """Yield slices of points and the (n,) int64 texels of the points."""
+        """Yield (slice of points, (n,) int64 texel of each point) for blocks of points."""
         for start in range(0, len(self.id), _BLOCK):
             rows = slice(start, start + _BLOCK)
             yield rows, (self.id[rows] // self.samples).view(np.int64)
 
     @property
     def covered(self) -> np.ndarray:
-        """(texels,) bool: texels with at least one point."""
+        """Mask of the texels with at least one point, (texels,) bool."""
         found = np.zeros(self.texels, np.bool_)
         for _, texel in self.blocks():
             found[texel] = True
@@ -95,7 +95,7 @@ class TexelRows:
 
 
 def _pool_variance(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, columns: int) -> np.ndarray:
-    """Return the variance (n, C) within texels, pooled over the 3 x 3 block around each given texel.
+    """Return the variance of values within a texel, (n, C), averaged over the 3 x 3 block around each given texel.
 
     Where the block has no texel with several values, the variance is pooled over the whole image.
 
@@ -123,7 +123,7 @@ def _pool_variance(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, c
 def fill_texels(
     found: np.ndarray, covered: np.ndarray, charts: Callable[[], np.ndarray], size: tuple[int, int], gutter: float
 ) -> np.ndarray:
-    """Return the (H, W, C) float32 image with texels without a value filled from the nearest texel with one.
+    """Return the (H, W, C) float32 image in which empty texels have the value of the nearest texel with a value.
 
     Args:
         found: (texels, C), values, NaN where there is none.
@@ -149,7 +149,7 @@ def fill_texels(
 
 
 def _fill_charts(source: np.ndarray, lost: np.ndarray, has: np.ndarray, charts: np.ndarray) -> None:
-    """Set the source of each covered texel without a value to the nearest texel of its chart with a value."""
+    """Choose, for each texel of a chart without a value, the nearest texel of the same chart to copy from."""
     height, width = charts.shape
     lost, has = lost.reshape(height, width), has.reshape(height, width)
     boxes = imported("scipy.ndimage").find_objects(charts + 1)
@@ -165,7 +165,7 @@ def _fill_charts(source: np.ndarray, lost: np.ndarray, has: np.ndarray, charts: 
 
 
 def _find_nearest(known: np.ndarray, most: float = np.inf) -> np.ndarray:
-    """Return the (H, W) number of the nearest texel in the mask `known`, by the distance between centres.
+    """Return, for each texel, the number of the nearest texel in the mask `known`, (H, W).
 
     Texels farther than `most` texels from the mask get their own number, and so do all texels if the mask is empty.
     """

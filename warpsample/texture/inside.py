@@ -1,4 +1,4 @@
-"""Texel points inside closed bodies, such as a floor under a wall, whose values would bleed into visible texels."""
+"""Detection of texel points inside closed bodies (for example a floor under a wall), which are not visible."""
 
 from itertools import product
 
@@ -21,7 +21,7 @@ _WITHIN = 1e-6  # least corner weight of a point in the interior of its face; po
 
 
 class Closed:
-    """Opaque closed bodies of a mesh: parts in which each edge is used equally often in either direction."""
+    """Closed opaque bodies of a mesh, for example walls and boxes, with a test whether points are inside."""
 
     def __init__(self, mesh: Mesh) -> None:
         """Store the mesh; bodies are searched at first use."""
@@ -29,7 +29,7 @@ class Closed:
 
     @once_property
     def bodies(self) -> tuple[np.ndarray, np.ndarray]:
-        """Compute the (F,) int64 body of each face, -1 in open parts, and (B,) bool, True for outward-facing bodies.
+        """Find the closed body of each face, (F,) int64, -1 in open parts, and a mask of the outward-facing bodies.
 
         Vertices with the same position count as one vertex, at first within named parts alone: crates that touch are bodies
         of their own. Faces that belong to no closed body then are joined over all parts. A body with a face that transmits
@@ -52,13 +52,13 @@ class Closed:
 
     @property
     def _volumes(self) -> np.ndarray:
-        """(F,) six times the signed volume of each face's part of its body; the sum is negative if faces face inward."""
+        """Six times the signed volume between each face and the mesh's centre, (F,); negative for faces that face inward."""
         corner = self.mesh.vertices[self.mesh.faces[:, 0]] - self.mesh.bounds.mean(axis=0)
         return (corner * self.mesh.cross_products).sum(axis=1)
 
     @once_property
     def _grid(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Compute a grid around all bodies: lower corner, cells per length, and the number of body boxes in each cell."""
+        """Grid of cells around all bodies: lower corner, cells per length, and the number of bodies' boxes in each cell."""
         body, outward = self.bodies
         corners = self.mesh.vertices[self.mesh.faces[body >= 0]]
         lower, upper = np.full((len(outward), 3), np.inf), np.full((len(outward), 3), -np.inf)
@@ -75,7 +75,7 @@ class Closed:
         return origin, cells, counts[:-1, :-1, :-1]
 
     def _find_candidates(self, position: np.ndarray, own: np.ndarray) -> np.ndarray:
-        """Return the rows of points in grid cells that contain the box of a body other than their own."""
+        """Return the rows of the points that may be inside a body other than their own, by a grid of bounding boxes."""
         if not len(self.bodies[1]):
             return np.zeros(0, np.int64)
         origin, cells, counts = self._grid
@@ -86,7 +86,7 @@ class Closed:
     def count_bodies(
         self, points: SurfacePoints, face: np.ndarray, workers: int | None = None
     ) -> tuple[np.ndarray, np.ndarray, int]:
-        """Count the closed bodies around points by the parity of ray crossings; a point's own body does not count.
+        """Count the closed bodies that contain each point, by the parity of ray crossings, without the point's own body.
 
         Args:
             points: P points.
@@ -115,7 +115,7 @@ class Closed:
     def _count_by_parity(
         self, points: SurfacePoints, directions: np.ndarray, own: np.ndarray, workers: int | None
     ) -> np.ndarray:
-        """Return the (P, 2) number of outward-facing and inward-facing bodies around each point.
+        """Return how many outward-facing and inward-facing bodies contain each point, (P, 2), by one ray per point.
 
         A body counts if the ray crosses its faces an odd number of times; a point's own body does not count.
         """
@@ -130,12 +130,12 @@ class Closed:
 
 
 def _locate_cells(position: np.ndarray, origin: np.ndarray, cells: np.ndarray) -> np.ndarray:
-    """Return the (P, 3) grid cells of positions, clipped to the grid."""
+    """Return the grid cell of each position, (P, 3), clipped to the grid."""
     return np.clip((position - origin) * cells, 0, _CELLS - 1).astype(np.int64)
 
 
 class Enclosed:
-    """Counts of closed bodies around the points of a texture, computed part by part.
+    """Counts of the closed bodies that contain each point of a texture, computed part by part.
 
     Attributes:
         rays: number of rays cast so far.
@@ -144,7 +144,7 @@ class Enclosed:
     rays: int
 
     def __init__(self, closed: Closed, points: TexturePoints) -> None:
-        """Start with all points outside of all bodies."""
+        """Prepare the counting; at first, all points count as outside of all bodies."""
         self.rays = 0
         self._closed, self._points = closed, points
         self._depths, self._source = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
@@ -170,11 +170,11 @@ class Enclosed:
 
     @property
     def inside(self) -> np.ndarray:
-        """(P,) bool: points inside an outward-facing closed body."""
+        """Mask of the points inside an outward-facing closed body, (P,) bool."""
         return self._depths[:, 0] > 0
 
     def find_buried(self, usable: np.ndarray) -> np.ndarray:
-        """Return the (P,) mask of points inside more bodies than another point of the same chart.
+        """Return a mask of hidden points: inside more closed bodies than another point of the same UV chart, (P,).
 
         The image is filled at such points. A chart wholly inside a body counts as being in a room, and none of its points
         are marked. A chart cut by a hollow body is examined separately inside and outside of the hollow.
@@ -193,13 +193,13 @@ class Enclosed:
         return depth > least[group]
 
     def count_mostly_buried(self, buried: np.ndarray) -> int:
-        """Count the charts with more than half of their points in `buried`, the (P,) mask of `find_buried`."""
+        """Count the UV charts that have more than half of their points in the mask `buried`."""
         if not buried.any():
             return 0
         return int(np.count_nonzero(2 * np.bincount(self._chart, buried) > np.bincount(self._chart)))
 
     @once_property
     def _chart(self) -> np.ndarray:
-        """(P,) int32 chart of each point; positions are compared, too, so that overlapping charts get different numbers."""
+        """Compute the number of the UV chart of each point, (P,) int32; charts that overlap have different numbers."""
         mesh, corners = self._points.mesh, self._points.corners
         return label_charts(np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2))[self._points.face]

@@ -1,4 +1,4 @@
-"""Images to bake: one for each group of primitives that share materials, with texture coordinates for each."""
+"""List of images to bake: one for each group of glTF primitives that share materials, or one for a whole file."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -54,7 +54,7 @@ class TextureJob:
     remake: Callable[[list[Primitive]], TexturePoints] | None = None
 
     def at_other_places(self) -> Iterator["TextureJob"]:
-        """Yield this job for each further place of its primitives; texels are computed one place at a time."""
+        """Yield a copy of this job for each further place of its mesh in the scene."""
         for place in range(max((len(one.others) for one in self.group), default=0)):
             group = [one.others[place] for one in self.group if place < len(one.others)]
             assert self.remake is not None
@@ -62,12 +62,12 @@ class TextureJob:
 
     @property
     def rows(self) -> list[slice]:
-        """Slices of the mesh's faces, one for each primitive."""
+        """Ranges of the mesh's faces that show the image, one for each glTF primitive."""
         return [one.faces for one in self.group] or [slice(len(self.points.mesh.faces))]
 
     @property
     def scales(self) -> np.ndarray:
-        """(F,) float64, length of a unit of each face's primitive in the scene; 1 for faces of other primitives."""
+        """Scale of each face's primitive in the scene, (F,) float64: length in the scene per length in the file."""
         found = np.ones(len(self.points.mesh.faces))
         for one in self.group:
             found[one.faces] = one.scale
@@ -77,7 +77,7 @@ class TextureJob:
 def plan_jobs(
     path: Path, mesh: Mesh, how: TextureOptions, output: str, slot: Slot
 ) -> tuple[list[TextureJob], GlbFile | None]:
-    """Return all images to bake for an output file, and the edited .glb if the output is a scene.
+    """List all images to bake for an output file; for a .glb or .gltf, also return the scene with new coordinates.
 
     New texture coordinates are already added to the .glb.
 
@@ -101,7 +101,7 @@ def plan_jobs(
 
 
 def describe_flaws(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Iterator[str]:
-    """Yield phrases on flaws of a job's coordinates, with the names of the meshes concerned."""
+    """Yield phrases on flaws of the texture coordinates of an image to bake, for example overlapping faces."""
     report = job.points.report
     for name in names:
         count, parts = getattr(report, name), report.named[name]
@@ -111,7 +111,7 @@ def describe_flaws(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Ite
 
 
 def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[list[TextureJob], GlbFile]:
-    """Return a job for each group of primitives that share materials, and the .glb with new coordinates added."""
+    """List an image to bake for each group of primitives that share materials; also return the edited scene."""
     with convert_read_errors(path):
         file = GlbFile(path)
         check_extensions(file.part)
@@ -119,7 +119,7 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
         texels = Texels(path, mesh, how, _read_corner_normals(path, mesh, how))
     if not slotted:
         raise ValueError(
-            f"--quantity: got {slot.name} for {path.name!r}, whose materials lack {slot.within[-1]}, the parent of "
+            f"--quantity: got {slot.name} for {path.name!r}, whose materials lack {slot.containers[-1]}, the parent of "
             f"{slot.key}, want a file with that glTF extension, or an .exr or .npz as --output"
         )
     groups = [group for group in slotted if not is_flat(mesh, group)]
@@ -148,12 +148,12 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
 
 
 def _make_points_by_set(texels: Texels, number: int, group: list[Primitive]) -> TexturePoints:
-    """Return the texels of primitives, by a set of coordinates of the file."""
+    """Return the texels of glTF primitives as points, by the file's set of texture coordinates `number`."""
     return texels.points_by_set(number, [one.faces for one in group])
 
 
 def _make_points_by_new_uv(texels: Texels, uv: np.ndarray, first: list[Primitive], group: list[Primitive]) -> TexturePoints:
-    """Return the texels of `group` by new coordinates `uv`, which were computed for the same primitives in `first`."""
+    """Return the texels of primitives at another place, by texture coordinates computed at their first place."""
     known = {(one.mesh, one.number): one for one in first}
     own = np.full(uv.shape, np.nan)
     for one in group:
@@ -163,7 +163,7 @@ def _make_points_by_new_uv(texels: Texels, uv: np.ndarray, first: list[Primitive
 
 
 def _groups_with_slot(file: GlbFile, mesh: Mesh, slot: Slot) -> Iterator[list[Primitive]]:
-    """Yield the groups of primitives whose materials have the slot, or can get the slot."""
+    """Yield the groups of primitives whose materials can show a texture of the given kind."""
     materials = file.part.parts("materials")
     for group in group_by_material(visible_primitives(list_primitives(file.part, file.data), mesh)):
         if slot.optional or any(
@@ -173,7 +173,7 @@ def _groups_with_slot(file: GlbFile, mesh: Mesh, slot: Slot) -> Iterator[list[Pr
 
 
 def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
-    """Return the job of one image for all faces of a file."""
+    """Return the single image to bake for all faces of a file that is no scene."""
     texels, rows = Texels(path, mesh, how, _read_corner_normals(path, mesh, how)), [slice(None)]
     found = texels.choose_set(rows, path.name, lenient=output != ".npz")
     if found.points is not None:
@@ -188,14 +188,14 @@ def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> 
 
 
 def _read_corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndarray | None:
-    """Return the corner normals (F, 3, 3) used for points, or None to use normals of faces or vertices."""
+    """Return the normals at face corners, (F, 3, 3), to interpolate at texels; None for normals of faces or vertices."""
     if how.high is not None:
         return average_normals(mesh)
     return read_corners(path, "NORMAL") if how.normals != "face" and path.suffix.lower() in SCENES else None
 
 
 def _find_set(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
-    """Return the texture-coordinate set that a group's materials use for the slot, or else for occlusion, or None."""
+    """Return the number of the texture-coordinate set that a group's materials use already, or None."""
     materials = file.part.parts("materials")
     numbers = [number for one in group for number in one.materials]
     known = [kind.find_info(materials[number]) for kind in (slot, OCCLUSION) for number in numbers]

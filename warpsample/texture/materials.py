@@ -1,4 +1,4 @@
-"""Pictures as textures in the materials of a .glb."""
+"""Adding computed pictures to the materials of a .glb as textures."""
 
 import json
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ class Slot:
     Attributes:
         name: name of the picture in messages.
         key: key of the texture info.
-        within: keys of the objects that contain the texture info, outermost first; empty for the material itself.
+        containers: keys of the objects that contain the texture info, outermost first; empty for the material itself.
         optional: whether the containing objects are added to a material that lacks them. If False, such a material gets no
             picture.
         directed: whether the picture shows directions in the frame of tangent, bitangent and normal.
@@ -25,26 +25,26 @@ class Slot:
 
     name: str
     key: str
-    within: tuple[str, ...] = ()
+    containers: tuple[str, ...] = ()
     optional: bool = True
     directed: bool = False
 
     def find_holder(self, material: Part) -> Part | None:
-        """Return the object of a material that contains the texture info, or None if the material lacks the object."""
-        for key in self.within:
+        """Return the JSON object of a material that holds this slot's texture info, or None if there is none."""
+        for key in self.containers:
             if key not in material:
                 return None
             material = material.part(key)
         return material
 
     def find_info(self, material: Part) -> Part | None:
-        """Return the texture info of a material, or None without one."""
+        """Return this slot's texture info (number of the texture and coordinates) in a material, or None."""
         holder = self.find_holder(material)
         return holder.part(self.key) if holder is not None and self.key in holder else None
 
     def set_info(self, material: dict[str, Any], info: dict[str, Any], more: dict[str, Any]) -> None:
-        """Set the texture info of a material, and the further members `more` of the containing object."""
-        for key in self.within:
+        """Set this slot's texture info in a material, and the members `more` of the object that holds the info."""
+        for key in self.containers:
             material = material.setdefault(key, {})
         material |= {self.key: info, **more}
 
@@ -58,14 +58,14 @@ _SLOTS_BY_QUANTITY = {"bent-normals": _BENT_NORMALS, "thickness": THICKNESS, "no
 
 
 def slot_for_quantity(quantity: str) -> Slot:
-    """Return the slot for pictures of a quantity; quantities without a slot of their own go into the occlusion texture."""
+    """Return the kind of material texture that shows a quantity, by default the occlusion texture."""
     return _SLOTS_BY_QUANTITY.get(quantity, OCCLUSION)
 
 
 def add_texture(
     file: GlbFile, group: list[Primitive], png: bytes, slot: Slot, *, info: dict[str, Any], more: dict[str, Any]
 ) -> Iterator[str]:
-    """Add a picture to all materials of a group of primitives, and yield a sentence for each replaced picture.
+    """Add a picture to the materials of a group of primitives, and yield a sentence for each picture it replaces.
 
     A material that primitives outside the scene use as well is copied first. A group without a material gets a new one. The
     picture is read without KHR_texture_transform.
@@ -120,7 +120,7 @@ def _primitive_json(file: GlbFile, one: Primitive) -> dict[str, Any]:
 
 
 def _is_used_elsewhere(file: GlbFile, group: list[Primitive], number: int) -> bool:
-    """Return whether primitives outside a group use a material.
+    """Return whether a primitive outside the group uses material `number`.
 
     The group has all primitives in the scene with the material, so that other primitives are not in the scene.
     """

@@ -1,4 +1,4 @@
-"""Sentences on limits of a bake into a scene, for the report of a run."""
+"""Sentences for the user about what a baked glTF scene cannot show, for example morph targets."""
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -80,7 +80,7 @@ def _join_parts(mesh: Mesh, primitives: list[Primitive]) -> str:
 
 
 def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
-    """Return a sentence on texels smaller than 4 times the resolution of their rays, or None without such texels.
+    """Return a warning about texels that are too small for float32 rays, or None without tiny texels.
 
     Rays are float32 relative to the centre of most of the mesh. A few distant faces lower the resolution of all rays.
 

@@ -1,4 +1,4 @@
-"""Occlusion textures of a glTF file, joined into one picture for the viewer."""
+"""Reader that joins all occlusion textures of a glTF file into one picture, for the viewer."""
 
 from dataclasses import dataclass
 from io import BytesIO
@@ -83,7 +83,7 @@ def _read_grey_levels(tree: Part, data: Data, path: Path, image: int, strength: 
 
 
 def _join_pictures(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.ndarray]) -> OcclusionPicture:
-    """Join all pictures into one, in rows of a grid; faces of kind -1 get a white picture at the end.
+    """Arrange several pictures as a grid in one picture, and convert each face's texture coordinates.
 
     Each picture is framed by copies of its edge texels.
     """

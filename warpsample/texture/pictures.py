@@ -65,7 +65,7 @@ def check_library(suffix: str) -> None:
 
 
 def import_library(name: str, what: str) -> ModuleType:
-    """Return an imported image library.
+    """Import and return an image library; raise an error that explains how to install it if it is missing.
 
     Raises:
         ModuleNotFoundError: the library is missing; the message starts with `what` and names the install command.

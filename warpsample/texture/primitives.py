@@ -1,4 +1,4 @@
-"""Primitives of a glTF scene: faces in the loaded mesh, places, and groups that share materials."""
+"""Triangle primitives of a glTF scene: their faces in the loaded mesh, their places, and their materials."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -16,7 +16,7 @@ _VARIANTS = "KHR_materials_variants"
 
 @dataclass(frozen=True, eq=False)
 class Primitive:
-    """Triangle primitive of a scene, with its faces in the mesh that `load_mesh` returns.
+    """Triangle primitive of a glTF scene, with its faces in the mesh that `load_mesh` returns.
 
     Attributes:
         mesh: number of the glTF mesh.
@@ -48,7 +48,7 @@ class Primitive:
 
 
 def list_primitives(tree: Part, data: Data) -> list[Primitive]:
-    """Return each primitive of the scene once, in the order of first places."""
+    """Return the triangle primitives of the scene, each once, with all its places in `others`."""
     known = tree.parts("materials")
     faces, vertices = 0, 0
     found: dict[tuple[int, int], Primitive] = {}
@@ -70,7 +70,7 @@ def list_primitives(tree: Part, data: Data) -> list[Primitive]:
 
 
 def visible_primitives(primitives: list[Primitive], mesh: Mesh) -> list[Primitive]:
-    """Return primitives without the places at which all faces have zero area, as by a scale of 0.
+    """Remove places at which a primitive has no area (for example with a scale of 0), and return the primitives.
 
     The first place with an area becomes the first place. Primitives without such a place are unchanged.
 
@@ -86,12 +86,12 @@ def visible_primitives(primitives: list[Primitive], mesh: Mesh) -> list[Primitiv
 
 
 def is_flat(mesh: Mesh, group: list[Primitive]) -> bool:
-    """Return whether all faces of a group of primitives have zero area in space, at the first place of each."""
+    """Return whether all faces of a group of primitives have zero area, at the first place of each primitive."""
     return not any(mesh.face_areas[one.faces].any() for one in group)
 
 
 def group_by_material(primitives: list[Primitive]) -> Iterator[list[Primitive]]:
-    """Yield groups of primitives such that no two groups share a material.
+    """Yield groups of primitives that share materials; different groups have no material in common.
 
     All primitives without a material are one group.
     """

@@ -14,7 +14,7 @@ _FLAT = 2.0**-48  # of the product of two edge lengths: a smaller area is roundi
 
 @dataclass(frozen=True)
 class TextureReport:
-    """Counts of texels with points, and of flaws of the texture coordinates.
+    """Report on texture coordinates: number of covered texels, and counts of overlaps and other flaws.
 
     Attributes:
         covered: number of texels with at least one point.
@@ -38,7 +38,7 @@ class TextureReport:
 
 
 def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
-    """Return the (F,) masks of faces that are outside, zero_area, mirrored and without_uv, for coordinates (F, 3, 2)."""
+    """Return masks of faces with flawed texture coordinates, (F,), keyed by flaw, for example "outside" or "mirrored"."""
     finite = np.isfinite(uv).all(axis=(1, 2))
     uv = np.where(finite[:, None, None], uv, 0.0)
     first, second = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
@@ -55,14 +55,14 @@ def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def build_report(mesh: Mesh, covered: int, overlapped: int, flaws: Mapping[str, np.ndarray]) -> TextureReport:
-    """Return the report on the texels of a mesh, from counts of texels and (F,) masks of flawed faces by flaw."""
+    """Build the report on a mesh's texture coordinates from counts of texels and masks of flawed faces."""
     counts = {name: int(np.count_nonzero(faces)) for name, faces in flaws.items() if name != "overlapped"}
     named = {name: _list_parts(mesh, faces) for name, faces in flaws.items()}
     return TextureReport(covered=covered, overlapped=overlapped, **counts, named=MappingProxyType(named))
 
 
 def _list_parts(mesh: Mesh, faces: np.ndarray) -> tuple[str, ...]:
-    """Return the names of the parts of masked faces, each once, in the order of the parts."""
+    """Return the names of the mesh parts that contain the faces in a mask, each once."""
     if mesh.part is None:
         return ()
     numbers = np.unique(mesh.part[faces])

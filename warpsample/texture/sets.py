@@ -1,4 +1,4 @@
-"""Choice of a file's texture coordinates to bake to, and points of the texels."""
+"""Choice among the sets of texture coordinates in a mesh file, and points for the texels."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ UV_CHOICES = ("auto", "0", "1", "new")
 
 @dataclass(frozen=True)
 class TextureOptions:
-    """Options of `warpsample bake --texture`.
+    """Options of a `warpsample bake --texture` command: size, samples, normals, gutter and others.
 
     Attributes:
         size: width and height in texels.
@@ -49,7 +49,7 @@ class TextureOptions:
 
 @dataclass(frozen=True)
 class ChosenSet:
-    """Set of texture coordinates chosen for some faces.
+    """Chosen set of texture coordinates for some faces; without points if new coordinates are needed.
 
     Attributes:
         number: number of the set.
@@ -62,12 +62,12 @@ class ChosenSet:
     passed: tuple[str, ...] = ()
 
     def describe(self, which: str) -> str:
-        """Return the name of the coordinates, followed by the reasons against other sets."""
+        """Return a phrase for the user: the chosen coordinates, and why sets with lower numbers were passed over."""
         return which + (f" ({'; '.join(self.passed)})" if self.passed else "")
 
 
 class Texels:
-    """Texels of a mesh file by the file's sets of texture coordinates; each set is read once.
+    """Source of texel points for the faces of a mesh file, by any of the file's sets of texture coordinates.
 
     Attributes:
         path: path of the mesh file.
@@ -87,7 +87,7 @@ class Texels:
         self._sets: list[np.ndarray | None] = []
 
     def points(self, uv: np.ndarray, rows: list[slice]) -> TexturePoints:
-        """Return the texels of some faces as points, given coordinates (F, 3, 2) of all faces."""
+        """Return the texels of some faces as points, for texture coordinates `uv`, (F, 3, 2)."""
         own = np.full(uv.shape, np.nan)
         for some in rows:
             own[some] = uv[some]
@@ -96,7 +96,7 @@ class Texels:
         return texture_points(self.mesh, own, how.size, samples=how.samples, normals=normals, corner_normals=self.normals)
 
     def choose_set(self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False) -> "ChosenSet":
-        """Choose the set of coordinates for some faces, following `how.uv`.
+        """Choose the set of texture coordinates for some faces, as the option `--uv` asks.
 
         A number takes the set of that number. "new" returns a ChosenSet without points. "auto" takes the first of these:
 
@@ -141,7 +141,7 @@ class Texels:
         return within if lenient and within else ChosenSet(passed=tuple(passed))
 
     def _describe_flaw(self, number: int, rows: list[slice], found: TexturePoints, *, may_overlap: bool) -> str | None:
-        """Return the reason why "auto" rejects a set, or None if it accepts the set."""
+        """Return why `--uv auto` does not choose a set of texture coordinates, or None if the set can be chosen."""
         report = found.report
         if report.outside:
             return f"{report.outside:,} faces reach beyond the image"
@@ -157,19 +157,19 @@ class Texels:
         return uv is not None and all(np.isfinite(uv[some]).all() for some in rows)
 
     def _is_flat(self, number: int, rows: Iterable[slice]) -> bool:
-        """Return whether a face with an area in space has none in the image."""
+        """Return whether any of the given faces has an area in space but none in the image."""
         uv, areas = self._read_set(number), self.mesh.face_areas
         assert uv is not None
         return any((find_face_flaws(uv[some])["zero_area"] & (areas[some] > 0.0)).any() for some in rows)
 
     def points_by_set(self, number: int, rows: list[slice]) -> TexturePoints:
-        """Return the texels of some faces as points, by a set that all the faces have."""
+        """Return the texels of some faces as points, by the file's set of texture coordinates `number`."""
         uv = self._read_set(number)
         assert uv is not None
         return self.points(uv, rows)
 
     def _read_set(self, number: int) -> np.ndarray | None:
-        """Return the coordinates (F, 3, 2) of a set, or None if it or a lower set is missing."""
+        """Return the texture coordinates of set `number`, (F, 3, 2), or None if the file lacks the set."""
         while len(self._sets) <= number and (not self._sets or self._sets[-1] is not None):
             self._sets.append(self._load_set(len(self._sets)))
         return self._sets[number] if number < len(self._sets) else None

@@ -1,4 +1,4 @@
-"""Normals of texel points, and points lifted off the faces."""
+"""Shading normals at texels, and positions on the smooth surface that the normals suggest."""
 
 import numpy as np
 

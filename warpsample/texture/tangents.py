@@ -15,7 +15,7 @@ _LEAST = 1e-3  # least sine of the angle between a normal and a usable tangent
 
 @dataclass(frozen=True, eq=False)
 class Frames:
-    """Tangent frames at the corners of faces.
+    """Tangent frames at face corners: the axes that normal maps refer to.
 
     Attributes:
         normals: (F, 3, 3) float64, unit normals.
@@ -48,7 +48,7 @@ class Frames:
         return cls(normals, tangents)
 
     def to_components(self, vectors: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:
-        """Return the (P, 3) components of vectors along tangent, bitangent and normal, at points on faces.
+        """Return the components of vectors along tangent, bitangent and normal, (P, 3), at points on faces.
 
         The three axes are interpolated between the corners and normalized, as in viewers. Where there is no tangent, an
         arbitrary direction perpendicular to the normal is used.

@@ -56,17 +56,17 @@ class TexturePoints(Summary):
     corner_tangents: NDArray[np.float64] | None = None
 
     def __len__(self) -> int:
-        """Return the number of points."""
+        """Return the number of points in all texels."""
         return len(self.id)
 
     @property
     def texel(self) -> np.ndarray:
-        """(P,) int64, texel of each point: row * width + column."""
+        """Number of each point's texel, row * width + column, (P,) int64."""
         return (self.id // np.uint64(self.samples)).astype(np.int64)
 
     @property
     def covered(self) -> np.ndarray:
-        """(H, W) bool, texels with at least one point, without texels that images fill."""
+        """Mask of the texels with at least one point, (H, W) bool."""
         return self._texel_rows.covered.reshape(self.size[1], self.size[0])
 
     @once_property
@@ -178,7 +178,7 @@ class TexturePoints(Summary):
         return made if rows.ndim == 2 else made[..., 0]
 
     def _charts(self) -> np.ndarray:
-        """Return the (texels,) int32 chart of each texel, -1 without one."""
+        """Return the number of the UV chart of each texel, (texels,) int32; -1 for texels outside all charts."""
         charts = np.full(self.size[0] * self.size[1], -1, np.int32)
         charts[self.texel[::-1]] = label_charts(self.corners)[self.face[::-1]]
         return charts
@@ -259,7 +259,7 @@ def _corner_tangents(mesh: Mesh, uv: np.ndarray, corner_normals: np.ndarray | No
 
 
 def interpolate_tangents(corners: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:
-    """Return (P, 4) float32 tangents of points: the mean of the corners' vectors; the sign is that of the face."""
+    """Interpolate the tangents of face corners at points, (P, 4) float32: unit vector and sign of the bitangent."""
     made = np.empty((len(face), 4), np.float32)
     made[:, :3] = sum(weights[:, k : k + 1] * corners[face, k, :3] for k in range(3))
     made[:, 3] = corners[face, 0, 3]
@@ -267,7 +267,7 @@ def interpolate_tangents(corners: np.ndarray, face: np.ndarray, weights: np.ndar
 
 
 def check_samples(samples: Any, argument: str = "samples") -> int:
-    """Return the checked number of points per texel."""
+    """Check the option `samples`, the number of points per texel, and return it."""
     return check_integer(samples, argument, 1, _MOST_SAMPLES)
 
 

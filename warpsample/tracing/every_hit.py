@@ -1,4 +1,4 @@
-"""Kernels that find every hit of rays: one counts the hits, the other writes the hits of each ray in order."""
+"""Kernels that find all faces that rays cross: one counts the hits of each ray, the other writes the hits in order."""
 
 import warp as wp
 
@@ -18,7 +18,7 @@ INVALID: wp.int32 = wp.constant(wp.int32(-1))
 
 @wp.struct
 class HitList:
-    """List of one ray's hits while they are found: addresses of distances and faces, and the number of hits so far.
+    """Growing list of one ray's hits: addresses of distances and faces, and the number of hits so far.
 
     Distances are in the scene's coordinates.
     """
@@ -30,7 +30,7 @@ class HitList:
 
 @wp.func
 def _count_crossings(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: wp.int32):
-    """Add the number of triangles in a tree leaf that a ray crosses to the number found so far."""
+    """Return `found` plus the number of triangles in a tree leaf that a ray crosses."""
     return found + wp.bit_count(crossed_triangles(leaf, ray, reach, edge))
 
 

@@ -1,4 +1,4 @@
-"""Origins and directions that a caller passes to `trace`, checked and converted to the scene of a mesh."""
+"""Checks of the origins and directions that a caller passes to `trace`."""
 
 from dataclasses import dataclass
 from math import prod
@@ -19,7 +19,7 @@ from warpsample.tracing.triples import Triples
 
 @dataclass(frozen=True, eq=False)
 class GivenRays:
-    """Checked rays of a caller, with the mesh to trace against.
+    """Checked origins and directions of rays, with the mesh to trace against.
 
     The object keeps alive the arrays that kernels read.
 
@@ -37,7 +37,7 @@ class GivenRays:
 
     @classmethod
     def of(cls, mesh: Mesh, origins: Any, directions: Any) -> "GivenRays":
-        """Check the origins and directions that a caller passes, and return them as rays.
+        """Check a mesh and the origins and directions of rays that a caller passes, and return a `GivenRays`.
 
         Raises:
             TypeError, ValueError: an argument of a wrong type or shape; the message names it.
@@ -54,7 +54,7 @@ class GivenRays:
         return prod(self.directions.shape)
 
     def place(self, options: RayOptions, reach: float, hits: Any = None) -> RaysArgs:
-        """Return the rays, in the coordinates of the mesh's scene, as a kernel argument.
+        """Return the kernel argument that describes the rays, their largest distance and the arrays for their hits.
 
         There must be at least one ray. `hits` is that of `rays_of`. `reach` is the largest distance of a hit, in the user's
         units.
@@ -68,7 +68,7 @@ class GivenRays:
 
 
 def rays_of(placement: PlacementArgs, directions: Triples, hits: Any = None) -> RaysArgs:
-    """Return the kernel argument with rays from placed origins along the given directions.
+    """Return the kernel argument that describes rays from the origins in `placement` along `directions`.
 
     It has the addresses of `hits.distance` and `hits.face` if `hits` is not None. The result holds addresses: the caller
     must keep the arrays.

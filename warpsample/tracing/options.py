@@ -1,4 +1,4 @@
-"""Options of calls that cast rays from points, checked once and passed as one record."""
+"""Checked options of all calls that cast rays from points, for example sequence and tracer."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -27,7 +27,7 @@ class RayOptions(CallOptions):
     def of(
         cls, points: int, *, sequence: str = "fibonacci", skip: bool = True, tracer: str = "auto", **shared: Any
     ) -> "RayOptions":
-        """Check the options of a call that casts rays from `points` points, and return them.
+        """Check the options of a call that casts rays from `points` points, and return a `RayOptions`.
 
         The options are those of `RayKeywords`; `shared` is as for `CallOptions.of`.
         """
@@ -35,7 +35,7 @@ class RayOptions(CallOptions):
         return cls(**vars(options), sequence=sequences.get(sequence))._with_tracer(skip, tracer)
 
     def replace(self, *, skip: bool = True, tracer: str = "auto", **how: Any) -> "RayOptions":
-        """Check options of how rays are cast, such as `tracer`, and return a copy with them.
+        """Check new values of options (`tracer`, `workers` and more), and return a copy with the new values.
 
         `how` is as for `CallOptions.replace`.
         """

@@ -1,4 +1,4 @@
-"""Order in which a kernel processes points: along a Morton curve, unless neighbours follow each other already."""
+"""Order in which a kernel processes points: along a Morton curve, so that neighbours in space share cached memory."""
 
 import numpy as np
 import warp as wp
@@ -22,7 +22,7 @@ _HALF_CELLS = wp.constant(wp.float32(_CELLS / 2))
 
 
 def visiting_order(scene: Scene, placement: PlacementArgs, count: int, workers: int) -> np.ndarray | None:
-    """Sort points by the cell of space that they lie in, and return their indices, (P,) int64.
+    """Return the indices of points, (P,) int64, in the order of a space-filling curve; None if the order is good already.
 
     Return None where sorting does not pay, or where the caller's order is coherent already. `count` is the number of rays
     per point.
@@ -45,7 +45,7 @@ def _find_cell(x: wp.float32) -> wp.int32:
 
 @wp.func
 def _spread_bits(x: wp.int32) -> wp.int32:
-    """Spread the five bits of a number, with two zero bits between neighbouring bits, for a Morton code."""
+    """Insert two zero bits between neighbouring bits of a 5-bit number, as for one axis of a Morton code."""
     x = (x | (x << 8)) & 0x100F
     x = (x | (x << 4)) & 0x10C3
     return (x | (x << 2)) & 0x1249

@@ -1,4 +1,4 @@
-"""Rays in user-defined kernels: a struct that represents a mesh, and functions that trace rays against it."""
+"""Ray tracing in user-defined Warp kernels: a struct that represents a mesh, and functions that trace rays."""
 
 from typing import Any
 
@@ -50,7 +50,7 @@ class Tree:
 
 @wp.struct
 class Local:
-    """Ray in the coordinates of a `Tree`, where the mesh is within 1 of 0.
+    """Ray in the normalised coordinates of a `Tree`; the mesh lies in the cube from -1 to 1.
 
     Attributes:
         o: origin.
@@ -67,7 +67,7 @@ class Local:
 
 @wp.func
 def _to_tree_coordinates(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> Local:
-    """Convert a ray in the user's coordinates to the coordinates of a `Tree`.
+    """Convert a ray from the user's coordinates to the normalised coordinates of a `Tree`.
 
     The reach is NaN for an invalid ray, and below 0 if the ray misses the mesh.
     """

@@ -1,4 +1,4 @@
-"""Surface points in the coordinates of a mesh's scene, prepared once for all rays that a call casts from them."""
+"""Surface points prepared for ray tracing: faces, normals, and the exact positions where rays start."""
 
 from math import inf
 from typing import Any
@@ -19,7 +19,7 @@ from warpsample.tracing.triples import Triples
 
 
 class PlacedPoints:
-    """Surface points prepared for rays against a mesh: their faces, normals and ray starts.
+    """Surface points with all that is needed to cast rays: faces, normals, and positions where rays start.
 
     The object keeps alive the arrays that its kernel arguments point to.
 
@@ -73,14 +73,14 @@ class PlacedPoints:
         return len(self.points)
 
     def facing(self, options: RayOptions, reach: float = inf) -> Any:
-        """Return the kernel argument with the starts of rays on the side of each surface point's normal.
+        """Return the kernel argument for rays that start at surface points, on the side to which the normals point.
 
         At least one point is required. `reach` is the largest distance of a hit, in the user's units.
         """
         return self._placement(options, reach, self.normal)
 
     def two_sided(self, options: RayOptions, reach: float) -> Any:
-        """Return the kernel argument with the starts of rays on both sides of each surface point's face.
+        """Return the kernel argument for rays that start at surface points, on either side of the points' faces.
 
         The rays of `trace` start this way. At least one point is required. `reach` is the largest distance of a hit, in the
         user's units.
@@ -88,11 +88,11 @@ class PlacedPoints:
         return self._placement(options, reach, None)
 
     def order(self, placement: Any, count: int, workers: int) -> np.ndarray | None:
-        """Return the best order to process the points with `count` rays each, (P,) int64; None for the caller's order."""
+        """Return the fastest order of processing the points, (P,) int64; None for the order of the rows."""
         return visiting_order(self.scene, placement, count, workers)
 
     def _placement(self, options: RayOptions, reach: float, towards: np.ndarray | None) -> PlacementArgs:
-        """Return the kernel argument with ray starts and the largest distance `reach` of a hit.
+        """Return the kernel argument that describes the start and the length of the points' rays.
 
         Starts of rays are computed once per tracer and set of sides.
         """

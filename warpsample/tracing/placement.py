@@ -1,4 +1,4 @@
-"""Kernel argument with the origins of rays in scene coordinates, and their offsets off the surface."""
+"""Kernel argument that describes the origins of rays, and functions that offset the origins off the surface."""
 
 from math import prod
 from typing import Any
@@ -73,7 +73,7 @@ PlacementArgs: Any = type(Placement().__ctype__())
 
 
 def make_placement(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
-    """Return the kernel argument that describes ray origins in a scene, without normals, starts and order.
+    """Build the kernel argument that describes ray origins that are not on a surface.
 
     The caller must keep the array of origins. `reach` is in the user's units.
     """
@@ -92,7 +92,7 @@ def make_placement(scene: Scene, origins: Triples, reach: float) -> PlacementArg
 
 @wp.func
 def in_double(v: Any) -> wp.vec3d:
-    """Convert a vector to float64."""
+    """Convert a Warp vector of three numbers to float64."""
     return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
 
 
@@ -125,7 +125,7 @@ def point_of(placement: Placement, i: wp.int64) -> wp.int64:
 
 @wp.func
 def id_of(placement: Placement, first: wp.uint64, point: wp.int64) -> wp.uint64:
-    """Return the global id of a point: from the placement's ids, or its index added to the id of the first point."""
+    """Return the global id of a point: from the user's ids if there are any, else `first` plus the point's index."""
     if placement.ids == wp.uint64(0):
         return first + wp.uint64(point)
     return address_at(placement.ids, point)
@@ -133,7 +133,7 @@ def id_of(placement: Placement, first: wp.uint64, point: wp.int64) -> wp.uint64:
 
 @wp.func
 def local_origin(placement: Placement, point: wp.int64) -> wp.vec3d:
-    """Return the ray origin of a point in the scene's coordinates, in float64.
+    """Return the ray origin of a point in float64, in normalised coordinates: the mesh lies in the cube from -1 to 1.
 
     The centre is subtracted before rounding to float32, so that large coordinates keep their digits.
     """
@@ -142,7 +142,7 @@ def local_origin(placement: Placement, point: wp.int64) -> wp.vec3d:
 
 @wp.func
 def extent_along(extent: wp.vec3, n: wp.vec3) -> wp.float32:
-    """Return the largest coordinate along a normal n that a point in a box of the given half extent can have.
+    """Return the largest dot product of n with a point in a box about 0 with the given half extents.
 
     Rounding along the normal is 2^-24 of this bound.
     """
@@ -151,13 +151,13 @@ def extent_along(extent: wp.vec3, n: wp.vec3) -> wp.float32:
 
 @wp.func
 def reach_along(placement: Placement, n: wp.vec3, o: wp.vec3) -> wp.float32:
-    """Return an upper bound on the coordinate along a normal of the mesh and of a point o, even outside the mesh."""
+    """Return an upper bound of the dot product of n with all points of the mesh and with the point o."""
     return extent_along(wp.max(placement.extent, wp.abs(o)), n)
 
 
 @wp.func
 def offset_within(extent: wp.vec3, coarseness: wp.float32, n: wp.vec3) -> wp.float32:
-    """Return the distance to move points off a face with normal n.
+    """Return how far to move a ray's origin off a face with normal n, so that the ray does not hit the face itself.
 
     It is 32 roundings of the extent along n, plus the coarseness.
     """
@@ -166,7 +166,7 @@ def offset_within(extent: wp.vec3, coarseness: wp.float32, n: wp.vec3) -> wp.flo
 
 @wp.func
 def origin_offset(placement: Placement, n: wp.vec3) -> wp.float32:
-    """Return the distance between a face with normal n and the origins of rays that start on it."""
+    """Return how far the origins of a call's rays are moved off a face with normal n."""
     return offset_within(placement.extent, placement.coarseness, n)
 
 
@@ -178,7 +178,7 @@ def is_far_off(o: wp.vec3d) -> wp.bool:
 
 @wp.func
 def distance_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
-    """Return the distance along a ray from an origin outside to a cube around the mesh; -1 where the ray misses.
+    """Return the distance along a ray to a cube around the mesh; -1 if the ray misses the cube.
 
     It is -1, too, where the origin is so far away that float64 cannot resolve the cube.
     """

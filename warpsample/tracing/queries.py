@@ -1,4 +1,4 @@
-"""Arguments of the functions that trace one ray: addresses of a tree or a mesh, and a chunk of prepared rays.
+"""Arguments of the functions that trace one ray: the search structure, and a buffer of prepared rays.
 
 A chunk consists of rows of float32, with one column per ray. The address of its column identifies a ray.
 """
@@ -49,25 +49,25 @@ GlassArgs = type(Glass().__ctype__())
 
 @wp.func
 def column_of(chunk: wp.uint64, k: wp.int32) -> wp.uint64:
-    """Return the address of the k-th ray in a chunk of rays."""
+    """Return the address of the k-th ray in a buffer of rays; each ray is a column."""
     return chunk + wp.uint64(4 * k)
 
 
 @wp.func
 def vector_in(column: wp.uint64, row: wp.int32) -> wp.vec3:
-    """Return the vector stored in the three rows from `row` on at a ray's address in a chunk."""
+    """Return one vector of a prepared ray, for example its origin: three numbers from `row` on in the ray's column."""
     return wp.vec3(float_at(column, row), float_at(column, row + CHUNK), float_at(column, row + 2 * CHUNK))
 
 
 @wp.func
 def direction_of(chunk: wp.uint64, k: wp.int32) -> wp.vec3:
-    """Return the unit direction of the k-th ray of a chunk."""
+    """Return the unit direction of the k-th ray in a buffer of rays."""
     return vector_in(column_of(chunk, k), DIRECTION)
 
 
 @wp.func
 def set_direction(chunk: wp.uint64, k: wp.int32, d: wp.vec3):
-    """Write the direction of the k-th ray of a chunk."""
+    """Write the direction of the k-th ray in a buffer of rays."""
     rows = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     rows[DIRECTION + k] = d[0]
     rows[DIRECTION + CHUNK + k] = d[1]
@@ -76,7 +76,7 @@ def set_direction(chunk: wp.uint64, k: wp.int32, d: wp.vec3):
 
 @wp.func
 def set_origin(chunk: wp.uint64, k: wp.int32, o: wp.vec3):
-    """Write the origin of the k-th ray of a chunk."""
+    """Write the origin of the k-th ray in a buffer of rays."""
     rows = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     rows[ORIGIN + k] = o[0]
     rows[ORIGIN + CHUNK + k] = o[1]
@@ -85,7 +85,7 @@ def set_origin(chunk: wp.uint64, k: wp.int32, o: wp.vec3):
 
 @wp.func
 def start_all(chunk: wp.uint64, o: wp.vec3, reach: wp.float32):
-    """Set the origin and the reach (largest hit distance) of all rays of a chunk."""
+    """Set the origin and the largest hit distance of all rays in a buffer of rays."""
     rows = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < CHUNK:

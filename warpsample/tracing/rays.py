@@ -1,4 +1,4 @@
-"""Tracing of a caller's rays: conversion to the scene's float32 coordinates and back to the user's units."""
+"""Kernels that trace a caller's rays: conversion to normalised float32 coordinates, and of hits to the user's units."""
 
 import warp as wp
 
@@ -87,7 +87,7 @@ def _direction(rays: Rays, ray: wp.int64) -> wp.vec3:
 
 @wp.func
 def _load_ray(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
-    """Write a ray from the origin o to its place in a chunk of rays."""
+    """Write the start, direction and reach of a ray with origin o to the ray's column in a buffer of rays."""
     d = _direction(rays, ray)
     ahead = ZERO
     if is_far_off(o):
@@ -110,7 +110,7 @@ def _load_ray(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: w
 
 @wp.func
 def _normalize(chunk: wp.uint64, length: wp.int64):
-    """Scale the directions of a chunk of rays to unit length, and mark invalid rays by a reach of NaN."""
+    """Scale the directions of the rays in a buffer to unit length, and mark invalid rays by a reach of NaN."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < wp.int32(length):
@@ -127,7 +127,7 @@ def _normalize(chunk: wp.uint64, length: wp.int64):
 
 @wp.func
 def user_distance(rays: Rays, column: wp.uint64, near: wp.float32) -> wp.float32:
-    """Convert a ray's distance from the scene's units to the user's, measured from the user's origin."""
+    """Convert the distance of a ray's hit from normalised units to the user's units."""
     return wp.float32((wp.float64(near) + wp.float64(float_at(column, AHEAD))) * rays.placement.unit)
 
 
@@ -194,7 +194,7 @@ def build_glass_hit_writer(any_hit: bool) -> wp.Function:
 
 @once
 def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOATS) -> wp.Kernel:
-    """Build a kernel that prepares and traces rays; one task has consecutive rays, in the processing order of points.
+    """Build a kernel that prepares and traces a caller's rays, with several consecutive rays per task.
 
     Args:
         prepare: `prepare` of a `Tracer`.
@@ -237,7 +237,7 @@ def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOA
 
 
 def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, device: wp.Device, workers: int) -> None:
-    """Trace a caller's rays in a scene and write their hits, after setting the processing order of the points.
+    """Trace a caller's rays against a mesh and write their hits to the arrays that `rays` refers to.
 
     It counts visits if `rays.visits` is set. If `rays.transmitted` is set, which only the wide tree supports, hits are those
     of opaque faces.

@@ -1,4 +1,4 @@
-"""Meshes in the tracers' coordinates with their search trees, cached as long as the mesh lives."""
+"""Meshes in normalised coordinates with their search trees, cached as long as the mesh exists."""
 
 import warnings
 from copy import copy
@@ -35,7 +35,7 @@ _COARSE = 2.0**-16  # relative to the scene: shorter edges are lost in the offse
 
 
 class Scene:
-    """Mesh prepared for tracing: moved and scaled in float64 to within 1 of the origin, then rounded to float32.
+    """Mesh prepared for ray tracing: normalised float32 vertices, each coordinate from -1 to 1, and search trees.
 
     Attributes:
         centre: (3,) float64, centre of the mesh's box; if a few faces are distant, centre of the box of most vertices.
@@ -78,7 +78,7 @@ class Scene:
         self._warn_if_coarse(float(self.spread.max()))
 
     def _scaled_vertices(self, mesh: Mesh) -> np.ndarray:
-        """Return the vertices of the mesh in the scene's coordinates, (V, 3) float32.
+        """Return the vertices of the mesh, moved and scaled to coordinates from -1 to 1, (V, 3) float32.
 
         They are computed by blocks, since intermediate values are float64.
         """
@@ -90,7 +90,7 @@ class Scene:
         return placed
 
     def _warn_if_coarse(self, spread: float) -> None:
-        """Warn if the median face size is so small that the offset of points off their faces blurs it."""
+        """Warn if the faces are too small, compared with the extent of the mesh, to be resolved by float32 rays."""
         some = self.vertices[self.faces[:: -(-len(self.faces) // _LOOKED_AT)]].astype(np.float64)
         edges = np.linalg.norm(some - np.roll(some, 1, axis=1), axis=2).max(axis=1)
         if 0.0 < np.median(edges) < _COARSE * spread:
@@ -119,14 +119,14 @@ class Scene:
         return self.tree(workers, ALL if self.transmittance is None else OPAQUE)
 
     def _topology(self, workers: int, which: str) -> Topology:
-        """Build the topology of the search tree over a set of faces."""
+        """Build the structure of the search tree (nodes and leaves, without boxes) over a set of faces."""
         if which == ALL or self.transmittance is None:
             return build(self.vertices, self.faces, workers)
         chosen = np.flatnonzero(_classify_faces(self.transmittance) == (_NOTHING if which == OPAQUE else _PART))
         return build_some(self.vertices, self.faces, chosen, workers)
 
     def glass(self, workers: int) -> Any:
-        """Return the kernel argument with the tree of the translucent faces and all transmittances.
+        """Return the kernel argument for rays through translucent faces: the faces' search tree and transmittances.
 
         It is valid while this object lives.
         """
@@ -134,12 +134,12 @@ class Scene:
         return GlassArgs(tree=tree, transmittance=self.transmittance.ctypes.data)
 
     def _set_transmittance(self, mesh: Mesh) -> None:
-        """Copy the faces' transmittances from a mesh to this scene."""
+        """Set the transmittances of all faces from a mesh with the same faces."""
         self.transmittance: np.ndarray | None = mesh.transmittance if mesh.transmits else None
         self.has_glass: bool = mesh.transmits and bool((_classify_faces(mesh.transmittance) == _PART).any())
 
     def with_transmittance(self, mesh: Mesh) -> "Scene":
-        """Return the scene of a mesh of the same shape with other transmittances, sharing the trees that stay the same."""
+        """Return a copy prepared for a mesh of the same shape with other transmittances; unchanged trees are shared."""
         scene = copy(self)
         scene._set_transmittance(mesh)
         both = self.transmittance is not None and scene.transmittance is not None
@@ -149,19 +149,19 @@ class Scene:
         return scene
 
     def with_vertices(self, mesh: Mesh) -> "Scene":
-        """Return the scene of a mesh with the same faces and moved vertices, which shares the topologies built so far."""
+        """Return a copy prepared for a mesh with moved vertices and the same faces; the structure of the trees is shared."""
         scene = Scene(mesh)
         scene._topologies = dict(self._topologies)
         return scene
 
     def builtin(self, device: wp.Device) -> Any:
-        """Return a wp.Mesh of the scene on a device as a kernel argument; the first call builds it."""
+        """Return the wp.Mesh of this mesh on a device as a kernel argument; the first call builds it."""
         if device.alias not in self._builtin:
             make(partial(self._build_builtin, device))
         return AcceleratorArgs(mesh=self._builtin[device.alias].id, starts=1)
 
     def _build_builtin(self, device: wp.Device) -> None:
-        """Build a wp.Mesh of the scene on a device, unless there is one."""
+        """Build the wp.Mesh of this mesh on a device, unless it exists already."""
         if device.alias not in self._builtin:
             points = wp.array(self.vertices, dtype=wp.vec3, device=device)
             indices = wp.array(self.faces.ravel(), dtype=wp.int32, device=device)
@@ -191,7 +191,7 @@ def check_opaque(mesh: Mesh, what: str) -> None:
 
 
 def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:
-    """Return the scene of a mesh, which is the mesh prepared for tracing: one object for all threads.
+    """Return the `Scene` of a mesh, the mesh prepared for ray tracing; built once and shared by all threads.
 
     It is kept while the mesh lives.
 
@@ -212,7 +212,7 @@ def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:
 
 
 def coarseness_of(scene: Scene, double: bool) -> float:
-    """Return twice the floating-point spacing (ULP) of the user's coordinates at the mesh, in the scene's coordinates."""
+    """Return twice the floating-point spacing (ULP) of the user's coordinates at the mesh, in normalised units."""
     largest = np.max(np.abs(scene.centre)) + np.max(scene.spread) / scene.scale
     return 2.0 * float(np.spacing((np.float64 if double else np.float32)(largest))) * scene.scale
 

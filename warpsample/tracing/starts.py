@@ -1,4 +1,4 @@
-"""Starts of the rays of surface points: just in front of the point's own face, and not behind any other face.
+"""Positions where the rays of surface points start: just in front of the point's face, and not behind any other face.
 
 A point on an edge or a corner sees the same as points of its own face just beside it. So the faces that touch a point and
 rise above its own face are searched. The start moves towards the centre of its own face, just far enough to be on the same
@@ -61,7 +61,9 @@ def set_starts(
     tracer: Tracer,
     workers: int,
 ) -> np.ndarray | None:
-    """Compute where the rays of surface points start, (P, sides, 3) float32, and set the address in a placement.
+    """Compute the positions where the rays of surface points start, (P, sides, 3) float32, just off the points' faces.
+
+    The address of the array is stored in `placement`.
 
     The caller must keep the array. A tracer without tree searches has no starts and returns None. Its points are moved off
     their faces as if the mesh had the same extent in all directions, since the distances of wp.Mesh to needle-like faces are
@@ -96,7 +98,7 @@ def set_starts(
 
 @wp.func
 def _is_raised(contacts: Contacts, i: wp.int64) -> wp.bool:
-    """Return whether the ray start of the i-th point is raised vertically, as for height fields."""
+    """Return whether rays of the i-th point start vertically above the point, as for height fields."""
     raised = wp.bool(False)
     if contacts.raised != wp.uint64(0):
         raised = byte_at(contacts.raised, i) != wp.uint8(0)
@@ -105,13 +107,13 @@ def _is_raised(contacts: Contacts, i: wp.int64) -> wp.bool:
 
 @wp.func
 def _set_start(contacts: Contacts, i: wp.int64, side: wp.int32, start: wp.vec3):
-    """Write the ray start of the i-th point on one side of its face."""
+    """Store the position where rays of the i-th point start, on one side of its face."""
     set_vec3(contacts.starts, i * wp.int64(contacts.sides) + wp.int64(side), start)
 
 
 @once
 def _start_kernel() -> wp.Kernel:
-    """Build a kernel that computes where the rays of surface points start, one point per task."""
+    """Build a kernel that computes the position where each surface point's rays start, one point per task."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def find_starts(contacts: Contacts, tree: Accelerator, first_task: wp.int64):

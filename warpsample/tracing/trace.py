@@ -31,7 +31,7 @@ _BYTES_OF_RAY = 24 + 4 + 4  # on a device: direction, distance, face
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Hits(Summary):
-    """First hits of rays, as NumPy or Warp arrays like the rays.
+    """Distance and face of the first hit of each ray, as NumPy or Warp arrays like the rays.
 
     Attributes:
         distance: float32, distance of each ray to the nearest face, or with any_hit to some face, in mesh units; inf without
@@ -128,7 +128,7 @@ def trace(
 
 
 def _iterate_parts(memory: Memory, asked: RaysArgs, given: GivenRays, hits: Hits) -> Iterator[RaysArgs]:
-    """Yield the rays of NumPy arrays in parts on the device.
+    """Copy rays from NumPy arrays to the device, and yield a kernel argument for each part that fits into memory.
 
     A part stays on the device until the next one is requested.
     """
@@ -147,7 +147,7 @@ def _iterate_parts(memory: Memory, asked: RaysArgs, given: GivenRays, hits: Hits
 
 
 def _iterate_blocks(memory: Memory, points: int, count: int) -> Iterator[tuple[slice, slice]]:
-    """Yield slices of points and of rays that fit into memory: points with all their rays, or some rays of one point."""
+    """Yield slices of points and of rays that fit into device memory."""
     size = _BYTES_OF_POINT + _BYTES_OF_RAY * count
     if memory.fits(size):
         yield from ((rows, slice(rows.start * count, rows.stop * count)) for rows in memory.parts(points, size))

@@ -21,7 +21,7 @@ from warpsample.tracing.scene import scene_of
 
 @dataclass(frozen=True, eq=False, repr=False)
 class AllHits(Summary):
-    """Every hit of R rays, one ray after the other, as NumPy or Warp arrays like the rays.
+    """Distances and faces of all hits of R rays, one ray after the other, as NumPy or Warp arrays like the rays.
 
     Attributes:
         first: (R + 1,) int64, index of each ray's first hit. Ray i, in C order of the directions, has the hits first[i] to

@@ -1,4 +1,4 @@
-"""The public call `tree`, which makes a mesh an argument of a user-defined kernel."""
+"""The public call `tree`, which prepares a mesh for ray tracing in user-defined Warp kernels."""
 
 from typing import Any
 
@@ -13,7 +13,7 @@ from warpsample.tracing.scene import GLASS, coarseness_of, scene_of
 
 
 def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
-    """Return a mesh as a kernel argument, for `funcs.any_hit`, `funcs.nearest_hit` and `funcs.transmitted`.
+    """Prepare a mesh for ray tracing in user-defined kernels; `funcs.any_hit` and `funcs.nearest_hit` take the result.
 
     The mesh may be deleted. On the CPU rays get the answers of `trace` bit for bit, elsewhere those of wp.Mesh.
 

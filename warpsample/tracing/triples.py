@@ -53,7 +53,7 @@ class Triples:
         return cls(np.ascontiguousarray(value), value.shape[:-1], _DOUBLE[value.dtype.type], cpu())
 
     def empty(self, dtype: Any) -> Array:
-        """Return an uninitialised array of one number per point or direction, of the same kind and on the same device."""
+        """Allocate an array of one number per point or direction, of the same library and on the same device."""
         if isinstance(self.owner, wp.array):
             return wp.empty(self.shape, dtype=wp.dtype_from_numpy(dtype), device=self.device)
         return np.empty(self.shape, dtype)

@@ -1,1 +1,1 @@
-"""Viewer of directions on a mesh: settings, lobes, clouds, knobs and window; and the PyVista accessor `mesh.warpsample`."""
+"""Interactive viewer of sampled directions on a mesh, and the PyVista accessor `mesh.warpsample`."""

@@ -85,7 +85,7 @@ class WarpsampleAccessor:
         return sample_directions(at, count, distribution=lobe, seed=seed, **options).to_polydata(at, length)
 
     def _array_at(self, name: str, points: SurfacePoints) -> np.ndarray:
-        """Return the array of a name of the dataset, with one row for each of some points on its surface."""
+        """Return the dataset's array with the given name, interpolated to points on the surface."""
         arrays = arrays_of(self._dataset)
         if name not in arrays:
             raise ValueError(f"distribution: got @{name}, want an array of the dataset: {quote(', '.join(sorted(arrays)))}")

@@ -13,7 +13,7 @@ OWN, COSINE = "its own density", "the cosine lobe"
 
 @dataclass(frozen=True)
 class Choice:
-    """Settings of all menus and sliders of the viewer: distribution, compared density, sequence, count and seed.
+    """Settings of the viewer: distribution, density to compare with, sequence, number of directions, and seed.
 
     Attributes:
         distribution: distribution of the directions.
@@ -31,19 +31,19 @@ class Choice:
 
     @property
     def claim(self) -> Distribution:
-        """Distribution whose density the sampled directions are compared with."""
+        """Distribution whose density is compared with the sampled directions."""
         return self.density or self.distribution
 
     @property
     def claim_name(self) -> str:
-        """Name of the distribution that directions are compared with, for captions and verdicts."""
+        """Name of the distribution whose density is compared with the sampled directions."""
         if self.density is None:
             return OWN
         return COSINE if isinstance(self.density, CosineHemisphere) else self.density.name
 
 
 def default_density(distribution: Distribution) -> Distribution | None:
-    """Return the distribution that the viewer compares the directions with by default; None is the distribution itself.
+    """Return the distribution whose density the viewer shows by default; None is the sampled distribution itself.
 
     An offset sphere or an offset ball is compared with the cosine lobe: the viewer then shows that only the sphere of
     radius 1 gives a cosine lobe.
@@ -52,7 +52,7 @@ def default_density(distribution: Distribution) -> Distribution | None:
 
 
 def format_distribution(distribution: Distribution) -> str:
-    """Return a distribution as the command line takes it, with numbers of three digits: "ggx(alpha=0.1)"."""
+    """Return a distribution in the notation of the command line, with numbers of three digits: "ggx(alpha=0.1)"."""
     names = distribution.parameters or [item.name for item in fields(distribution)]
     values = (f"{name}={_format_value(getattr(distribution, name))}" for name in names)
     return f"{distribution.name}({', '.join(values)})".replace("()", "")

@@ -1,4 +1,4 @@
-"""Clouds of directions for the viewer, and histograms of the angles of these directions."""
+"""Sampled directions as point clouds for the viewer, and histograms of their angles."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -21,7 +21,7 @@ OUTSIDE = 0.5
 
 @dataclass(frozen=True, eq=False)
 class Clouds:
-    """Clouds of directions at all points of the mesh, and histograms of the angles of all directions.
+    """Point clouds of sampled directions at all points of the mesh, and histograms of all their angles.
 
     A direction is drawn as a dot on the surface of the lobe at its point.
 
@@ -45,7 +45,7 @@ class Clouds:
 
 @dataclass(frozen=True, eq=False)
 class NearCloud:
-    """Cloud of directions at the pinned point, in the tangent frame of this point.
+    """Point cloud of the directions at the selected point, relative to the point's tangent frame.
 
     Attributes:
         position: (n, 3) float32, positions on the surface of the lobe, at most 1 from the origin.
@@ -59,7 +59,7 @@ class NearCloud:
 
 
 def all_clouds(choice: Choice, points: SurfacePoints, scale: float) -> Clouds:
-    """Sample the clouds of directions at all points, and count their angles.
+    """Sample directions at all points of the mesh, and count the angles in histograms.
 
     `scale` is the length of a lobe in the unit of the points.
     """
@@ -73,7 +73,7 @@ def all_clouds(choice: Choice, points: SurfacePoints, scale: float) -> Clouds:
 
 
 def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> NearCloud:
-    """Sample the cloud of directions at one point; `first` is the global id of the point."""
+    """Sample the directions at the selected point, which has the global id `first`."""
     _, local, pdf = _sample_compared(choice, point, first)
     length = _lengths(pdf[0], lobe_of(choice.claim).peak)[:, None]
     return NearCloud(length * local[0], pdf[0], local[0, :, :2])
@@ -82,7 +82,7 @@ def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> NearCloud:
 def histograms(
     local: np.ndarray, lobe: LobeShape, independent: bool, claim: str = "the density"
 ) -> tuple[AngleHistogram, AngleHistogram]:
-    """Count the angles of directions to the normal and about the normal, and compare both histograms with a lobe.
+    """Build histograms of the directions' polar angle and azimuth, and compare both with a density by chi-square tests.
 
     Args:
         local: (N, 3) unit directions with the normal along +z.
@@ -106,7 +106,7 @@ def histograms(
 def _build_histogram(
     observed: np.ndarray, masses: np.ndarray, edges: np.ndarray, *, angles: np.ndarray, line: np.ndarray, **names: Any
 ) -> AngleHistogram:
-    """Build the histogram of one angle with its chi-square test.
+    """Build the histogram of one angle, with a chi-square test against the expected counts.
 
     The test includes bins that are outside the chart.
     """
@@ -128,7 +128,7 @@ def _build_histogram(
 
 
 def _sample_compared(choice: Choice, points: SurfacePoints, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Sample directions at points; return world and local directions, each (P, n, 3), and compared densities, (P, n)."""
+    """Sample directions at points; return world and local directions, (P, n, 3) each, and their densities, (P, n)."""
     own = choice.claim == choice.distribution
     found = sample_directions(
         points.normal,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 from warpsample import distributions, sequences
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere, Method
 from warpsample.distributions.record import Distribution
+from warpsample.distributions.scattering.base import ScatteredLight
 from warpsample.viewer.choice import COSINE, OWN, Choice, default_density
 from warpsample.viewer.widgets import ROW, Menu, Slider, fit_texts
 
@@ -19,12 +20,16 @@ _MOST_SAMPLES, _MOST_SEED = 4096, 99
 
 
 def spatial_names() -> list[str]:
-    """Return the names of the distributions of 3-D directions, which can be drawn on a mesh."""
-    return [name for name in distributions.names() if distributions.get(name).width == 3]
+    """Return the names of the distributions of 3-D directions that can be drawn on a mesh with default parameters.
+
+    Lobes of other lobes have no default.
+    """
+    kinds = {name: distributions.get(name) for name in distributions.names()}
+    return [name for name, kind in kinds.items() if kind.width == 3 and not issubclass(kind, ScatteredLight)]
 
 
 def make_distribution(name: str) -> Distribution:
-    """Build the distribution that a menu entry names, with its first parameter in the middle of the slider.
+    """Build the distribution that a menu entry names, with its first parameter in the middle of the slider's range.
 
     The middle is the geometric mean of the ends.
     """
@@ -50,7 +55,7 @@ class Controls:
     """Menus and sliders of the viewer; each change calls a function with the new settings."""
 
     def __init__(self, plotter: "pyvista.Plotter", choice: Choice, changed: Callable[[Choice], None]):
-        """Add the menus and sliders to the plotter's current renderer, which is at the left of the window."""
+        """Create the menus and sliders in the left panel of the window."""
         self.choice, self._changed, self._plotter = choice, changed, plotter
         top, self.menus = 1.0 - 1.5 * ROW, {}
         for name, title, entries, choose in (

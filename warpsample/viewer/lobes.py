@@ -1,4 +1,4 @@
-"""Density of a distribution as a surface over the tangent plane, and the probability of each bin of its angles."""
+"""Shape of a distribution's density for the viewer: a surface, and probabilities of histogram bins."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -26,7 +26,7 @@ _ROUND = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 3, 6, 12, 18, 24, 30, 45, 60, 9
 
 @dataclass(frozen=True, eq=False)
 class LobeShape:
-    """Shape of a lobe: the density as a surface over the tangent plane, and the probability of each bin of its angles.
+    """Density of a distribution as a surface over the tangent plane, with the probability of each histogram bin.
 
     Attributes:
         surface: (I, J, 3) local coordinates: directions with length density / `peak`, at most 1.
@@ -49,7 +49,7 @@ class LobeShape:
 
 @lru_cache(maxsize=256)
 def lobe_of(claim: Distribution) -> LobeShape:
-    """Compute the shape of a distribution's lobe, for the viewer's surface and histograms.
+    """Compute the surface of a distribution's density and the probabilities of its histogram bins.
 
     Raises:
         ValueError: the lobe is too narrow for float32 directions about a normal.
@@ -78,7 +78,7 @@ def _covering_angle(claim: Distribution, pilot: np.ndarray) -> float:
 
 
 def _bin_probabilities(claim: Distribution, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Integrate the density of a distribution over the bins of theta and over the bins of the azimuth."""
+    """Return the probabilities of the histogram bins of the polar angle and of the azimuth, by integrating the density."""
     if claim.symmetric:
         return np.diff(claim.cdf(edges)), np.full(SECTORS, 1.0 / SECTORS)
     masses = cell_masses(claim, edges, SECTORS, chart=SPHERE)

@@ -73,7 +73,7 @@ def save(
     path: Path,
     occlusion: OcclusionPicture | None = None,
 ) -> str:
-    """Save the viewer as a .png, or its clouds on the mesh as an .html, without a window; return a line of description."""
+    """Save a picture of the viewer as .png, or its 3D scene as .html, without a window; return a line of description."""
     viewer = Viewer(mesh, points, chosen, up=up, size=size, off_screen=True, occlusion=occlusion)
     if path.suffix == ".png":
         viewer.plotter.enable_anti_aliasing("msaa", multi_samples=8, all_renderers=True)

@@ -21,7 +21,7 @@ _LETTERS = 22  # of the longest text of the panel in the usual size; longer ones
 
 
 def fit_texts(plotter: "pyvista.Plotter") -> None:
-    """Set the size of all texts in a window to a fixed share of its height, or of its width if the window is narrow."""
+    """Fit the size of all texts in a window to the size of the window."""
     import pyvista as pv
 
     width, height = plotter.window_size
@@ -38,7 +38,7 @@ class Menu:
     def __init__(
         self, plotter: "pyvista.Plotter", title: str, entries: list[str], *, top: float, choose: Callable[[str], None]
     ):
-        """Add a menu to the current renderer.
+        """Create the menu in the current panel of the window.
 
         Args:
             plotter: plotter with the renderer.
@@ -66,7 +66,7 @@ class Menu:
         self.lay_out()
 
     def lay_out(self) -> None:
-        """Place each button of the menu next to its text, for the present size of the window."""
+        """Place each button of the menu next to its text, for the current size of the window."""
         width, height = self._plotter.window_size
         side = _BUTTON * ROW * height
         for button, low in zip(self.buttons.values(), self._tops, strict=True):
@@ -95,7 +95,7 @@ class Slider:
         low: float,
         high: float,
     ):
-        """Add a slider to the plotter's current renderer.
+        """Create the slider in the current panel of the window.
 
         Args:
             plotter: plotter with the renderer.
@@ -125,7 +125,7 @@ class Slider:
         self._ready = True
 
     def _update(self, value: float, turn: Callable[[float], None]) -> None:
-        """Write the new value above the slider, and call `turn` with this value."""
+        """Show the slider's new value, and call the function `turn` with the value."""
         if self._ready:  # PyVista calls this function once while it makes the slider
             self.title.input = self._name(value)
             turn(value)
@@ -133,7 +133,7 @@ class Slider:
     def set(
         self, value: float | None, span: tuple[float, float] | None = None, name: Callable[[float], str] | None = None
     ) -> None:
-        """Move the slider to a value without a call of `turn`; None hides the slider.
+        """Move the slider to a value without calling its function; None hides the slider.
 
         `span` and `name` replace its range and its text, where given.
         """

@@ -1,4 +1,4 @@
-"""Window of the viewer: knobs at the left, mesh and one enlarged cloud in the middle, charts at the right."""
+"""Window of the viewer: menus and sliders, the mesh with directions, one enlarged cloud of directions, and charts."""
 
 from dataclasses import replace
 from textwrap import wrap
@@ -126,7 +126,7 @@ class Viewer:
         return f"{counts} of {format_distribution(choice.distribution)}; " + "; ".join(verdicts).replace("\n", ": ")
 
     def pick(self, position: np.ndarray, face: int) -> None:
-        """Pin another point of the mesh, (3,) in drawn coordinates, and enlarge the cloud of directions there.
+        """Select another point of the mesh, and show the cloud of directions there enlarged.
 
         A point on a degenerate face changes nothing.
         """
@@ -136,7 +136,7 @@ class Viewer:
         self._show_near(self.controls.choice)
 
     def _show_near(self, choice: Choice) -> None:
-        """Draw the enlarged cloud at the pinned point, the lobe there, and the charts."""
+        """Draw the enlarged cloud of directions at the selected point, its density, and the charts."""
         drawn = replace(choice, samples=min(choice.samples, _MOST_NEAR))
         self.near = one_cloud(drawn, self.chosen, self._chosen_id)
         lobe = lobe_of(choice.claim)
@@ -150,7 +150,7 @@ class Viewer:
         self.plotter.render()
 
     def _pin_point(self, point: int, at: SurfacePoints | None = None) -> None:
-        """Mark a point as the pinned one: `at`, or row `point` of `points`.
+        """Mark the selected point on the mesh: `at`, or row `point` of `points`.
 
         `point` is the global id of the pinned point.
         """
@@ -176,12 +176,12 @@ class Viewer:
         return "\n".join(piece for line in lines for piece in wrap(line, _MOST_LETTERS))
 
     def _draw_charts(self) -> None:
-        """Add an empty sheet of pixels for the charts to the window."""
+        """Create the panel of the window that shows the charts, still empty."""
         self.plotter.subplot(*_CHARTS)
         self.charts, self._sheet = None, Sheet(self.plotter)
 
     def _draw_cloud(self) -> None:
-        """Add the enlarged cloud to the window: points, lobe, tangent frame and texts, still empty."""
+        """Create the panel of the window with the enlarged cloud of directions, still empty."""
         self.plotter.subplot(*_CLOUD)
         self.near_actor, self.lobe_actor = CloudActor(self.plotter, point_size=4, bar=False), LobeActor(self.plotter)
         draw_frame(self.plotter)
@@ -189,7 +189,7 @@ class Viewer:
         self._add_text("Double-click on the mesh to pin another point.", 0.02, "bottom")
 
     def _draw_mesh(self, mesh: Mesh, up: str, occlusion: OcclusionPicture | None) -> None:
-        """Add the mesh to the window, with normals, empty clouds, pin, caption and mouse picking."""
+        """Create the panel of the window with the mesh, its normals, and selection of points by mouse."""
         self.plotter.subplot(*_MESH)
         texture = None if occlusion is None else (occlusion.picture, occlusion.uv)
         actor = draw_mesh(self.plotter, self.vertices, mesh.faces, texture)

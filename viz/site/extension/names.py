@@ -103,10 +103,8 @@ def _find_example(item: Any) -> str:
 
 def _distribution_example(kind: type[Distribution]) -> str:
     """Return example lines for a distribution: sampled directions and their densities."""
-    case = kind.cases()[0]
-    return (
-        f">>> lobe = ws.{case!r}\n>>> w = lobe.sample(ws.sample_square('sobol', points=1, count=64)[0])\n>>> p = lobe.pdf(w)"
-    )
+    text = re.sub(r"(?<![\w.])([A-Z]\w*\()", r"ws.\1", repr(kind.cases()[0]))
+    return f">>> lobe = {text}\n>>> w = lobe.sample(ws.sample_square('sobol', points=1, count=64)[0])\n>>> p = lobe.pdf(w)"
 
 
 def _find_makers(kind: Any) -> Iterator[Any]:

@@ -42,7 +42,7 @@ def _did_run(row: Any) -> bool:
 
 @dataclass(frozen=True)
 class TableView:
-    """Layout of the tables of benchmark rows.
+    """Layout of a benchmark's tables: columns, order of the lines, and division into several tables.
 
     Several fields are one text, separated by blanks.
 
@@ -126,7 +126,7 @@ def _drop_settings(tool: str) -> str:
 
 
 def print_parts(console: "Console", parts: Iterable[Table | str]) -> None:
-    """Print tables and paragraphs on a console."""
+    """Print tables and paragraphs of text on a rich Console."""
     for part in parts:
         if isinstance(part, str):
             console.print(part, markup=False, highlight=False)

@@ -58,7 +58,7 @@ class Child:
             self.process.communicate()
 
     def wait_until_built(self) -> str | None:
-        """Wait until the child process has built and run its job once; return None, or one line with the failure."""
+        """Wait until the child process is prepared and has run its work once; return None, or one line with the failure."""
         if self._built is None:
             self._built = self._read()
         return self._built.get("failure")
@@ -69,7 +69,7 @@ class Child:
         return self._built["seconds"]
 
     def run(self) -> float:
-        """Run the child's job once and return the seconds.
+        """Run the child's work once, and return the seconds it takes.
 
         Raises:
             RuntimeError: the child has no job, or its process has ended.
@@ -77,7 +77,7 @@ class Child:
         return self._request("run")["seconds"]
 
     def report(self) -> dict[str, Any]:
-        """Return the report of the child's job on its last run."""
+        """Return the report of the child's work on its last run."""
         return self._request("report")
 
     def _request(self, request: str) -> dict[str, Any]:

@@ -67,7 +67,7 @@ def keep_last_result(run: Callable[[], Any]) -> tuple[Callable[[], object], Call
 
 
 def run_tools(build: Callable[..., ChildJob], tools: Iterable[Any], repeats: int, **arguments: Any) -> ToolRuns:
-    """Build each tool's job in its own process, one after the other, then run all jobs in alternation.
+    """Prepare each tool in its own process, one after the other, then time all tools in alternation.
 
     Args:
         build: function (tool, **arguments) -> job.

@@ -131,7 +131,7 @@ def compute_known(scene: Textured, size: int, rays: int = _RAYS, most: int = _MO
 
 
 def build_texture(tool: str, scene: Textured, known: Known, *, size: int, workers: int) -> ChildJob:
-    """Build the job that bakes one image with a tool and a number of rays, for example "Blender, 16 rays".
+    """Prepare a tool with a number of rays, for example "Blender, 16 rays", to bake one image; return the work to time.
 
     The job's report needs two runs.
     """

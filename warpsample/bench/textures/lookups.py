@@ -30,7 +30,7 @@ class LookupPlaces:
     shared: np.ndarray
 
     def compute_error(self, images: Sequence[np.ndarray]) -> dict[str, float]:
-        """Compute the RMSE of the values read from a baked texture, and its parts.
+        """Compute the RMSE of the values read from a baked texture, and its parts from noise, overlap and resolution.
 
         The two images differ only by their random numbers. Noise is the difference of the images. Overlap and resolution are
         their common error, at shared positions and at the other positions. The common error of a tool without seeds includes

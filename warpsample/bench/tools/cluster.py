@@ -46,7 +46,7 @@ def _build_mean(points: int, chunk: int, rays: int) -> Callable[[], object]:
 
 
 def build_way(tool: str, points: int) -> ChildJob:
-    """Build the job that computes ambient occlusion with two threads, or with two processes.
+    """Prepare ambient occlusion with two threads, or with two processes, and return the work to time.
 
     The chunks divide evenly between two workers.
     """
@@ -57,7 +57,7 @@ def build_way(tool: str, points: int) -> ChildJob:
 
 
 def build_chunks(tool: int, end: str) -> ChildJob:
-    """Build the job that computes a few points in `tool` chunks on two processes.
+    """Prepare the computation of a few points in `tool` chunks on two processes, and return the work to time.
 
     The argument `end` states whether the result is computed or written into a store.
     """

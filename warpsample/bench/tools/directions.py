@@ -1,4 +1,4 @@
-"""Functions of each tool that sample directions of the cosine lobe."""
+"""Functions of each compared tool that sample cosine-weighted directions about normals."""
 
 from collections.abc import Callable
 from functools import partial
@@ -37,7 +37,7 @@ def _compute_frames(n: np.ndarray) -> np.ndarray:
 
 
 def _numpy(normals: np.ndarray, count: int, workers: int) -> Built:
-    """Build the NumPy sampler of the cosine lobe, by Malley's method and a frame.
+    """Build the NumPy function to time, which samples cosine-weighted directions about normals by Malley's method.
 
     A sphere by `standard_normal` plus the normal takes 2.6 times as long.
     """
@@ -52,7 +52,7 @@ def _numpy(normals: np.ndarray, count: int, workers: int) -> Built:
 
 @wp.kernel(enable_backward=False)
 def _builtins(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int32, out: wp.array[wp.vec3]):
-    """Sample the cosine lobe with Warp's built-in generator and Malley's method.
+    """Sample cosine-weighted directions with Warp's built-in random generator and Malley's method.
 
     The sphere sampler plus the normal takes twice as long.
     """

@@ -27,7 +27,7 @@ from warpsample.host.vectors import as_vectors, new_vectors
 
 @dataclass(frozen=True)
 class KnownIntegral:
-    """Function of a unit direction in the local frame, with its known mean over the cosine lobe.
+    """Function of a unit direction, with its known cosine-weighted mean.
 
     Attributes:
         name: name in tables.
@@ -100,7 +100,7 @@ def canyon(w: wp.vec3) -> wp.float32:
 
 @wp.func
 def narrow_lobe(w: wp.vec3) -> wp.float32:
-    """Return cos^64 of the angle to an axis, a lobe 12 degrees wide at half its height."""
+    """Return cos^64 of the angle to an axis: a peak 12 degrees wide at half its height."""
     x = wp.max(w[0] * _LOBE_X + w[1] * _LOBE_Y + w[2] * _LOBE_Z, 0.0)
     x = x * x
     x = x * x

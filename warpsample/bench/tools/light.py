@@ -26,7 +26,7 @@ def _ours(mesh: Mesh, points: SurfacePoints, workers: int) -> LightTool:
 
 
 def list_kinds(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
-    """Return the (K, 2) distinct pairs of reflectance and transmittance of a mesh, and each face's pair (F,)."""
+    """Return the distinct pairs of reflectance and transmittance in a mesh, (K, 2), and each face's pair, (F,)."""
     nothing = np.zeros(len(mesh.faces))
     shares = [nothing if share is None else share for share in (mesh.reflectance, mesh.transmittance)]
     kinds, kind = np.unique(np.stack(shares, axis=1).round(6), axis=0, return_inverse=True)
@@ -34,7 +34,7 @@ def list_kinds(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> LightTool:
-    """Build Mitsuba's tool, which traces rays of the cosine lobe with `volpath`; this passes straight through masks.
+    """Build Mitsuba's function to time, which traces cosine-weighted rays with the integrator `volpath`.
 
     A mesh without transmission has no masks, so `path` replaces `volpath`.
     """

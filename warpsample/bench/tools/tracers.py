@@ -77,7 +77,7 @@ def _warp_mesh(mesh: Mesh, kind: str, count: int) -> RayTool:
 
 
 def _embree(mesh: Mesh, kind: str, count: int) -> RayTool:
-    """Build the ray tracer of embreex.
+    """Build the function to time that traces rays with embreex, the Python interface of Embree.
 
     Threads trace parts of the rays, because embreex leaves threads to the caller.
     """

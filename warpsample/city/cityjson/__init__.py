@@ -1,1 +1,1 @@
-"""CityJSON: surfaces as a mesh, and results written back into the file."""
+"""Reading of CityJSON files as meshes, and writing of results back into the files."""

@@ -1,4 +1,4 @@
-"""Faces of a CityJSON geometry, and the semantic object of each face."""
+"""Conversion of the nested lists of a CityJSON geometry: polygons, and the surface types of the polygons."""
 
 from collections.abc import Sequence
 from itertools import chain
@@ -15,7 +15,7 @@ DEPTHS = {"MultiSurface": 1, "CompositeSurface": 1, "Solid": 2, "MultiSolid": 3,
 
 
 def read_outlines(geometry: Part, vertices: int) -> Outlines:
-    """Read the corners of all faces of a CityJSON geometry from the nested lists of `boundaries`.
+    """Read the polygons of a CityJSON geometry from the nested lists of `boundaries`, as one flat `Outlines`.
 
     Args:
         geometry: JSON of the geometry.
@@ -46,7 +46,7 @@ def read_outlines(geometry: Part, vertices: int) -> Outlines:
 
 
 def read_semantics(geometry: Part, surfaces: int) -> np.ndarray:
-    """Return the number of the semantic object of each face of a geometry, (N,) int32; -1 for faces without semantics.
+    """Return, for each face of a geometry, the index of its semantic object (roof, wall, ...), (N,) int32; -1 without.
 
     Args:
         geometry: JSON of the geometry.
@@ -91,7 +91,7 @@ def _check_list(value: Any, at: str, wants: str) -> list[Any]:
 
 
 def _flatten_values(values: Any, boundaries: Sequence[Any], depth: int, at: str) -> list[Any]:
-    """Flatten the nested `values` of a semantics object to one number or None for each face.
+    """Flatten the nested `values` of CityJSON semantics: return one number or None for each face.
 
     None at an outer level stands for None at all faces below.
     """

@@ -59,7 +59,7 @@ def choose_geometries(found: list[Choice], thing: Part, lod: float | None) -> li
 
 
 def find_superseded(objects: dict[str, Part], taken: dict[str, list[Choice]], above: dict[str, list[str]]) -> set[str]:
-    """Return the ids of city objects with a coarser geometry than one of their parts.
+    """Return the ids of city objects to leave out because one of their parts has a more detailed geometry.
 
     These objects are left out, because tracing an object and its part would count the same surfaces twice.
     """

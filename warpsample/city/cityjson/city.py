@@ -1,4 +1,4 @@
-"""CityJSON files as meshes whose triangles know their surfaces: `load_city`."""
+"""The call `load_city`, which reads a CityJSON file as a mesh, and writes results back for each surface."""
 
 from collections.abc import Mapping
 from contextlib import nullcontext
@@ -35,7 +35,7 @@ _FILE = "a CityJSON file"
 
 @dataclass(frozen=True, eq=False, repr=False)
 class City(Summary):
-    """Surfaces of a CityJSON file as a mesh.
+    """City: the surfaces of a CityJSON file as a triangle mesh, with a table of the surfaces.
 
     Attributes:
         mesh: mesh in metres. Coordinates of the file are converted by its reference system.
@@ -89,7 +89,7 @@ class City(Summary):
     def surface_means(
         self, values: Any, error: Any = None, *, points: SurfacePoints | None = None
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Average values at points of the mesh over each surface, weighted by area; return means and standard errors.
+        """Compute the area-weighted mean over each surface from values at points; return means and standard errors.
 
         Points have independent random numbers, so their errors are independent. With several points on a triangle, its error
         comes from the spread of the values, which includes the noise of rays and of point positions. With one point, as

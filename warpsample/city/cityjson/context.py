@@ -1,4 +1,4 @@
-"""Surroundings of a city: a level plane, a mesh or a raster."""
+"""Terrain around a city: a level plane, a mesh or a raster of heights."""
 
 from typing import Any
 from warnings import warn
@@ -18,7 +18,7 @@ _REACH = 20.0  # margin of the plane in city diagonals; a larger one would reduc
 
 
 def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: Units) -> tuple[np.ndarray, np.ndarray]:
-    """Append the context (surrounding ground or terrain) to the vertices and faces of a city; return both in metres."""
+    """Return vertices and faces, in metres, of a city together with the ground or terrain around the city."""
     if context is None:
         return points, faces
     if isinstance(context, str) and context == GROUND_PLANE:
@@ -34,7 +34,7 @@ def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: U
 
 
 def _check_gap(city: np.ndarray, context: np.ndarray) -> None:
-    """Raise a ValueError if the bounding boxes of context and city are far apart, as after a mix-up of units or maps."""
+    """Raise a ValueError if the surrounding terrain and the city are far apart, as after a mix-up of units or maps."""
     gaps = context.min(axis=0) - city.max(axis=0), city.min(axis=0) - context.max(axis=0)
     distance = float(np.hypot(*np.maximum.reduce([*gaps, np.zeros(3)])[:2]))
     if distance > _FARTHEST:

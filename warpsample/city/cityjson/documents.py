@@ -33,7 +33,7 @@ def read_each(content: bytes, read: Callable[[int, Part], None]) -> None:
 
 
 def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None]) -> bytes:
-    """Apply `edit(number, document)` to each JSON document of a CityJSON file; return the bytes of the changed file.
+    """Return the bytes of a CityJSON file after `edit(number, document)` has changed each JSON document.
 
     Members keep their order and numbers their spelling; white space between members is removed.
     """
@@ -49,7 +49,7 @@ def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None])
 
 
 def _split_lines(content: bytes) -> list[bytes]:
-    """Split a CityJSON sequence into its lines; return the content of any other file as one item.
+    """Return the JSON texts in a file: the lines of a CityJSON sequence, or the whole content of another file.
 
     A sequence has several lines, and its first line is a JSON document.
     """
@@ -71,7 +71,7 @@ def _check_header(tree: Part, kind: str) -> Part:
 
 
 class _SpelledNumber:
-    """Float of a JSON file that is written back with its original text, which differs from Python's."""
+    """Float read from JSON that is written back with its original digits."""
 
     def __init__(self, text: str) -> None:
         self.text = text

@@ -1,4 +1,4 @@
-"""Faces of all objects of a CityJSON file, in world coordinates."""
+"""Reading of the surfaces of all objects of a CityJSON file, in world coordinates."""
 
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -54,7 +54,7 @@ class Geometry:
 
 @dataclass
 class Gathered:
-    """Geometries, vertices and units of the documents read so far.
+    """Surfaces read from a CityJSON file so far: geometries, vertices and units.
 
     Attributes:
         units: units of the file.
@@ -77,13 +77,13 @@ class Gathered:
 
     @property
     def all_outlines(self) -> Outlines:
-        """Outlines of all geometries in one object."""
+        """Polygons of all geometries, concatenated."""
         nothing = [Outlines(*[np.empty(0, np.int64)] * 3)]
         parts = ([getattr(each, name) for each in nothing + self.outlines] for name in ("corners", "sizes", "rings"))
         return Outlines(*map(np.concatenate, parts))
 
     def place(self, points: np.ndarray) -> int:
-        """Append vertices to the mesh in the making, and return the index of the first appended vertex.
+        """Append vertices to the vertices read so far, and return the index of the first appended vertex.
 
         Raises:
             ValueError: a vertex is too far from the origin to be traced.
@@ -95,7 +95,7 @@ class Gathered:
         return self._offset - len(points)
 
     def add(self, geometry: Geometry, outlines: Outlines, semantics: np.ndarray, first: int) -> None:
-        """Append a geometry to the mesh in the making; its corners are numbered from the vertex `first`.
+        """Append a geometry to the geometries read so far; `first` is the index of the geometry's first vertex.
 
         Raises:
             MemoryError: the triangles of all geometries would need more memory than is free.
@@ -125,14 +125,14 @@ class Head:
         return {}
 
     def outlines(self, template: Part) -> Outlines:
-        """Return the outlines of the faces of a template geometry; each template is read once."""
+        """Return the polygons of a template geometry, from a cache if possible."""
         if template.path not in self._outlines:
             self._outlines[template.path] = read_outlines(template, len(self.template_points))
         return self._outlines[template.path]
 
     @cached_property
     def template_points(self) -> np.ndarray:
-        """Vertices of the template geometries, (V, 3) float64."""
+        """Vertices of the geometries that several city objects share as templates, (V, 3) float64."""
         found = self.tree.part("geometry-templates")
         return _read_rows(found.content.get("vertices-templates"), found.at("vertices-templates"))
 
@@ -191,7 +191,7 @@ def _add_document(found: Gathered, head: Head, tree: Part, number: int, lod: flo
 
 @dataclass(frozen=True)
 class _Place:
-    """One city object while it is read, with its JSON document and the vertices of this document.
+    """City object that is being read, with the vertices of its JSON document.
 
     The vertices are numbered from `first` in the mesh.
     """
@@ -233,7 +233,7 @@ def _read_types(geometry: Part, faces: int) -> tuple[list[str], np.ndarray]:
 def _place_template(
     placed: Part, outlines: Outlines, template: np.ndarray, points: np.ndarray
 ) -> tuple[Outlines, np.ndarray]:
-    """Copy a template geometry to where a city object places it; return the outlines and vertices of the copy.
+    """Copy a template geometry to its place in the city; return the polygons and vertices of the copy.
 
     The order of corners is reversed if the transformation matrix mirrors.
     """

@@ -1,4 +1,4 @@
-"""Types of surfaces: from semantics or, for built objects without semantics, from normals."""
+"""Types of a city's surfaces (roof, wall, ground), from the file or from normals."""
 
 import numpy as np
 

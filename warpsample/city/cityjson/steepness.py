@@ -33,7 +33,7 @@ def looks_like_degrees(points: np.ndarray, outlines: Outlines) -> bool:
 
 
 def _mostly_steep(extents: np.ndarray, least: float) -> bool:
-    """Return True if most boxes (N, 3) that are higher than `least` are too steep."""
+    """Return True if most boxes with the extents (N, 3) are steeper than buildings are; only boxes above `least` count."""
     high = extents[extents[:, 2] > least]
     return bool(len(high)) and bool(np.median(high[:, 2] - _STEEP * np.hypot(high[:, 0], high[:, 1])) > 0.0)
 
@@ -45,7 +45,7 @@ def _extents(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
 
 
 def _bodies(corners: np.ndarray, outlines: Outlines) -> np.ndarray:
-    """Return the connected body of each corner, (C,): faces with a corner at the same place are connected."""
+    """Return the number of the connected body that contains each corner, (C,); faces with a common corner are connected."""
     face = np.repeat(np.repeat(np.arange(len(outlines.rings)), outlines.rings), outlines.sizes)
     place = np.unique(corners, axis=0, return_inverse=True)[1].ravel()
     count = len(outlines.rings) + place.max() + 1
@@ -55,7 +55,7 @@ def _bodies(corners: np.ndarray, outlines: Outlines) -> np.ndarray:
 
 
 def _plan_areas(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Return the areas (N,) of rings as seen from above."""
+    """Return the areas of rings of corners as seen from above, (N,)."""
     starts = np.cumsum(sizes) - sizes
     following = np.arange(1, len(corners) + 1)
     following[starts + sizes - 1] = starts

@@ -20,7 +20,7 @@ _TINY = 1e-6  # m2, tolerance for rounded coordinates
 
 @dataclass(frozen=True, eq=False)
 class CitySurfaces:
-    """Table of the N surfaces of a city.
+    """Table of the N surfaces of a city: object, type, level of detail and area of each.
 
     A surface is the set of faces of a geometry with the same semantic object, or a single face in a split city.
 
@@ -50,7 +50,7 @@ class CitySurfaces:
 
     @property
     def columns(self) -> dict[str, np.ndarray]:
-        """Columns of the table by name."""
+        """Columns of the table as arrays, keyed by name."""
         return {item.name: getattr(self, item.name) for item in fields(self)}
 
     def to_frame(self) -> Any:
@@ -68,7 +68,7 @@ class CitySurfaces:
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """Position in the CityJSON file, and polygons, of each row of the table of surfaces.
+    """Links from the rows of the table of surfaces to the CityJSON file: geometry, semantic object and polygons.
 
     Attributes:
         geometry: (N,) number of each surface's geometry.
@@ -82,7 +82,7 @@ class Rows:
 
 
 def tabulate_surfaces(found: Gathered, points: np.ndarray, outlines: Outlines, split: bool) -> tuple[CitySurfaces, Rows]:
-    """Tabulate the surfaces of a city in the order of the file; return the table and the position of each row in the file.
+    """Build the table of a city's surfaces, and return (table, link of each row to the CityJSON file).
 
     With `split`, each polygon is a surface.
     """
@@ -128,7 +128,7 @@ def warn_of_overlaps(path: Path, objects: np.ndarray, covered: np.ndarray, areas
 def _classify_polygons(
     found: Gathered, geometry: np.ndarray, semantic: np.ndarray, facing: np.ndarray
 ) -> tuple[list[str], np.ndarray]:
-    """Return the names of all types, and the (P,) index of each polygon's type."""
+    """Return the surface type of each polygon: (names of all types, (P,) index of the polygon's type)."""
     names = {name: number for number, name in enumerate((*BY_NORMAL, ""))}
     starts = np.cumsum([0, *(len(one.types) for one in found.geometries)])
     of_semantics = [names.setdefault(name, len(names)) for one in found.geometries for name in one.types]

@@ -1,4 +1,4 @@
-"""Units of a CityJSON file: factors from its coordinates to metres, by `metadata.referenceSystem`."""
+"""Units of a CityJSON file's coordinates, from its reference system, and factors to metres."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +19,7 @@ _KEY = "referenceSystem"
 
 @dataclass(frozen=True)
 class Units:
-    """Reference system of a file and its units of length.
+    """Coordinate reference system of a CityJSON file, with factors from its units to metres.
 
     Attributes:
         name: name of the reference system in the file; "" without one.

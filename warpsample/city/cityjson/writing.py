@@ -1,4 +1,4 @@
-"""Results as attributes in a CityJSON file, on surfaces and on city objects; everything else stays the same."""
+"""Writing of results into a CityJSON file, as attributes of surfaces and city objects."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from copy import deepcopy
@@ -25,7 +25,7 @@ Results = Mapping[str, np.ndarray]
 
 
 class Editor:
-    """Writer that adds results of surfaces to the JSON documents of the CityJSON file that the surfaces come from."""
+    """Editor of a CityJSON file that adds computed results to its surfaces and city objects."""
 
     geometries: Sequence[Geometry]
     surfaces: CitySurfaces
@@ -44,7 +44,7 @@ class Editor:
         self.starts: Any = np.searchsorted(rows.geometry, np.arange(len(geometries) + 1)).tolist()
 
     def edit(self, number: int, document: dict[str, Any]) -> None:
-        """Add the results to one JSON document of the CityJSON file, in place."""
+        """Write the results of the surfaces into one JSON document of the CityJSON file, in place."""
         below: dict[str, list[int]] = {}
         for at in self.numbers.get(number, ()):
             geometry, held = self.geometries[at], range(self.starts[at], self.starts[at + 1])
@@ -99,12 +99,12 @@ def add_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.nd
 
 
 def _format_finite(cells: Mapping[str, float]) -> Iterator[tuple[str, float]]:
-    """Yield names and values of all finite results, rounded to 7 significant digits; NaN and infinity are left out."""
+    """Yield (name, value) of all finite results, rounded to 7 significant digits."""
     return ((name, float(f"{value:.{_DIGITS}g}")) for name, value in cells.items() if isfinite(value))
 
 
 def _split_semantics(geometry: dict[str, Any], semantic: list[int], types: list[str]) -> list[int | None]:
-    """Split the semantic objects of a geometry, in place, so that no two faces with a type share a semantic object.
+    """Give each face of a geometry a semantic object of its own, in place, so that each face can have its own results.
 
     Return the number of the semantic object of each face, None for faces without a type.
     """

@@ -262,7 +262,7 @@ def _compute_tiles(quantity: Quantity, source: Any, options: dict[str, Any], *, 
 def run_of(
     quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str
 ) -> tuple[RasterRun, dict[str, Any]]:
-    """Check the arguments of a call of `warpsample.rasters`; return the run, and the options as attributes of a Dataset.
+    """Check the arguments of a call of `warpsample.rasters`; return (computation to run, attributes of the Dataset).
 
     Raises:
         TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
@@ -301,7 +301,7 @@ def _check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
 
 
 def _attributes(quantity: Quantity, source: Any, attributes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the attributes of the resulting Dataset: definition, unit, source, version and options.
+    """Return the attributes of a result's Dataset: definition, unit, source, version and options.
 
     All values are numbers or strings.
     """

@@ -43,13 +43,13 @@ class Crowns:
 
     @property
     def any(self) -> bool:
-        """Boolean, True if there is at least one crown."""
+        """True if there is at least one tree crown."""
         return bool((~np.isnan(self.top)).any())
 
 
 @dataclass(frozen=True, eq=False)
 class Canopy:
-    """Checked input rasters of tree crowns, whose heights are not read yet.
+    """Input rasters of tree crowns (tops and trunk heights), checked but not read yet.
 
     Attributes:
         top: Raster of the crowns' tops, on the cells of the ground.
@@ -151,7 +151,7 @@ def _place_quadrilaterals(grid: Grid, corners: list[tuple[np.ndarray, np.ndarray
 
 
 def _read_on_same_cells(ground: RasterReader, source: Any, argument: str) -> RasterReader:
-    """Return a reader of a raster of tree crowns, after a check that its cells equal the cells of the ground's raster.
+    """Open a raster of tree crowns, after a check that it has the same cells as the raster of the ground.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: An invalid raster, or other cells; the message names the argument.

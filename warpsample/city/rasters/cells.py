@@ -21,7 +21,7 @@ _RING = ((0, 0), (0, 1), (1, 1), (1, 0))
 
 @dataclass(frozen=True, eq=False)
 class _Corners:
-    """Vertices at the corners of the cells; a corner has one vertex for each group of linked cells.
+    """Vertices at the corners of raster cells: one for each group of cells of similar height that meet at the corner.
 
     number: (4, rows + 1, columns + 1) int32, vertex of each of the four cells around a corner; -1 without a cell.
     height: (V,) float64. row, column: (V,) position of each vertex.
@@ -34,7 +34,7 @@ class _Corners:
 
 
 def build_joined_cells(grid: Grid, step: float) -> Triangles:
-    """Build the triangles of a raster of heights, with vertical walls between neighbours that differ by more than a step.
+    """Build a triangle mesh of a raster of heights, with vertical walls where neighbouring cells differ by more than a step.
 
     A cell consists of four triangles around its centre, which keeps the cell's height, or of two if all corners are in one
     plane with the centre. A wall fills the gap between the edges of two cells and faces away from the upper cell. There are
@@ -59,7 +59,7 @@ def build_joined_cells(grid: Grid, step: float) -> Triangles:
 
 
 def _build_corners(grid: Grid, step: float) -> _Corners:
-    """Build the vertices at the corners of all cells: one vertex for each group of linked cells at a corner."""
+    """Build the vertices at the corners of all cells; cells of similar height share a vertex with the mean height."""
     rows, columns = grid.height.shape
     padded = np.pad(grid.height, 1, constant_values=np.nan)
     around = np.stack([padded[i : i + rows + 1, j : j + columns + 1] for i, j in _RING])
@@ -86,7 +86,7 @@ def _build_corners(grid: Grid, step: float) -> _Corners:
 
 
 def _mask_links(around: np.ndarray, steps: np.ndarray) -> list[np.ndarray]:
-    """Return, for each of the four cells around a corner, the mask of corners where the next cell in the ring is linked.
+    """Return four masks of the corners: whether each of the four cells there differs from the next by at most a step.
 
     Two cells are linked if their heights differ by at most a step.
     """
@@ -94,7 +94,7 @@ def _mask_links(around: np.ndarray, steps: np.ndarray) -> list[np.ndarray]:
 
 
 def _mask_linked_cells(links: list[np.ndarray], slot: int) -> np.ndarray:
-    """Return (4, ...) masks of the cells around each corner that are linked, directly or indirectly, with cell `slot`."""
+    """Return masks of the cells around each corner that share a vertex with cell number `slot`, (4, ...)."""
     members = np.zeros((4, *links[0].shape), bool)
     members[slot] = True
     for way, before in ((1, 0), (-1, -1)):
@@ -106,7 +106,7 @@ def _mask_linked_cells(links: list[np.ndarray], slot: int) -> np.ndarray:
 
 
 def _build_tops(grid: Grid, corners: _Corners) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Build the top faces of all cells; return the faces, the cell of each face, and the cells with a vertex at the centre.
+    """Build the top triangles of all cells; return (triangles, cell of each, cells that have a vertex at the centre).
 
     Centre vertices are numbered after the corners.
     """
@@ -131,7 +131,7 @@ def _build_tops(grid: Grid, corners: _Corners) -> tuple[np.ndarray, np.ndarray, 
 
 @dataclass(frozen=True, eq=False)
 class _Edges:
-    """Edges between a cell a and the next cell b in its row or column: vertices at both ends p and q, and the cells.
+    """Edges between neighbouring cells a and b: the vertices of each cell at both ends p and q of the edge.
 
     Seen from b, the end p is on the left of q. pa, qa, pb, qb: (N,) vertices. a, b: (N,) cells.
     """
@@ -158,7 +158,7 @@ def _find_edges(grid: Grid, corners: _Corners) -> Iterator[_Edges]:
 
 
 def _build_walls(grid: Grid, corners: _Corners, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Build the vertical walls between cells; return faces, the upper cell of each face, and (X, 3) additional vertices.
+    """Build the vertical walls between cells; return (triangles, upper cell of each, additional vertices (X, 3)).
 
     An additional vertex is where the edges of two neighbouring cells cross.
 

@@ -24,7 +24,7 @@ _DECLARED = re.compile(rb"<NoDataValue[^>/]*>([^<]+)<")  # in the text of a VRT
 
 @dataclass(frozen=True)
 class Coding:
-    """Coding of heights in a raster: its nodata value, scale and offset, with height = number * scale + offset.
+    """Rule to convert a raster's stored numbers to heights: number * scale + offset, NaN for the nodata value.
 
     Attributes:
         nodata: Number that marks cells without data, or None.

@@ -29,7 +29,7 @@ def digests_of(reader: RasterReader) -> np.ndarray:
 
 
 def unchanging(reader: RasterReader, digests: np.ndarray, argument: str) -> RasterReader:
-    """Return a reader of a raster that raises an error where heights differ from earlier checksums.
+    """Return a copy of a raster's reader that raises an error if heights differ from earlier checksums.
 
     Args:
         reader: Reader of the raster.
@@ -59,7 +59,7 @@ def unchanging(reader: RasterReader, digests: np.ndarray, argument: str) -> Rast
 
 
 def place_of(reader: RasterReader) -> dict[str, str | float]:
-    """Describe the position of a raster on the map: its transform, its CRS (name and checksum), and its height factor."""
+    """Return texts that identify a raster's place on the map: transform, reference system and unit of heights."""
     crs = reader.crs and f"{reader.crs.name}, {sha256(reader.crs.to_wkt().encode()).hexdigest()[:16]}"
     transform = " ".join(repr(float(number)) for number in reader.transform[:6])
     return {"transform": transform, "crs": crs or "none", "factor": reader.factor}
@@ -78,6 +78,6 @@ def _hash_blocks(heights: np.ndarray) -> np.ndarray:
 
 
 def _split_blocks(heights: np.ndarray, axis: int) -> Iterator[np.ndarray]:
-    """Split an array along an axis into pieces with the length of a block."""
+    """Split an array along an axis into blocks, and return an iterator over the blocks; the last one may be shorter."""
     starts = range(_BLOCK[axis], heights.shape[axis], _BLOCK[axis])
     return iter(np.split(heights, starts, axis))

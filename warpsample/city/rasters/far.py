@@ -1,4 +1,4 @@
-"""Bounds of distant terrain: upper columns block at least the rays that the terrain blocks, lower columns at most those.
+"""Simplified terrain far from a tile: columns too high and columns too low, between which the true result lies.
 
 Around a tile and its margin, cells of the raster are pooled to their highest and lowest heights, in rings. Cells of a ring
 double in size when the distance doubles; their size is a fiftieth of the distance. A coarser raster covers the terrain
@@ -26,7 +26,7 @@ _ALMOST = 1e-6  # rounding of corner coordinates, in cells
 
 @dataclass(frozen=True, eq=False)
 class Bounds:
-    """Upper and lower bounds of the terrain's heights in the cells of a coarse raster.
+    """Upper and lower bounds of the heights of the terrain in each cell of a coarse raster.
 
     Attributes:
         upper: (rows, columns) float64 upper bounds; NaN in cells without data.
@@ -41,7 +41,7 @@ class Bounds:
 
 @dataclass(frozen=True, eq=False)
 class FarField:
-    """Distant terrain outside the margins of tiles, pooled to upper and lower bounds in cells that grow with distance.
+    """Simplified distant terrain of a raster: upper and lower bounds of heights, in cells that grow with distance.
 
     Attributes:
         own: The raster's own cells, pooled in blocks of `size` x `size`.
@@ -59,7 +59,7 @@ class FarField:
     def of(
         cls, reader: RasterReader, other: RasterReader | None, *, margin: int, model: str, canopy: Canopy | None = None
     ) -> "FarField":
-        """Pool a whole raster of heights to bounds in coarse cells, and read the raster of the terrain beyond its edges.
+        """Compute bounds of a raster's heights in coarse cells, and read the raster of the terrain beyond its edges.
 
         Args:
             reader: Reader of the raster.
@@ -75,7 +75,7 @@ class FarField:
         return cls(_pool_raster(reader, canopy, size, int(model != "block")), beyond, size, reader.outline)
 
     def columns(self, tile: tuple[slice, slice], near: tuple[slice, slice], lowest: float) -> list[Columns]:
-        """Return two functions that build the distant terrain of a tile as columns with upper and with lower heights.
+        """Return two functions that build a tile's distant terrain as triangles: with too high and with too low columns.
 
         The list is empty if there is no terrain outside the full-resolution part.
 
@@ -90,7 +90,7 @@ class FarField:
         return [partial(self._build_columns, levels, which, floor) for which in (0, 1)] if levels else []
 
     def _build_columns(self, levels: list[tuple[np.ndarray, np.ndarray, Affine]], which: int, floor: float) -> Part:
-        """Build the triangles of all distant columns, with upper heights (`which` = 0) or lower heights (`which` = 1)."""
+        """Build the triangles of all columns of distant terrain, at upper (`which` = 0) or lower (`which` = 1) bounds."""
         return join_triangles([self._build_prisms(level[which], level[2], floor) for level in levels])
 
     def window_of(self, tile: tuple[slice, slice], margin: int) -> tuple[slice, slice]:
@@ -105,7 +105,7 @@ class FarField:
     def _pool_rings(
         self, tile: tuple[slice, slice], near: tuple[slice, slice]
     ) -> list[tuple[np.ndarray, np.ndarray, Affine]]:
-        """Pool the terrain around a tile in rings with growing cells.
+        """Return bounds of the terrain's heights around a tile, in rings of cells that grow with distance.
 
         Return the upper heights, the lower heights and the transform of each ring.
         """
@@ -139,7 +139,7 @@ class FarField:
         return [(min(y), max(y)), (min(x), max(x))]
 
     def _pool_window(self, window: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
-        """Pool the terrain in a window to blocks of `size` x `size` cells.
+        """Return bounds of the terrain's heights in a window, in blocks of `size` x `size` cells.
 
         Return the upper heights, the lower heights and the transform of the blocks.
         """
@@ -166,7 +166,7 @@ class FarField:
         return within[0][:, None] & within[1], outside[0][:, None] | outside[1]
 
     def _read_other(self, near: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
-        """Return the bounds of the surrounding raster's heights inside a window, only beyond the edge of the tiled raster.
+        """Return bounds of heights of the terrain beyond the raster's edge, inside a window, from the surrounding raster.
 
         Blocks are large, or small where the edge cuts a large block.
         """
@@ -182,7 +182,7 @@ class FarField:
     def _lower_by_curvature(
         self, tile: tuple[slice, slice], upper: np.ndarray, lower: np.ndarray, where: Affine
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Lower the upper and lower heights of distant terrain by the Earth's curvature, less atmospheric refraction.
+        """Lower bounds of distant heights by the drop due to the Earth's curvature, less atmospheric refraction.
 
         Upper heights are reduced for the smallest distance from the tile, lower heights for the largest.
         """
@@ -205,7 +205,7 @@ class FarField:
 
 
 def _pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, grow: int) -> Bounds:
-    """Pool a raster to the highest and lowest height of each block of `size` x `size` cells.
+    """Compute the highest and lowest height in each block of `size` x `size` cells of a raster.
 
     The lower height is NaN for a block with cells without data, and for a block that the raster's edge cuts.
     """
@@ -243,7 +243,7 @@ def _widen_extremes(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarra
 
 
 def _scatter_extremes(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
-    """Resample bounds of heights to another lattice of cells.
+    """Resample upper and lower bounds of heights to another grid of cells.
 
     Return the highest and lowest height of all raster cells that overlap each lattice cell.
     """
@@ -266,7 +266,7 @@ def _scatter_extremes(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> 
 
 
 def _find_overlap(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[Any, Any, Any]:
-    """Return the rows and columns of a raster that overlap a lattice, and the lattice cells that each one overlaps."""
+    """Return the cells of a raster that overlap another grid, and the range of grid cells that each one overlaps."""
     to_lattice = ~where @ bounds.transform
     corners = [~to_lattice @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), (shape[1], shape[0]))]
     ends = []
@@ -286,7 +286,7 @@ def _find_overlap(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tupl
 
 
 def _mask_covered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> np.ndarray:
-    """Return a mask of the cells of a lattice that lie entirely within a raster."""
+    """Return a mask of the cells of a grid that lie entirely within a raster."""
     row, column = np.mgrid[: shape[0] + 1, : shape[1] + 1]
     a, b, c, d, e, f = (~bounds.transform @ where)[:6]
     x, y = a * column + b * row + c, d * column + e * row + f

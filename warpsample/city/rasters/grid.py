@@ -89,7 +89,7 @@ class Grid:
 
 @dataclass(frozen=True, eq=False)
 class Triangles:
-    """Triangles of a raster's surface, tops before walls.
+    """Triangle mesh of a raster's surface, with the raster cell that each triangle belongs to.
 
     Attributes:
         vertices: (V, 3) float64 map positions.

@@ -1,4 +1,4 @@
-"""Warp kernel of `horizons`: for each point, rays search for the horizons of azimuths, a chunk of azimuths at a time.
+"""Warp kernel that computes the visible sky of raster cells: rays search for the height of the horizon by bisection.
 
 An azimuth's interval is the range of sines of elevation that contains its horizon. "Seen fraction" is the part of an
 azimuth's sky above an elevation, weighted as the quantity requires.
@@ -47,7 +47,7 @@ _ROUNDING = wp.constant(wp.float64(2.0**-23))
 
 @wp.struct
 class HorizonRows:
-    """Kernel arguments: scalars, addresses of the points' arrays, and addresses of the results.
+    """Kernel argument of the horizon search: numbers, and addresses of the points' arrays and of the results.
 
     placement: points, with ids. normals: (P, 3) float32. azimuths: number per point. per_azimuth: rays per azimuth.
     cosine: 1 for weights by the cosine to the normal, 0 for weights by solid angle. skip: 1 to start rays outside empty
@@ -73,7 +73,7 @@ HorizonRowsArgs = type(HorizonRows().__ctype__())
 
 @wp.func
 def _plane_of(along: wp.float32, up: wp.float32) -> wp.float32:
-    """Return the sine of the elevation of the receiver's own plane in an azimuth, or 0 if the plane is below the horizon.
+    """Return the sine of the elevation, at least 0, at which a tilted receiver's own plane hides the sky in an azimuth.
 
     along, up: components of the normal along the azimuth and upwards.
     """
@@ -82,7 +82,7 @@ def _plane_of(along: wp.float32, up: wp.float32) -> wp.float32:
 
 @wp.func
 def _seen_above(sine: wp.float64, along: wp.float64, up: wp.float64, cosine: wp.int32) -> wp.float64:
-    """Return the seen fraction of an azimuth's sky above a horizon; the mean over all azimuths is the value of the point.
+    """Return the fraction of the sky that is visible in one azimuth above a horizon with the given sine of elevation.
 
     cosine = 0: 1 - s with the sine s of the horizon. Else up (1 - s^2) + along (acos(s) - s sqrt(1 - s^2)).
     """
@@ -96,7 +96,7 @@ def _seen_above(sine: wp.float64, along: wp.float64, up: wp.float64, cosine: wp.
 
 @wp.func
 def _density(sine: wp.float64, along: wp.float64, up: wp.float64) -> wp.float64:
-    """Return the density in the sine of the cosine-weighted seen fraction, at least 0.
+    """Return how fast the visible fraction of an azimuth's sky decreases with the sine of the horizon, at least 0.
 
     It is minus the derivative of `_seen_above`.
     """
@@ -105,7 +105,7 @@ def _density(sine: wp.float64, along: wp.float64, up: wp.float64) -> wp.float64:
 
 @wp.func
 def _as_dense(low: wp.float64, high: wp.float64, u: wp.float64, along: wp.float64, up: wp.float64) -> wp.float64:
-    """Map u in [0, 1] to a sine between `low` and `high` with the density of `_density`.
+    """Sample a sine of elevation between `low` and `high` from u in [0, 1], with a probability density like `_density`.
 
     Start from the solution for a linear density, then do two steps of Newton's method.
     """
@@ -124,7 +124,7 @@ def _as_dense(low: wp.float64, high: wp.float64, u: wp.float64, along: wp.float6
 
 @wp.func
 def _turn(rows: HorizonRows, point: ShadingPoint, at: wp.int32, length: wp.int32):
-    """Write the azimuths from number `at` on, each with an interval from the receiver's own plane to 1."""
+    """Start the horizon search in `length` azimuths: the horizon is between the receiver's own plane and the zenith."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     key = stream_key(point.key, wp.uint32(0))
     n = point.n
@@ -144,7 +144,7 @@ def _turn(rows: HorizonRows, point: ShadingPoint, at: wp.int32, length: wp.int32
 
 @wp.func
 def _choose_tilted(point: ShadingPoint, length: wp.int32):
-    """Write the sines of the last rays of a tilted receiver, drawn within the intervals with the density of `_density`."""
+    """Sample the elevations of the last rays of a tilted receiver, within the intervals that contain the horizons."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     up = wp.float64(point.n[2])
     for k in range(length):
@@ -155,7 +155,7 @@ def _choose_tilted(point: ShadingPoint, length: wp.int32):
 
 @wp.func
 def _aim(rows: HorizonRows, point: ShadingPoint, length: wp.int32, last: wp.bool, tilted: wp.bool):
-    """Write ray directions to the middles of the intervals; last rays have random sines weighted by the seen fraction."""
+    """Aim a ray in each azimuth at the middle of the interval with the horizon, or a last ray at a random height in it."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     chunk = point.chunk
     even = rows.cosine == 0
@@ -178,7 +178,7 @@ def _aim(rows: HorizonRows, point: ShadingPoint, length: wp.int32, last: wp.bool
 
 @wp.func
 def _narrow(point: ShadingPoint, length: wp.int32, blocked: wp.uint64):
-    """Halve the intervals: above a blocked ray, below a free ray."""
+    """Halve the interval that contains the horizon in each azimuth: keep the part above a blocked, below a free ray."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     for k in range(length):
         if (blocked & ray_set(k)) != NO_RAYS:
@@ -191,7 +191,7 @@ def _narrow(point: ShadingPoint, length: wp.int32, blocked: wp.uint64):
 def _add_azimuth(
     sums: _Sums, low: wp.float64, high: wp.float64, free: wp.bool, along: wp.float64, up: wp.float64, cosine: wp.int32
 ) -> _Sums:
-    """Add one azimuth with the final interval (low, high) to the sums of value and variance.
+    """Return the sums for value and variance with one more azimuth, whose horizon is between `low` and `high`.
 
     Args:
         sums: Sums over the preceding azimuths, in their order around the point.
@@ -226,7 +226,7 @@ def _add_azimuth(
 
 @wp.func
 def _add_chunk(rows: HorizonRows, point: ShadingPoint, sums: _Sums, length: wp.int32, blocked: wp.uint64) -> _Sums:
-    """Add the azimuths of a chunk to the sums, after all rays of the chunk."""
+    """Return the sums for value and variance with `length` more azimuths, after all their rays."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     for k in range(length):
         along = wp.float64(point.n[0] * own[_EAST + k] + point.n[1] * own[_NORTH + k])
@@ -241,7 +241,7 @@ def _add_chunk(rows: HorizonRows, point: ShadingPoint, sums: _Sums, length: wp.i
 def _look_around(
     rows: HorizonRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, at: wp.int32, sums: _Sums
 ) -> _Sums:
-    """Trace the rays of a chunk of azimuths, and add the azimuths to the sums."""
+    """Search for the horizon in several azimuths, starting with number `at`, and add the results to the sums."""
     length = wp.min(CHUNK, rows.azimuths - at)
     tilted = rows.cosine != 0 and (point.n[0] != 0.0 or point.n[1] != 0.0)
     anything = tree.starts != 0 or local != 0
@@ -260,7 +260,7 @@ def _look_around(
 
 @wp.func
 def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64) -> wp.float64:
-    """Return the variance of the mean over the azimuths, estimated from horizons and last rays; see README.md.
+    """Return the variance of a point's visible sky fraction, estimated from how its horizons vary between azimuths.
 
     whole: value of the receiver under an unobstructed sky.
     """
@@ -288,7 +288,7 @@ def _own_plane_error(n: wp.vec3, azimuths: wp.float64) -> wp.float64:
 
 @once
 def horizon_kernel() -> wp.Kernel:
-    """Build the kernel that computes value and standard error of each point; tasks follow the order of the placement."""
+    """Build the kernel that computes the visible sky fraction of each point and its standard error."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def see_sky(rows: HorizonRows, tree: Accelerator, first_task: wp.int64):

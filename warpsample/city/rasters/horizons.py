@@ -34,7 +34,7 @@ _OPTIONS = ("count", "max_distance", "seed", "skip", "workers", "progress")
 
 
 def finds_horizons(quantity: Quantity, options: dict[str, Any]) -> bool:
-    """Return True if a search for the horizon in each azimuth can compute a quantity with the given options.
+    """Return whether a quantity can be computed by a search for the horizon in each azimuth, with the given options.
 
     The quantity must be a sky view, and all options must be those that the search knows.
     """
@@ -63,7 +63,7 @@ def sky_by_horizons(quantity: Quantity, mesh: Mesh, points: SurfacePoints, optio
 
 
 def _search_horizons(plan: Plan, reach: float, cosine: bool) -> Seen:
-    """Run the kernel that searches for horizons at all points; return value, errors, ray counts and status of each point."""
+    """Compute the visible sky of all points by searching for horizons; return value, errors, ray counts and status."""
     points, options = len(plan.at), plan.options
     found = {name: np.zeros(points, kind) for name, kind in _ARRAYS.items()}
     if not points:
@@ -89,7 +89,7 @@ def _search_horizons(plan: Plan, reach: float, cosine: bool) -> Seen:
 
 
 def _collect_results(found: dict[str, np.ndarray]) -> Seen:
-    """Add the half widths of 95 % confidence intervals to the results of the kernel."""
+    """Build the result from the kernel's arrays, with half widths of 95 % confidence intervals."""
     return Seen(half_width=half_width_of_normal(found["standard_error"]), **found)
 
 

@@ -1,4 +1,4 @@
-"""Confidence intervals of rasters: half widths at 95 %, and intervals of other levels computed from half widths."""
+"""Confidence intervals of results on rasters: half widths at 95 %, and conversion to other levels."""
 
 from typing import Any
 
@@ -22,6 +22,19 @@ def half_width_of(found: Any) -> np.ndarray:
     if isinstance(found, Estimate):
         return interval_of(np.float32(0.0), found.spread, found.degrees_of_freedom, _LEVEL).upper
     return half_width_of_normal(found.standard_error)
+
+
+def standard_error_of(found: Any) -> np.ndarray:
+    """Return the standard error at each point of a result, (P,) float32: at least the half width over 2.26, as for horizons.
+
+    The standard error of an estimate is 0 where the rays of each stratum agree, as below a crown with a small gap. It stays
+    0 only at points without a value, and at points without rays that are proven to see the whole sky.
+    """
+    if not isinstance(found, Estimate):
+        return found.standard_error
+    least = (half_width_of(found) / half_width_of_normal(np.float32(1.0))).astype(np.float32)
+    is_open = (found.rays == 0) & (found.value == 1.0)
+    return np.where(is_open, found.standard_error, np.maximum(found.standard_error, least))
 
 
 def half_width_of_normal(standard_error: np.ndarray) -> np.ndarray:

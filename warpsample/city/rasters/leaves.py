@@ -1,4 +1,4 @@
-"""Results with light that tree crowns transmit: two runs by the same rays, with opaque crowns and without crowns.
+"""Quantities with translucent tree crowns, computed as weighted sums of results with opaque and without crowns.
 
 Crowns transmit a fixed fraction of light, however many crowns a ray crosses (Lindberg2011). With B the result with opaque
 crowns and A the result without crowns, the result is B + share * (A - B). Both use the same rays, so their errors are
@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.intervals import half_width_of
+from warpsample.city.rasters.intervals import half_width_of, standard_error_of
 from warpsample.city.rasters.scenery import Scenery, Seen
 from warpsample.estimate.plan import Plan
 from warpsample.estimate.quantities.record import Quantity
@@ -59,7 +59,7 @@ def shares_of_hours(transmittance: np.ndarray, hours: np.ndarray) -> np.ndarray:
 
 
 def _day_of_year(day: np.datetime64) -> int:
-    """Return the number of a day in a year without 29 February, counted from 0.
+    """Return the index of a date in a year without 29 February, counted from 0.
 
     The year itself is ignored, because weather files of typical years join months of several years.
     """
@@ -69,7 +69,7 @@ def _day_of_year(day: np.datetime64) -> int:
 
 
 def estimate_through_crowns(scenery: Scenery, transmittance: np.ndarray, call: Callable[[Mesh], Any]) -> Seen:
-    """Compute a quantity that does not depend on time, with light that tree crowns transmit.
+    """Compute a quantity that does not depend on time, under tree crowns that transmit a fraction of the light.
 
     Args:
         scenery: Scenes with and without crowns.
@@ -86,7 +86,7 @@ def compute_through_crowns(
     options: dict[str, Any],
     transmittance: np.ndarray,
 ) -> Seen:
-    """Compute a quantity at points of a surface, with light that tree crowns transmit.
+    """Compute a quantity at points of a surface, under tree crowns that transmit a fraction of the light.
 
     The hours are separate if the transmittance depends on the date.
     """
@@ -126,7 +126,7 @@ def compute_irradiation_through(
     count: int,
     options: RayOptions,
 ) -> Irradiation:
-    """Compute the irradiation at points of a surface, with light that tree crowns transmit.
+    """Compute the irradiation at points of a surface, under tree crowns that transmit a fraction of the light.
 
     The arguments are those of `irradiation` and `received`.
     """
@@ -161,7 +161,7 @@ def count_suns_through(
 
 
 def _list_views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[], Mesh], np.ndarray], ...]:
-    """Return a function that builds the mesh, and the weight of its result, for the scenes with and without crowns."""
+    """Return (function that builds the mesh, weight of its result) for the scene with crowns and for the one without."""
     if scenery.with_crowns is None:
         return ((scenery.without_crowns, np.ones_like(shares)),)
     return (scenery.with_crowns, 1.0 - shares), (scenery.without_crowns, shares)
@@ -169,7 +169,7 @@ def _list_views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[]
 
 def _scale_estimate(found: Any, share: np.ndarray) -> Seen:
     """Multiply the value and the errors of an estimate by `share`."""
-    numbers = found.value, found.standard_error, half_width_of(found)
+    numbers = found.value, standard_error_of(found), half_width_of(found)
     value, error, half = (np.float32(share * array.astype(np.float64)) for array in numbers)
     return Seen(value, error, half, found.rays, found.status)
 

@@ -83,11 +83,21 @@ class RasterSurface(Summary):
             top = self.kind == TOP
             crosses, place = self.mesh.cross_products[top].T, np.searchsorted(cells, self.cell[top])
             normal = unit_or_zero(np.stack([np.bincount(place, axis, len(cells)) for axis in crosses], axis=1))
-        raised = np.ones(len(cells), bool) if self.model == "tin" else None  # where points are vertices without walls
+        raised = self._mask_peaks(cells)
         return SurfacePoints(self.grid.centres(cells), normal, id=cells.astype(np.uint64), raised=raised), cells
 
+    def _mask_peaks(self, cells: np.ndarray) -> np.ndarray | None:
+        """Return the mask of the given cells with a vertex at the centre, where facets of any slope meet; None for no cell.
+
+        Such cells are all cells of "tin", and the cells of four triangles.
+        """
+        if self.model == "tin":
+            return np.ones(len(cells), bool)
+        peaks = np.bincount(self.cell[self.kind == TOP], minlength=self.grid.height.size)[cells] == 4
+        return peaks if peaks.any() else None
+
     def to_raster(self, values: Any, cell: np.ndarray) -> xr.DataArray:
-        """Arrange one number per cell as a georeferenced raster (xarray.DataArray).
+        """Convert one number per cell to a georeferenced raster (xarray.DataArray).
 
         Args:
             values: (P,) numbers.

@@ -1,4 +1,4 @@
-"""Reader of a checked raster; heights are read on demand, in whole or in part."""
+"""Reader of a raster of heights, which reads any part of the raster on demand."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -41,7 +41,7 @@ class RasterReader:
 
     @property
     def outline(self) -> Grid:
-        """Grid with the position of the raster's cells; all heights are NaN and take no memory."""
+        """Position and shape of the raster's cells, as a `Grid` whose heights are all NaN."""
         nothing = np.broadcast_to(np.nan, self.shape)
         return Grid(nothing, self.transform, self.crs, self.metres, self.dims, self.coordinates)
 

@@ -25,6 +25,7 @@ from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reference import (
     REPROJECT,
     check_unit,
+    check_upward,
     crs_of,
     describe_stretch,
     height_metres_of,
@@ -54,7 +55,7 @@ def check_heights(grid: Grid) -> Grid:
 
 
 def reader_of(source: Any) -> RasterReader:
-    """Return the checked reader of a raster of heights; heights are not read yet.
+    """Open a raster of heights (file, DataArray, or array with transform), and return a reader; no heights are read yet.
 
     Args:
         source: Path of a raster with one band that GDAL reads; an xarray.DataArray (NumPy or Dask) of two dimensions, or
@@ -62,7 +63,7 @@ def reader_of(source: Any) -> RasterReader:
             without data are masked, NaN, infinite, beyond 1e30, the raster's nodata value, or -9999, -99999, -32767, -32768.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: Another object, several bands, a CRS in degrees, or no place on a map.
+        TypeError, ValueError, FileNotFoundError: Another object, several bands, degrees, depths, or no place on a map.
 
     Warns:
         UserWarning: Unknown unit of heights with coordinates in another unit than metres; an unsupported unit; or a map on
@@ -78,7 +79,7 @@ def reader_of(source: Any) -> RasterReader:
 
 
 def ground_of(source: Any) -> RasterReader:
-    """Return the reader of a call's main raster; without a CRS, coordinates are taken as metres.
+    """Open the main raster of a call, and return a reader; without a CRS, coordinates are taken as metres.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: As `reader_of`; or no CRS, and coordinates that must be degrees.
@@ -100,7 +101,7 @@ def ground_of(source: Any) -> RasterReader:
 
 
 def _file_reader(path: str) -> RasterReader:
-    """Return the reader of a raster file."""
+    """Open a raster file with rasterio, and return a reader of its heights."""
     with _open_raster(path) as file:
         bands = [n for n, colour in enumerate(file.colorinterp, 1) if colour != ColorInterp.alpha]
         if len(bands) != 1:
@@ -109,6 +110,7 @@ def _file_reader(path: str) -> RasterReader:
         if file.driver == "AAIGrid" and Path(path).is_file():
             check_arc_grid(path, file.shape)
         band = bands[0]
+        check_upward(file.tags() | file.tags(band))
         read = partial(_band, path, band, Coding.of_file(path, file, band))
         return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or _read_prj_unit(path), read)
 
@@ -121,7 +123,7 @@ def _read_prj_unit(path: str) -> str:
 
 
 def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> np.ndarray:
-    """Read a part of a file's heights; the file is opened each time, because GDAL's files are not shared between threads."""
+    """Read the heights in some rows and columns of a raster file, which is opened and closed each time."""
     with _open_raster(path) as file:
         window = Window.from_slices(rows, columns)
         heights = coding.heights(file.read(band, window=window))
@@ -130,7 +132,7 @@ def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> 
 
 
 def _data_array_reader(array: xr.DataArray) -> RasterReader:
-    """Return the reader of an xarray.DataArray."""
+    """Check an xarray.DataArray of heights, and return a reader of the heights."""
     try:
         dims = array.rio.y_dim, array.rio.x_dim
     except MissingSpatialDimensionError:
@@ -141,6 +143,7 @@ def _data_array_reader(array: xr.DataArray) -> RasterReader:
     if any(size != 1 for size in others.values()):
         raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want y and x alone: one band")
     array = array.isel(dict.fromkeys(others, 0)).transpose(*dims)
+    check_upward(array.attrs)
     coding, unit = Coding.of_array(array), str(array.attrs.get("units") or array.attrs.get("unit") or "")
     coordinates = {name: array.coords[name].variable for name in dims if name in array.coords}
     if not array.size:
@@ -157,7 +160,7 @@ def _data_array_reader(array: xr.DataArray) -> RasterReader:
 
 
 def _array_reader(array: Any, transform: Any, crs: Any) -> RasterReader:
-    """Return the reader of an array with a transform and a CRS."""
+    """Check an array of heights with a transform and a CRS, and return a reader of the heights."""
     masked = np.ma.getmask(array)
     values = as_real(np.ma.getdata(array) if masked is not np.ma.nomask else array, "source", "an array of real numbers")
     masked = np.broadcast_to(masked, values.shape)
@@ -185,7 +188,7 @@ def _reader(
     dims: tuple[str, str] = ("y", "x"),
     coordinates: Mapping[str, Any] | None = None,
 ) -> RasterReader:
-    """Return a checked reader that converts heights to the unit of the coordinates."""
+    """Build a reader that converts heights to the unit of the horizontal coordinates, after checks."""
     check_cells(transform, shape)
     found = crs_of(crs)
     metres, height_metres, unknown = metres_of(found), height_metres_of(found, unit), unit.strip()
@@ -215,7 +218,7 @@ def files_read(path: str) -> list[Path]:
 
 @contextmanager
 def _open_raster(path: str) -> Iterator[Any]:
-    """Open a file with rasterio.
+    """Open a raster file with rasterio within a `with` statement.
 
     Raises:
         FileNotFoundError: The file does not exist.

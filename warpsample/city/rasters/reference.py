@@ -1,6 +1,7 @@
 """Information from a coordinate reference system (CRS) of a raster or of CityJSON: units, true north, and map distortion."""
 
 import re
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,7 @@ _METRES |= {
     "sft": _SURVEY_FOOT,
 }
 _ANGLE = re.compile(r"(arc|deg|grad|rad)[a-z_ -]*|°|(grid_)?(latitude|longitude)")  # units and standard names of netCDF
+_DEPTH = re.compile(r"(^|_)depth(_|$)")  # in standard names of netCDF, as sea_floor_depth_below_geoid
 _PART = re.compile(r"[?&]\d+=([^?&]+)")  # of an address of several systems: crs-compound?1=...&2=...
 _EPSG = re.compile(r"EPSG(?:/|::|:)(?:[^/:]*[/:])?(\d+)/?$", re.IGNORECASE)
 _SAME = 1.0  # m: versions of a datum differ by less, other maps by more
@@ -116,6 +118,14 @@ def check_unit(unit: str, crs: pyproj.CRS | None, what: str) -> None:
         raise ValueError(f"source: got {what} in {unit!r}, want the unit of the CRS, {metres:g} m")
 
 
+def check_upward(attributes: Mapping[str, Any]) -> None:
+    """Raise a ValueError if the attributes of an array or a band, as netCDF names them, state depths in place of heights."""
+    positive, name = (str(attributes.get(key, "")).strip().lower() for key in ("positive", "standard_name"))
+    if positive == "down" or (_DEPTH.search(name) and positive != "up"):
+        got = f"standard_name={name!r}" if positive != "down" else "positive='down'"
+        raise ValueError(f"source: got {got}, want heights (positive up); negate them, and correct the attribute")
+
+
 def height_metres_of(crs: pyproj.CRS | None, unit: str) -> float | None:
     """Return the length in metres of the unit of heights, or None if the unit is unknown.
 
@@ -160,7 +170,7 @@ def stretch_of(crs: pyproj.CRS | None, x: float, y: float) -> float:
 
 
 def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return map vectors (2,) of small steps to the north and to the east, and the ground length of the first in metres."""
+    """Return small steps to north and east at (x, y) as map vectors, and the length in metres of the step to the north."""
     try:
         to_map = pyproj.Transformer.from_crs(crs.geodetic_crs.to_2d(), _flat(crs), always_xy=True)
         longitude, latitude = to_map.transform(x, y, direction="INVERSE", errcheck=True)
@@ -174,6 +184,6 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
 
 
 def _flat(crs: pyproj.CRS) -> pyproj.CRS:
-    """Return the horizontal part of a CRS."""
+    """Return the horizontal part of a coordinate reference system, without a vertical axis."""
     flat = crs.sub_crs_list[0] if crs.sub_crs_list else crs
     return flat.source_crs if flat.is_bound else flat

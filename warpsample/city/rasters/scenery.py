@@ -1,4 +1,4 @@
-"""Meshes of a tile with and without tree crowns, built when needed, and the results at the tile's points."""
+"""Meshes of a raster tile with and without tree crowns, built when needed."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ Columns = Callable[[], Part]
 
 @dataclass(frozen=True, eq=False)
 class Scenery:
-    """Two functions that build the meshes without and with tree crowns.
+    """Pair of functions that build the mesh of a tile without and with tree crowns.
 
     The meshes are built on each call, so that only one mesh and its search tree is in memory at a time.
 
@@ -32,7 +32,7 @@ class Scenery:
 
 @dataclass(eq=False)
 class Foreground:
-    """Triangles of a tile at full resolution, shared by several scenes and held in memory once.
+    """Triangles of a raster tile at full resolution, ground and tree crowns, to which distant terrain is added.
 
     After a scene with all triangles is built, its mesh holds them.
 
@@ -45,7 +45,7 @@ class Foreground:
     ground: tuple[int, int]
 
     def add_columns(self, *columns: Columns) -> Scenery:
-        """Return the scenes of a tile with columns of distant terrain behind the full-resolution triangles.
+        """Return functions that build the tile's meshes with distant terrain added as columns.
 
         The scene without crowns gets the first columns, the scene with crowns the last ones.
         """
@@ -56,7 +56,7 @@ class Foreground:
         return Scenery(partial(self._append_columns, self.ground, *columns[:1]), with_crowns)
 
     def _append_columns(self, sizes: tuple[int, int], *columns: Columns) -> Mesh:
-        """Build a mesh of the first `sizes` vertices and faces of the foreground and of the columns of distant terrain."""
+        """Build a mesh of the tile's first `sizes` vertices and faces, followed by columns of distant terrain."""
         own = tuple(array[:size] for array, size in zip(self.triangles, sizes, strict=True))
         mesh = Mesh(*join_triangles([own, *(made() for made in columns)]))
         if len(own[1]) == len(self.triangles[1]):
@@ -66,7 +66,7 @@ class Foreground:
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """Results of a quantity at P points, with light that tree crowns transmit.
+    """Values and errors of a quantity at P points of a raster tile.
 
     Attributes:
         value: (P,) float32.

@@ -1,4 +1,4 @@
-"""Computation of a quantity tile by tile, each with a full-resolution margin and pooled columns for the terrain outside.
+"""Computation of a quantity tile by tile; terrain near a tile is traced at full resolution, distant terrain simplified.
 
 Random numbers of a cell depend on its number in the whole raster, row * columns + column. So tiles agree with the whole,
 except for the pooled terrain and for float32 rounding in another mesh.
@@ -35,7 +35,7 @@ Span = tuple[slice, slice]
 
 @dataclass(eq=False)
 class RasterRun:
-    """Computation of one quantity on a raster: its checked arguments, and the distant terrain, which the first tile reads.
+    """Computation of one quantity on a raster, tile by tile: checked arguments, and the distant terrain.
 
     Attributes:
         reader: Reader of the heights.
@@ -117,13 +117,13 @@ class RasterRun:
 
     @property
     def rasters(self) -> dict[str, RasterReader]:
-        """Input rasters, keyed by argument name."""
+        """Readers of all input rasters, keyed by argument name."""
         trees = {} if self.canopy is None else {"canopy": self.canopy.top, "trunk": self.canopy.trunk}
         given = {"source": self.reader, **trees, "far": self.other}
         return {name: raster for name, raster in given.items() if isinstance(raster, RasterReader)}
 
     def reading(self, rasters: Mapping[str, RasterReader]) -> "RasterRun":
-        """Return a copy of the run that reads other input rasters, keyed by argument name."""
+        """Return a copy of this computation that reads the given input rasters, keyed by argument name."""
         canopy = self.canopy
         if canopy is not None:
             canopy = replace(canopy, top=rasters["canopy"], trunk=rasters.get("trunk", canopy.trunk))
@@ -131,17 +131,17 @@ class RasterRun:
 
     @property
     def far(self) -> bool:
-        """True if terrain outside the margins is pooled, so that results have upper and lower bounds."""
+        """True if terrain outside the tiles' margins is simplified, so that results have upper and lower bounds."""
         return self.tile is not None or self.other is not None
 
     @cached_property
     def far_field(self) -> FarField | None:
-        """Pooled distant ground and buildings, read once; None without terrain outside the margins."""
+        """Simplified distant ground and buildings; None if all terrain is inside the tiles' margins."""
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model) if self.far else None
 
     @cached_property
     def far_field_with_trees(self) -> FarField | None:
-        """Pooled distant terrain with tree crowns included; equal to `far_field` without tree crowns."""
+        """Simplified distant terrain with tree crowns; the same as `far_field` for a raster without tree crowns."""
         if not self.far or self.canopy is None:
             return self.far_field
         return FarField.of(self.reader, self.other, margin=self.margin, model=self.model, canopy=self.canopy)
@@ -207,14 +207,14 @@ class RasterRun:
         return laid
 
     def _build_foreground(self, mesh: Mesh, grid: Grid, window: Span) -> Foreground:
-        """Build the triangles of a tile with its margin, followed by the triangles of its tree crowns."""
+        """Build the triangles of a tile and its margin at full resolution: ground first, then tree crowns."""
         ground = mesh.vertices, mesh.faces
         crowns = self.canopy and self.canopy.crowns(grid, *window)
         triangles = join_triangles([ground, build_prisms(grid, crowns)]) if crowns and crowns.any else ground
         return Foreground(triangles, tuple(map(len, ground)))
 
     def _build_scenes(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
-        """Return two scenes of a tile, with upper and with lower columns of distant terrain.
+        """Return two versions of a tile's meshes: with distant terrain that is too high, and with one that is too low.
 
         Without distant terrain there is only one scene.
         """
@@ -241,7 +241,7 @@ class RasterRun:
 
 
 def _average_bounds(found: list[Seen]) -> dict[str, np.ndarray]:
-    """Average the results with upper and with lower distant terrain; half of their difference is `far_error`."""
+    """Average two results, computed with too high and with too low distant terrain; half the difference is `far_error`."""
     upper, lower = (vars(seen) for seen in (found[0], found[-1]))
     names = ("value", "standard_error", "half_width")
     means = {name: (upper[name].astype(np.float64) + lower[name]) / 2.0 for name in names}

@@ -84,7 +84,7 @@ def _windows(size: int) -> list[slice]:
 
 
 def _impossible_relief(heights: np.ndarray, sides: np.ndarray) -> float:
-    """Return the relief of a window, or of one of its blocks, if it is too much for the sides of the cells; else 0."""
+    """Return the height difference in a window of cells if it is impossibly large for the sizes of the cells, else 0."""
     relief, least = _relief(heights), max(_PEAKS, _STEEP_TERRAIN * np.hypot(*(sides * _BLOCK)))
     if relief > _STEEP * np.hypot(*(sides * heights.shape[::-1])):
         return relief
@@ -96,7 +96,7 @@ def _impossible_relief(heights: np.ndarray, sides: np.ndarray) -> float:
 
 
 def _relief(heights: np.ndarray) -> float:
-    """Return the difference of high and low heights, apart from the highest and lowest 5 %; 0 without heights."""
+    """Return the difference between the 95th and 5th percentile of heights; 0 without heights."""
     known = heights[~np.isnan(heights)]
     return float(np.subtract(*np.percentile(known, _KEPT[::-1]))) if known.size else 0.0
 

@@ -1,1 +1,1 @@
-"""Parameters with one row for each point: their checks, the fields of distributions, and tables for kernels."""
+"""Distribution parameters that differ from point to point: arrays with one row per point, checked and passed to kernels."""

@@ -7,7 +7,14 @@ import numpy as np
 from typing_extensions import Self
 
 from warpsample.distributions.by_point.rows import as_rows, copy_rows, is_array
-from warpsample.distributions.by_point.tables import Layout, layout_of, lend_tables, tables_in, without_tables
+from warpsample.distributions.by_point.tables import (
+    Layout,
+    count_numbers,
+    layout_of,
+    lend_tables,
+    tables_in,
+    without_tables,
+)
 from warpsample.distributions.parameters import SIZES, pack_parameters, parameter_types
 from warpsample.host.arguments import check_number
 from warpsample.host.device_memory import Loan
@@ -20,21 +27,25 @@ _DIMENSIONS = {1: 0, 3: 1, 9: 2}
 
 
 class Parameterised:
-    """Base of the frozen dataclasses whose fields are parameters of a distribution; see `Distribution`."""
+    """Base of the frozen dataclasses whose fields are parameters of a distribution; see `Distribution`.
+
+    A field may hold another distribution, a nested lobe. Kernels take the parameters of nested lobes before those of
+    `parameters`, and the names of the nested parameters by point have the name of the field first: "lobe.alpha".
+    """
 
     parameters: ClassVar[tuple[str, ...]] = ()
     bounds: ClassVar[Range] = None
     maps: ClassVar[Any]
 
     def __init_subclass__(cls, **options: Any) -> None:
-        """Keep comparison, hash and text of this class, in place of those that `dataclass` would make."""
+        """Keep the methods `__eq__`, `__hash__` and `__repr__` of this class in subclasses that are dataclasses."""
         super().__init_subclass__(**options)
         for name in ("__eq__", "__hash__", "__repr__"):
             if name not in cls.__dict__:
                 setattr(cls, name, getattr(cls, name))
 
     def __post_init__(self) -> None:
-        """Check that the scalar is within its bounds, and store it as a float; copy parameters that are given by point."""
+        """Check the parameters: constants must be within their bounds; arrays with a row per point are copied."""
         for i, name in enumerate(self.parameters):
             value = getattr(self, name)
             rows = as_rows(value, name, self._dimensions(i)) if is_array(value) else None
@@ -47,16 +58,16 @@ class Parameterised:
         self._check_lengths()
 
     def _dimensions(self, i: int) -> int:
-        """Return the number of dimensions of a constant for parameter i."""
+        """Return the number of dimensions of the i-th parameter: 0 for a number, 1 for a vector, 2 for a matrix."""
         return _DIMENSIONS[SIZES[parameter_types(self.maps.sample)[i]]]
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:  # noqa: ARG002  (subclasses use the name)
-        """Return a parameter by point as a read-only float32 copy, with NaN in the rows that are out of range."""
+        """Return a read-only float32 copy of a parameter with a row per point; rows out of range become NaN."""
         bounded = self.bounds is not None and rows.ndim == 1
         return copy_rows(rows, *self.bounds) if bounded and self.bounds else copy_rows(rows)
 
     def _check_lengths(self) -> None:
-        """Raise ValueError if two parameters by point have different numbers of rows."""
+        """Raise ValueError if two parameters that are arrays have different numbers of rows."""
         tables = {name: table for name, table in self.by_point.items() if table.ndim}
         for name, table in tables.items():
             first = next(iter(tables))
@@ -70,11 +81,11 @@ class Parameterised:
         return self._content() == other._content()  # type: ignore[attr-defined]
 
     def __hash__(self) -> int:
-        """Return a hash of the parameters; for arrays of their numbers."""
+        """Return a hash of the class' parameters; arrays with equal numbers have equal hashes."""
         return hash(self._content())
 
     def __repr__(self) -> str:
-        """Return the class and the parameters; of arrays the shape only."""
+        """Return the class name and the parameters as text; of arrays, only the shape."""
         shown = ((item.name, getattr(self, item.name)) for item in fields(self) if item.repr)
         texts = (f"{name}={f'array{v.shape}' if isinstance(v, np.ndarray) else repr(v)}" for name, v in shown)
         return f"{type(self).__qualname__}({', '.join(texts)})"
@@ -84,17 +95,23 @@ class Parameterised:
         return type(self).__module__, type(self).__qualname__, *self._content()
 
     def _content(self) -> tuple[Any, ...]:
-        """Return the values of the fields, with a digest in place of each array."""
+        """Return the parameters as hashable values, with a hash in place of each array."""
         values = (getattr(self, item.name) for item in fields(self) if item.compare)
         return tuple(digest_of(value) if isinstance(value, np.ndarray) else value for value in values)
 
     @property
+    def nested(self) -> dict[str, "Parameterised"]:
+        """Nested lobes, by the name of the field that holds the lobe; empty for most distributions."""
+        return {item.name: v for item in fields(self) if isinstance(v := getattr(self, item.name), Parameterised)}
+
+    @property
     def by_point(self) -> dict[str, np.ndarray]:
         """Parameters with one row for each point, by name: (P,) or (P, 3) float32; empty if all are constants."""
-        return {item.name: v for item in fields(self) if isinstance(v := getattr(self, item.name), np.ndarray)}
+        inner = {f"{at}.{name}": table for at, lobe in self.nested.items() for name, table in lobe.by_point.items()}
+        return inner | {item.name: v for item in fields(self) if isinstance(v := getattr(self, item.name), np.ndarray)}
 
     def take(self, rows: Any) -> Self:
-        """Return the distribution of some of the points: constants stay, parameters by point have the given rows.
+        """Return the distribution for a selection of the points: parameters with a row per point keep the given rows.
 
         Args:
             rows: a slice, (N,) integers, or a (P,) bool mask.
@@ -113,26 +130,36 @@ class Parameterised:
         return self.with_tables({name: table[rows] for name, table in self.by_point.items()})
 
     def with_tables(self, tables: dict[str, np.ndarray]) -> Self:
-        """Return a copy with other arrays for parameters by point, which have been checked already; see `by_point`."""
+        """Return a copy with other arrays for the parameters that have a row per point; the arrays are not checked."""
         if not tables:
             return self
         copy = object.__new__(type(self))
         copy.__dict__.update(self.__dict__)
+        for at, lobe in self.nested.items():
+            inner = {name.removeprefix(f"{at}."): t for name, t in tables.items() if name.startswith(f"{at}.")}
+            object.__setattr__(copy, at, lobe.with_tables(inner))
         for name, table in tables.items():
-            object.__setattr__(copy, name, np.ascontiguousarray(table, np.float32))
+            if "." not in name:
+                object.__setattr__(copy, name, np.ascontiguousarray(table, np.float32))
         return copy
 
     def kernel_values(self) -> tuple[Any, ...]:
-        """Return the values of the parameters in the order in which kernels take them; arrays are by point."""
-        return tuple(getattr(self, name) for name in self.parameters)
+        """Return the values of all parameters in the order of the kernels' arguments."""
+        inner = (value for lobe in self.nested.values() for value in lobe.kernel_values())
+        return (*inner, *(getattr(self, name) for name in self.parameters))
+
+    @property
+    def size(self) -> int:
+        """Number of float32 numbers that the parameters take in the struct `Parameters`, with those of nested lobes."""
+        return count_numbers(self.kernel_values())
 
     @property
     def layout(self) -> Layout:
-        """Places of the parameters by point in the arguments of kernels; empty if all parameters are constants."""
+        """Positions of the parameters with a row per point among the numbers that kernels take; empty without any."""
         return layout_of(self.kernel_values()) if self.by_point else ()
 
     def kernel_parameters(self, loan: Loan | None = None) -> Any:  # noqa: ARG002  (distributions with a table use the loan)
-        """Return the parameters as the struct that kernels take as an argument; parameters by point are 0 there.
+        """Return the parameters as a kernel argument; numbers of parameters with a row per point are 0 there.
 
         Args:
             loan: memory on the kernels' device, for distributions with a table. Default: None, the CPU.
@@ -148,7 +175,7 @@ class Parameterised:
         return pack_parameters(without_tables(values) if self.by_point else values)
 
     def lend_tables(self, loan: Loan, rows: slice = slice(None)) -> int:
-        """Return the address of the addresses of the parameters by point, in the memory of a loan; 0 without any."""
+        """Copy the parameters with a row per point to the device if necessary; return the address of their addresses."""
         return lend_tables(loan, tables_in(self.kernel_values()), rows) if self.by_point else 0
 
     def check_points(self, points: int, argument: str = "distribution") -> None:

@@ -1,4 +1,4 @@
-"""Checks of parameters that are given by point: arrays with one row for each point, copied as float32.
+"""Checks of distribution parameters that are arrays with one row per point.
 
 A row that cannot be used becomes NaN, which kernels turn into a status. Arrays are checked in parts, without large copies.
 """
@@ -17,14 +17,14 @@ _WANTS = {0: "a number, or (P,) numbers, one for each point", 1: "a vector, or (
 
 
 def is_array(value: Any) -> bool:
-    """Return whether a value is an array of some library or a list, and so may have one row for each point."""
+    """Return whether a parameter is an array or a list, and so may have one row for each point."""
     if isinstance(value, Real | str | tuple):
         return False
     return (isinstance(value, list) and bool(value)) or any(hasattr(value, name) for name in _EXPORTS)
 
 
 def as_rows(value: Any, argument: str, dimensions: int) -> np.ndarray | None:
-    """Return an array with one row for each point, or None for a constant of `dimensions` dimensions.
+    """Return a parameter as an array if it has one row for each point, or None if it is a constant.
 
     Raises:
         TypeError: the value is an array, but not of real numbers.
@@ -40,7 +40,7 @@ def as_rows(value: Any, argument: str, dimensions: int) -> np.ndarray | None:
 
 
 def copy_rows(array: np.ndarray, low: float = -np.inf, high: float = np.inf) -> np.ndarray:
-    """Return a read-only C-contiguous float32 copy, with NaN in each row that has a number outside [low, high].
+    """Return a read-only float32 copy of an array, with NaN in each row that has a number outside [low, high].
 
     Infinite numbers are outside. The limits are rounded to float32, as the numbers are.
     """
@@ -54,25 +54,27 @@ def copy_rows(array: np.ndarray, low: float = -np.inf, high: float = np.inf) -> 
     return _closed(rows)
 
 
-def copy_views(array: np.ndarray) -> np.ndarray:
-    """Return (P, 3) views as a read-only float32 copy of length 1, with NaN where `as_view` refuses a vector.
+def copy_views(array: np.ndarray, below: bool = False) -> np.ndarray:
+    """Return a read-only float32 copy of (P, 3) view directions, scaled to length 1; invalid directions become NaN.
 
-    A row has the same bits as `as_view` of the vector, rounded to float32.
+    A row has the same bits as `as_view` of the vector, rounded to float32. With `below`, views may come from below the
+    surface.
     """
     rows = np.empty(array.shape, np.float32)
     for start in range(0, len(rows), _PART):
-        rows[start : start + _PART] = _views(array[start : start + _PART].astype(np.float64))
+        rows[start : start + _PART] = _views(array[start : start + _PART].astype(np.float64), below)
     return _closed(rows)
 
 
-def _views(vectors: np.ndarray) -> np.ndarray:
-    """Return unit vectors as float32; NaN for vectors that are zero, not finite, or below the surface."""
+def _views(vectors: np.ndarray, below: bool) -> np.ndarray:
+    """Return view directions scaled to unit length, float32; NaN for zero, infinite or downward vectors."""
     largest = np.abs(vectors).max(axis=1)
     good = (largest > 0.0) & (largest < np.inf)
     vectors[~good] = np.nan
     scaled = np.ldexp(vectors, -np.frexp(np.where(good, largest, 1.0))[1][:, None])
     unit = scaled / np.sqrt(np.square(scaled).sum(axis=1, keepdims=True))
-    unit[unit[:, 2] < 0.0] = np.nan
+    if not below:
+        unit[unit[:, 2] < 0.0] = np.nan
     rows = unit.astype(np.float32)
     # `as_view` has a more precise length, which matters only next to the middle between two float32 numbers.
     doubtful = ((unit * (1.0 - _CLOSE)).astype(np.float32) != (unit * (1.0 + _CLOSE)).astype(np.float32)).any(axis=1)
@@ -82,6 +84,6 @@ def _views(vectors: np.ndarray) -> np.ndarray:
 
 
 def _closed(rows: np.ndarray) -> np.ndarray:
-    """Make an array read-only and return it."""
+    """Make an array read-only, and return the same array."""
     rows.setflags(write=False)
     return rows

@@ -1,4 +1,4 @@
-"""Parameters by point in kernels: rows of tables, read once for each point, or repeated in columns for vectorised loops.
+"""Access of kernels to distribution parameters that differ from point to point.
 
 Terms:
     table: (P, ...) float32 array of one parameter, with one row for each point. Rows out of range hold NaN.
@@ -23,7 +23,7 @@ LANES = 8
 
 @dataclass(frozen=True)
 class Column:
-    """Place of one number by point: in the struct `Parameters`, and in a table.
+    """Number that differs from point to point: its position among the parameters, and the array that holds it.
 
     Attributes:
         number: index in `Parameters`.
@@ -43,16 +43,26 @@ Layout = tuple[Column, ...]
 
 
 def tables_in(values: tuple[Any, ...]) -> list[np.ndarray]:
-    """Return the tables among the values of parameters."""
+    """Return the arrays with a row per point among the values of parameters."""
     return [value for value in values if isinstance(value, np.ndarray)]
 
 
+def count_numbers(values: tuple[Any, ...]) -> int:
+    """Return the number of float32 numbers that the values of parameters take in the struct `Parameters`."""
+    return sum(_width(value) for value in values)
+
+
+def _width(value: Any) -> int:
+    """Return the number of float32 numbers of a parameter: of each row of a table, or of a constant."""
+    return int(np.prod(value.shape[1:])) if isinstance(value, np.ndarray) else np.size(value)
+
+
 def layout_of(values: tuple[Any, ...]) -> Layout:
-    """Return the columns of the values of parameters, of which arrays are tables and all else is constant."""
+    """Return a `Column` for each number that differs from point to point, given the values of all parameters."""
     columns, number, table = [], 0, 0
     for value in values:
         by_point = isinstance(value, np.ndarray)
-        width = int(np.prod(value.shape[1:])) if by_point else np.size(value)
+        width = _width(value)
         if by_point:
             columns += [Column(number + c, table, width, c) for c in range(width)]
             table += 1
@@ -61,12 +71,12 @@ def layout_of(values: tuple[Any, ...]) -> Layout:
 
 
 def without_tables(values: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Return the values of parameters with zeros in place of tables, for the struct of the constants."""
-    return tuple(tuple([0.0] * int(np.prod(v.shape[1:]))) if isinstance(v, np.ndarray) else v for v in values)
+    """Return the values of parameters with zeros in place of arrays with a row per point."""
+    return tuple(tuple([0.0] * _width(v)) if isinstance(v, np.ndarray) else v for v in values)
 
 
 def lend_tables(loan: Loan, tables: list[np.ndarray], rows: slice) -> int:
-    """Return the address of an array with the addresses of the tables in the memory of the kernels; 0 without tables."""
+    """Copy arrays of parameters to the device if necessary; return the address of the array of their addresses, or 0."""
     if not tables:
         return 0
     if loan.memory.in_place and not loan.memory.device.is_cpu:  # normals in a wp.array on CUDA: tables need a copy there
@@ -78,12 +88,12 @@ def lend_tables(loan: Loan, tables: list[np.ndarray], rows: slice) -> int:
 
 @once
 def row_loader(layout: Layout) -> wp.Function:
-    """Build the wp.func (Parameters, tables, row: int64) -> Parameters that replaces constants by the row of a point."""
+    """Build the wp.func that returns the parameters of one point, taken from its row of the arrays."""
     if not layout:
 
         @wp.func
         def load(parameters: Parameters, tables: wp.uint64, row: wp.int64):
-            """Return the constants unchanged."""
+            """Return the parameters unchanged, since none differs between points."""
             return parameters
 
         return load
@@ -93,7 +103,7 @@ def row_loader(layout: Layout) -> wp.Function:
 
     @wp.func
     def load(parameters: Parameters, tables: wp.uint64, row: wp.int64):
-        """Load one number after all others."""
+        """Return the parameters of the point with number `row`, taken from its row of the arrays."""
         value = float_at(address_at(tables, table), row * wp.int64(width) + wp.int64(component))
         return replace(before(parameters, tables, row), value)
 
@@ -102,12 +112,12 @@ def row_loader(layout: Layout) -> wp.Function:
 
 @once
 def row_check(layout: Layout) -> wp.Function:
-    """Build the wp.func (Parameters) -> int32 that returns 1 if a number by point is NaN, else 0."""
+    """Build the wp.func that returns 1 if a parameter of a point is NaN (out of range), else 0."""
     if not layout:
 
         @wp.func
         def check(parameters: Parameters):
-            """Return 0: constants are checked when the distribution is made."""
+            """Return 0, since constant parameters are checked when the distribution is created."""
             return wp.int32(0)
 
         return check
@@ -116,7 +126,7 @@ def row_check(layout: Layout) -> wp.Function:
 
     @wp.func
     def check(parameters: Parameters):
-        """Check one number after all others."""
+        """Return 1 if any parameter of a point is NaN (out of range), else 0."""
         value = number_at(parameters, number)
         return before(parameters) | wp.where(value == value, 0, 1)
 
@@ -125,12 +135,12 @@ def row_check(layout: Layout) -> wp.Function:
 
 @once
 def column_loader(layout: Layout, stride: int) -> wp.Function:
-    """Build the wp.func (Parameters, columns, j) -> Parameters that replaces constants by entry j of each column."""
+    """Build the wp.func that returns the parameters of the j-th direction in a block, taken from the block's columns."""
     if not layout:
 
         @wp.func
         def load(parameters: Parameters, columns: wp.array[wp.float32], j: wp.int32):
-            """Return the constants unchanged."""
+            """Return the parameters unchanged, since none differs between the directions of a block."""
             return parameters
 
         return load
@@ -139,7 +149,7 @@ def column_loader(layout: Layout, stride: int) -> wp.Function:
 
     @wp.func
     def load(parameters: Parameters, columns: wp.array[wp.float32], j: wp.int32):
-        """Load one number after all others."""
+        """Return the parameters of the j-th direction in a block, taken from the block's columns."""
         return replace(before(parameters, columns, j), columns[at + j])
 
     return load
@@ -147,7 +157,7 @@ def column_loader(layout: Layout, stride: int) -> wp.Function:
 
 @wp.func
 def repeat_number(value: wp.float32, first: wp.int32, end: wp.int32, column: wp.array[wp.float32]):
-    """Write a number to the entries from `first` to `end` of a column, in whole SIMD vectors, and to a few beyond."""
+    """Fill the entries from `first` to `end` of a column with a number; up to 7 entries more may be overwritten."""
     for m in range(first, end, LANES):
         at = wp.array(ptr=column.ptr + wp.uint64(4 * m), shape=(LANES,), dtype=wp.float32)
         for k in range(LANES):
@@ -156,7 +166,9 @@ def repeat_number(value: wp.float32, first: wp.int32, end: wp.int32, column: wp.
 
 @once
 def column_writer(layout: Layout, stride: int) -> wp.Function:
-    """Build the wp.func that writes the columns of a block, and returns 1 if a number is NaN, else 0.
+    """Build the wp.func that copies the parameters of a block's points to columns with one entry for each direction.
+
+    The function returns 1 if a parameter is NaN, else 0.
 
     The block holds `length` vectors from number `start` on, with `count` consecutive vectors for each of `points` points.
     Their rows begin at `row`. A column has room for `stride` numbers, 8 more than a block.
@@ -173,7 +185,7 @@ def column_writer(layout: Layout, stride: int) -> wp.Function:
             length: wp.int32,
             columns: wp.uint64,
         ):
-            """Return 0: constants need no columns."""
+            """Do nothing and return 0, since constant parameters need no columns."""
             return wp.int32(0)
 
         return write
@@ -191,7 +203,7 @@ def column_writer(layout: Layout, stride: int) -> wp.Function:
         length: wp.int32,
         columns: wp.uint64,
     ):
-        """Write one column after all others."""
+        """Write the parameters of a block's points to columns; return 1 if any parameter is NaN, else 0."""
         rare = before(tables, row, points, count, start, length, columns)
         source = address_at(tables, table) + wp.uint64(row) * wp.uint64(4 * width) + wp.uint64(4 * component)
         values = wp.array(ptr=source, shape=(width * points,), dtype=wp.float32)

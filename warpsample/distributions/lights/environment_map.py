@@ -125,7 +125,17 @@ class EnvironmentMap(Distribution):
         return found
 
     def shares(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return cumulative shares of the rows, (H + 1,) float64 from 0 to 1, and of each row's pixels, (H, W + 1)."""
+        """Return the shares of the light that rows and pixels have, as they are drawn.
+
+        Returns:
+            cumulative shares of the rows, (H + 1,) float64 from 0 to 1; cumulative shares of the pixels within each row,
+            (H, W + 1) float64.
+
+        Example:
+            >>> rows, pixels = ws.EnvironmentMap(np.array([[1.0, 3.0], [0.0, 4.0]])).shares()
+            >>> print(rows, pixels[0])
+            [0.  0.5 1. ] [0.   0.25 1.  ]
+        """
         return read_shares(self.table_array)
 
     @property
@@ -148,8 +158,23 @@ class EnvironmentMap(Distribution):
         """Address of the picture's table, for kernels on the CPU; valid while this distribution exists."""
         return int(self.table_array.ctypes.data)
 
+    def kernel_values(self) -> tuple[Any, ...]:
+        """Return the address of the table as the numbers that kernels take; see `Distribution`."""
+        return (split_address(self.table),)
+
     def kernel_parameters(self, loan: Loan | None = None) -> Any:
-        """Return the address of the table as kernels take it; see `Distribution`."""
+        """Return the parameters as a kernel argument: the address of the table on the kernels' device.
+
+        Args:
+            loan: memory on the kernels' device. Default: None, the CPU.
+
+        Returns:
+            a `Parameters` struct, see `Distribution`.
+
+        Example:
+            >>> print(ws.EnvironmentMap(np.ones((2, 4))).kernel_parameters().scalar >= 0.0)
+            True
+        """
         return pack_parameters((split_address(self.table if loan is None else _put(loan, self.table_array)),))
 
     def __getstate__(self) -> dict[str, Any]:

@@ -15,7 +15,7 @@ Rounding moves a float32 direction by at most 5e-8 rad, and rotations to the wor
 
 @wp.func
 def vector_of(x: wp.float32, y: wp.float32, z: wp.float32) -> wp.vec3d:
-    """Return a vector in float64."""
+    """Convert a vector of three numbers to float64."""
     return wp.vec3d(wp.float64(x), wp.float64(y), wp.float64(z))
 
 
@@ -53,5 +53,5 @@ def half_solid_angles(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray
 
 
 def is_usable(half: np.ndarray) -> np.ndarray:
-    """Return the mask of halves of solid angles that are above `LEAST` and below a hemisphere's."""
+    """Return True where a solid angle, given by its half, is at least `LEAST` and smaller than a hemisphere."""
     return (half >= 0.5 * LEAST) & (half <= np.pi - 0.5 * LEAST)

@@ -29,7 +29,7 @@ _TINY = wp.constant(wp.float64(1e-30))
 
 @wp.func
 def rows_of(corners: wp.mat33) -> tuple[wp.vec3d, wp.vec3d, wp.vec3d]:
-    """Return the rows of a matrix in float64."""
+    """Return the three rows of a matrix as float64 vectors."""
     a = vector_of(corners[0, 0], corners[0, 1], corners[0, 2])
     b = vector_of(corners[1, 0], corners[1, 1], corners[1, 2])
     c = vector_of(corners[2, 0], corners[2, 1], corners[2, 2])
@@ -137,7 +137,7 @@ class SphericalTriangle(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_spherical_triangle, square_to_spherical_triangle_pdf, spherical_triangle_to_square)
 
     def __post_init__(self) -> None:
-        """Check the corners."""
+        """Check the corners of the triangle, and store them as floats; raise an error if they cannot be used."""
         super().__post_init__()
         if getattr(self.corners, "ndim", 2) == 3:
             return
@@ -147,7 +147,7 @@ class SphericalTriangle(Distribution):
         object.__setattr__(self, "corners", tuple(map(tuple, corners.astype(np.float64).tolist())))
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:
-        """Replace triangles out of range by NaN; see `Distribution`."""
+        """Return a read-only float32 copy of triangles with one per point; unusable triangles become NaN."""
         copy = super()._copy_rows(name, rows).copy()
         for start in range(0, len(copy), _PART):
             part = copy[start : start + _PART]
@@ -163,7 +163,7 @@ class SphericalTriangle(Distribution):
         return tuple(map(tuple, unit.T.tolist()))
 
     def seam(self, u: Any) -> Any:
-        """Return the mask of points u near corner 1. See `Distribution.seam`."""
+        """Return a mask of points u near corner 1, which `invert` cannot recover precisely. See `Distribution.seam`."""
         return u[..., 1] < 0.01
 
 

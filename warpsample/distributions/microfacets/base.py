@@ -25,42 +25,42 @@ class Microfacets(Distribution):
     anisotropic: ClassVar[Maps]
 
     def __post_init__(self) -> None:
-        """Leave `alpha_y` out of the parameters if it is None, and check all others."""
+        """Check the parameters; without `alpha_y` the distribution is isotropic and has one parameter less."""
         if self.alpha_y is None:
             names = tuple(name for name in type(self).parameters if name != "alpha_y")
             object.__setattr__(self, "parameters", names)
         super().__post_init__()
 
     def __repr__(self) -> str:
-        """Return the class and the parameters, without an `alpha_y` that is None."""
+        """Return the class name and the parameters as text, without `alpha_y` if it is None."""
         return super().__repr__().replace(", alpha_y=None", "")
 
     @property
     def maps(self) -> Maps:  # type: ignore[override]
-        """Functions (`wp.func`) of the distribution, for use in kernels."""
+        """Warp functions of the distribution for kernels: map, density and inverse."""
         return self.isotropic if self.alpha_y is None else self.anisotropic
 
     @property
     def symmetric(self) -> bool:  # type: ignore[override]
-        """Whether the density depends only on the angle to +z: not with an `alpha_y`."""
+        """True if the density depends only on the angle to +z, which is the case without `alpha_y`."""
         return self.alpha_y is None
 
     @property
     def polar(self) -> bool:  # type: ignore[override]
-        """Whether u[0] is the cdf of the angle: not with an `alpha_y`."""
+        """True if u[0] alone determines the angle to +z, which is the case without `alpha_y`."""
         return self.alpha_y is None
 
     @property
     def stretch(self) -> Matrix | None:  # type: ignore[override]
-        """The roughnesses along x and y as a diagonal matrix, as the kernels round them; None without an `alpha_y`."""
+        """Roughnesses along x and y as a diagonal matrix, rounded to float32; None without `alpha_y`."""
         if self.alpha_y is None:
             return None
         return (float(np.float32(self.alpha)), 0.0, 0.0), (0.0, float(np.float32(self.alpha_y)), 0.0), (0.0, 0.0, 1.0)
 
     def _cdf(self, theta: Any) -> np.ndarray:
-        """Return the cdf of the angle for an isotropic lobe; raise NotImplementedError for another. See `cdf`."""
+        """Return the probability that the angle to +z is at most theta, if the distribution is isotropic. See `cdf`."""
         return self._isotropic_cdf(theta) if self.symmetric else Distribution._cdf(self, theta)
 
     def _isotropic_cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle without an `alpha_y`."""
+        """Return the probability that the angle to +z is at most theta, for the isotropic distribution."""
         return Distribution._cdf(self, theta)

@@ -38,7 +38,7 @@ def square_to_beckmann_pdf(w: wp.vec3, alpha: wp.float32) -> wp.float32:
 
 @wp.func
 def _density(w: wp.vec3, t: wp.float64, square: wp.float64) -> wp.float32:
-    """Return the density of w for the squared slope t over `square`, the product of the roughnesses; 0 below the surface."""
+    """Return the Beckmann density of a normal w, from its scaled squared slope t and the product of both roughnesses."""
     secant_squared = ONE + tan_squared(w)
     density = exp_double(-t / square)[1] * secant_squared * wp.sqrt(secant_squared) * INV_PI_DOUBLE / square
     return wp.where(w[2] > 0.0, wp.float32(density), 0.0)
@@ -110,7 +110,7 @@ class Beckmann(Microfacets):
     )
 
     def _isotropic_cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, 1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: 1 - exp(-tan^2 theta / alpha^2)."""
         return -np.expm1(-((np.tan(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) / self.alpha) ** 2))
 
 

@@ -100,7 +100,10 @@ class GGX(Microfacets):
     anisotropic: ClassVar[Maps] = Maps(square_to_anisotropic_ggx, square_to_anisotropic_ggx_pdf, anisotropic_ggx_to_square)
 
     def _isotropic_cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta). See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta. See `Distribution.cdf`.
+
+        It is sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta).
+        """
         theta = np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)
         sine, cosine = np.sin(theta), np.cos(theta)
         return sine**2 / (sine**2 + (self.alpha * cosine) ** 2)

@@ -25,7 +25,7 @@ _TINY = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def slope_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4d:
-    """Return (a, alpha sin v, cos phi, sin phi) for a view at the angle v to +z and the azimuth phi, with a = cot v / alpha.
+    """Return numbers that describe the view relative to the roughness: (cot v / alpha, alpha sin v, cos phi, sin phi).
 
     Normals with a slope below -a along the view, in units of alpha, face away. A view along +z has no azimuth; the gradient
     with respect to the view's x and y is 0 there.
@@ -135,8 +135,17 @@ def square_to_visible_beckmann_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3)
 
 
 @wp.func
+def visible_beckmann_per_cosine(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.float32:
+    """Return the density of the visible Beckmann normal m = w, divided by v.m for the view v; 0 below the surface."""
+    x = wp.float64(w[0])
+    y = wp.float64(w[1])
+    square = wp.float64(alpha) * wp.float64(alpha)
+    return _density(w, x * x + y * y, square, slope_view(alpha, view), 1.0)
+
+
+@wp.func
 def _density(w: wp.vec3, across: wp.float64, square: wp.float64, v: wp.vec4d, facing: wp.float32) -> wp.float32:
-    """Return the density of w with the squared slope `across` / w.z^2, for the product `square` of the roughnesses.
+    """Return the density of a visible Beckmann normal w with the squared slope `across` / w.z^2.
 
     v is the view by `slope_view`, and `facing` the cosine of normal and view.
     """
@@ -193,6 +202,16 @@ def square_to_anisotropic_visible_beckmann_pdf(
 
 
 @wp.func
+def anisotropic_visible_beckmann_per_cosine(w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32, view: wp.vec3) -> wp.float32:
+    """Return the density of the anisotropic visible Beckmann normal m = w, divided by v.m for the view v."""
+    x, y = wp.float64(w[0]), wp.float64(w[1])
+    ratio = wp.float64(alpha_y) / wp.float64(alpha)
+    m = mean_and_stretch(alpha, alpha_y)
+    square = wp.float64(alpha) * wp.float64(alpha_y)
+    return _density(w, x * x * ratio + y * y / ratio, square, slope_view(m[0], stretched(view, m)), 1.0)
+
+
+@wp.func
 def anisotropic_visible_beckmann_to_square(w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32, view: wp.vec3) -> wp.vec2:
     """Return the point u of the unit square that `square_to_anisotropic_visible_beckmann` maps to the direction w."""
     m = mean_and_stretch(alpha, alpha_y)
@@ -223,11 +242,17 @@ class VisibleBeckmann(VisibleNormals):
         (0.3, (0.6, -0.64, 0.48), 0.1),
         (0.01, (0.6, 0.0, 0.8), 0.5),
     )
-    isotropic: ClassVar[Maps] = Maps(square_to_visible_beckmann, square_to_visible_beckmann_pdf, visible_beckmann_to_square)
+    isotropic: ClassVar[Maps] = Maps(
+        square_to_visible_beckmann,
+        square_to_visible_beckmann_pdf,
+        visible_beckmann_to_square,
+        per_cosine=visible_beckmann_per_cosine,
+    )
     anisotropic: ClassVar[Maps] = Maps(
         square_to_anisotropic_visible_beckmann,
         square_to_anisotropic_visible_beckmann_pdf,
         anisotropic_visible_beckmann_to_square,
+        per_cosine=anisotropic_visible_beckmann_per_cosine,
     )
 
 

@@ -39,7 +39,7 @@ def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
 
 @wp.func
 def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
-    """Return the cosine v.m of normal m and view v, but at least the rounding error of v.m where v.m is close to 0.
+    """Return the cosine between normal m and view v, but not less than its own rounding error.
 
     Below minus the rounding error of the three products, the value and the gradient are 0.
     """
@@ -87,8 +87,14 @@ def square_to_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> w
 
 
 @wp.func
+def visible_ggx_per_cosine(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.float32:
+    """Return the density of the visible GGX normal m = w, divided by v.m for the view v; 0 below the surface."""
+    return _density(w, alpha, view, 1.0)
+
+
+@wp.func
 def _density(w: wp.vec3, alpha: wp.float32, view: wp.vec3, facing: wp.float32) -> wp.float32:
-    """Return the density of w for the cosine `facing` of normal and view; w and view may be contracted and stretched."""
+    """Return the density of a visible GGX normal w, given the cosine `facing` between normal and view."""
     across = fma(w[0], w[0], w[1] * w[1])
     ratio = alpha / fma(alpha * w[2], alpha * w[2], across)
     length = wp.sqrt(fma(alpha * alpha, fma(view[0], view[0], view[1] * view[1]), view[2] * view[2]))
@@ -136,6 +142,13 @@ def square_to_anisotropic_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, alpha_y
 
 
 @wp.func
+def anisotropic_visible_ggx_per_cosine(w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32, view: wp.vec3) -> wp.float32:
+    """Return the density of the anisotropic visible GGX normal m = w, divided by v.m for the view v; 0 below the surface."""
+    m = mean_and_stretch(alpha, alpha_y)
+    return _density(contracted(w, m), m[0], stretched(view, m), 1.0)
+
+
+@wp.func
 def anisotropic_visible_ggx_to_square(w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32, view: wp.vec3) -> wp.vec2:
     """Return the point u of the unit square that `square_to_anisotropic_visible_ggx` maps to the direction w."""
     m = mean_and_stretch(alpha, alpha_y)
@@ -162,7 +175,7 @@ class VisibleNormals(Microfacets):
             object.__setattr__(self, "view", as_view(self.view, "view"))
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:
-        """Normalise views by point; see `Distribution`."""
+        """Return a read-only copy of a parameter with a row per point; view directions are normalised."""
         return copy_views(rows) if name == "view" else super()._copy_rows(name, rows)
 
 
@@ -197,19 +210,24 @@ class VisibleGGX(VisibleNormals):
         (0.01, (0.6, 0.0, 0.8), 0.5),
         (1e-3, (0.6, 0.8, 0.0), 1e-2),
     )
-    isotropic: ClassVar[Maps] = Maps(square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square)
+    isotropic: ClassVar[Maps] = Maps(
+        square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square, per_cosine=visible_ggx_per_cosine
+    )
     anisotropic: ClassVar[Maps] = Maps(
-        square_to_anisotropic_visible_ggx, square_to_anisotropic_visible_ggx_pdf, anisotropic_visible_ggx_to_square
+        square_to_anisotropic_visible_ggx,
+        square_to_anisotropic_visible_ggx_pdf,
+        anisotropic_visible_ggx_to_square,
+        per_cosine=anisotropic_visible_ggx_per_cosine,
     )
 
     def __post_init__(self) -> None:
-        """Check the parameters; a lobe without `alpha_y` has the bound of other distributions."""
+        """Check the parameters, and set the error bound `worst_angle` for the isotropic case."""
         super().__post_init__()
         if self.alpha_y is None:
             object.__setattr__(self, "worst_angle", Distribution.worst_angle)
 
     def seam(self, u: Any) -> Any:
-        """Return the mask of points u near the poles of the spherical cap. See `Distribution.seam`."""
+        """Return a mask of unit-square points that `invert` cannot recover precisely. See `Distribution.seam`."""
         return abs(u[..., 0] - 0.5) > 0.44
 
 

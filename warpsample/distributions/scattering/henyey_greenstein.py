@@ -15,7 +15,7 @@ _MOST = 0.999999
 
 @wp.func
 def _versines(w: wp.vec3) -> wp.vec2:
-    """Return (1 - cos, 1 + cos) of the angle between w and +z, neither of which cancels."""
+    """Return (1 - cos, 1 + cos) of the angle between w and +z, both precise at every angle."""
     across = fma(w[0], w[0], w[1] * w[1])
     small = across / (1.0 + wp.abs(w[2]))
     large = 1.0 + wp.abs(w[2])
@@ -96,7 +96,7 @@ class HenyeyGreenstein(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_henyey_greenstein, square_to_henyey_greenstein_pdf, henyey_greenstein_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the cdf of the angle, (1 + g) (1 - cos theta) / (r (1 - g + r)). See `Distribution.cdf`."""
+        """Return the probability that the angle to +z is at most theta: (1 + g) (1 - cos theta) / (r (1 - g + r))."""
         g = float(np.float32(self.g))  # as in the kernels: 1 - g may be small
         sine, cosine = np.sin(0.5 * theta), np.cos(0.5 * theta)
         r = np.hypot((1.0 - g) * cosine, (1.0 + g) * sine)

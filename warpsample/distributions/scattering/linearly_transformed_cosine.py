@@ -44,7 +44,7 @@ def determinant_of(matrix: wp.mat33, adjugate: wp.mat33d) -> wp.float64:
 
 @wp.func
 def transformed(matrix: wp.mat33d, x: wp.float64, y: wp.float64, z: wp.float64) -> wp.vec3d:
-    """Return the product of a matrix and the vector (x, y, z)."""
+    """Return the product of a 3 x 3 matrix and the vector (x, y, z)."""
     return wp.vec3d(
         matrix[0, 0] * x + matrix[0, 1] * y + matrix[0, 2] * z,
         matrix[1, 0] * x + matrix[1, 1] * y + matrix[1, 2] * z,
@@ -141,7 +141,7 @@ class LinearlyTransformedCosine(Distribution):
     )
 
     def __post_init__(self) -> None:
-        """Check and scale the matrix."""
+        """Raise an error if the matrix is singular or not finite, and scale the matrix."""
         super().__post_init__()
         if getattr(self.matrix, "ndim", 2) == 3:
             return
@@ -152,26 +152,26 @@ class LinearlyTransformedCosine(Distribution):
         object.__setattr__(self, "matrix", tuple(map(tuple, scaled.tolist())))
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:
-        """Scale matrices by point; see `Distribution`."""
+        """Return a read-only float32 copy of matrices with one per point, scaled."""
         return super()._copy_rows(name, _scale(rows))
 
     @property
     def stretch(self) -> Matrix:
-        """The matrix as the kernels round it."""
+        """Matrix of the distribution, rounded to float32."""
         return tuple(map(tuple, np.array(self.matrix, np.float32).astype(np.float64).tolist()))
 
     @property
     def largest_angle(self) -> float:
-        """Angle of the horizon of o in radians, plus the width of its blur."""
+        """Largest angle between the directions before the transformation and +z, in radians, with a margin for rounding."""
         return float(np.pi / 2.0 + 2.0 * float(_BLUR) * min(np.linalg.cond(self.stretch), 1e5))
 
     def seam(self, u: Any) -> Any:
-        """Return the mask of points u near the pole of o. See `Distribution.seam`."""
+        """Return a mask of unit-square points that `invert` cannot recover precisely. See `Distribution.seam`."""
         return u[..., 0] < 0.01
 
 
 def _scale(matrices: np.ndarray) -> np.ndarray:
-    """Return (P, 3, 3) matrices in float64 with the largest entry between 1 and 2; NaN for matrices out of range."""
+    """Scale matrices, (P, 3, 3), by powers of two to a largest entry from 1 to 2; matrices out of range become NaN."""
     matrices = matrices.astype(np.float64)
     largest = np.abs(matrices).max(axis=(1, 2))
     usable = (largest > 0.0) & (largest < np.inf)

@@ -1,1 +1,1 @@
-"""Quantities computed from rays about the normal, with one file per quantity."""
+"""Quantities that `warpsample bake` computes from rays about the normal, such as ambient occlusion; one file each."""

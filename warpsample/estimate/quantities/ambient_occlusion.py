@@ -1,4 +1,4 @@
-"""Record of ambient occlusion, for the command line, files and stores."""
+"""Description of the quantity ambient occlusion, from which its command-line options and files follow."""
 
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Share

@@ -1,4 +1,4 @@
-"""Record of bent normals, for the command line, files and stores."""
+"""Description of the quantity bent normals, from which its command-line options and files follow."""
 
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.visibility import bent_normals

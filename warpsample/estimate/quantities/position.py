@@ -9,7 +9,7 @@ from warpsample.mesh.surface import SurfacePoints
 
 
 def vectors_of(points: SurfacePoints, vectors: np.ndarray) -> ExactResult:
-    """Return vectors (P, 3) of points as an `ExactResult` in float32, 0 where the status is not 0."""
+    """Wrap (P, 3) vectors of points as a result without errors, in float32; rows of invalid points are 0."""
     status = status_of(points)
     value = np.where((status == int(PointStatus.OK))[:, None], vectors, 0.0).astype(np.float32)
     return ExactResult(value, np.zeros_like(value), np.zeros(len(value), np.int32), status)

@@ -1,4 +1,4 @@
-"""Record of a quantity: name, call, unit and options, for commands, files, stores, the accessor and README tables."""
+"""Description of a quantity: its name, Python function, unit and options, from which commands and files follow."""
 
 import inspect
 import re
@@ -32,7 +32,7 @@ Numbers = Callable[[SurfacePoints, int], Any]
 
 @dataclass(frozen=True)
 class Quantity:
-    """Quantity with one or several values at each point of a mesh.
+    """Description of a quantity that commands compute at each point of a mesh, for example ambient occlusion.
 
     Attributes:
         name: Name on the command line.
@@ -81,12 +81,12 @@ class Quantity:
 
     @property
     def arrays(self) -> list[str]:
-        """Names of the arrays with one row per point that every result of the quantity has."""
+        """Names of the result arrays, with one row per point, that every result of the quantity has."""
         return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is not None]
 
     @property
     def sometimes(self) -> list[str]:
-        """Names of the arrays with one row per point that a result may lack (None)."""
+        """Names of the result arrays with one row per point that are None in some results."""
         return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is None]
 
     def arrays_of(self, found: Any) -> dict[str, np.ndarray]:
@@ -94,7 +94,7 @@ class Quantity:
         return {name: array for name in (*self.arrays, *self.sometimes) if (array := getattr(found, name)) is not None}
 
     def takes(self, option: str) -> bool:
-        """Return whether the quantity has a command-line option."""
+        """Return whether the quantity accepts the named command-line option."""
         return ARGUMENTS.get(option, option) in self.parameters
 
     def default(self, option: str) -> Any:
@@ -107,7 +107,7 @@ class Quantity:
         return {ARGUMENTS.get(name, name): value for name, value in options.items()}
 
     def recorded_options(self, options: Mapping[str, Any]) -> dict[str, Any]:
-        """Return all options of a run, including defaults, to record in an output file, keyed by command-line name."""
+        """Return the options to record in an output file: the given options, and defaults for the rest."""
         names = [OPTIONS.get(name, name) for name in self.parameters if name not in _NOT_RECORDED]
         return {name: options.get(name, self.default(name)) for name in names}
 
@@ -149,7 +149,7 @@ class Quantity:
         return columns
 
     def header(self, column: str) -> str:
-        """Return the header of a column with the quantity's unit, such as "irradiation_kwh_m2_error"."""
+        """Return the header of a result column with the quantity's unit, for example "irradiation_kwh_m2_error"."""
         unit = "" if self.unit in _NO_UNITS else f"_{self.unit.lower().replace('/', '_')}"
         known = re.fullmatch("(value|standard_error)(_[a-z])?", column)
         if known:

@@ -1,4 +1,4 @@
-"""Record of the sky view factor, for the command line, files and stores."""
+"""Description of the quantity sky view factor, from which its command-line options and files follow."""
 
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.visibility import SkyView, sky_view_factor

@@ -30,7 +30,7 @@ def thickness(
     first_point: int = 0,
     workers: int | None = None,
 ) -> Thickness:
-    """Measure the distance through a body, from each point to the first face against the normal.
+    """Measure the thickness of a body at each point: the distance to the first face opposite to the normal.
 
     `mean_distance` with normals inward is the mean over a lobe in place of this single ray.
 

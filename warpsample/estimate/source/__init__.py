@@ -1,1 +1,1 @@
-"""Inspection of users' Warp functions and data: current definitions, and digests that identify them."""
+"""Inspection of user-defined Warp functions and their data: current definitions, and hashes that detect changes."""

@@ -1,4 +1,4 @@
-"""Content of users' Warp functions and data, as numbers and digests, to detect changes between two runs.
+"""Hashes of user-defined Warp functions and of their data, which detect changes between two runs.
 
 Warp's own hash of a kernel is not sufficient. It ignores defaults of arguments, uses only 32 bits of each number, and sees
 the value of a `wp.static` in a loop only if the kernel's own module contains one.
@@ -31,7 +31,7 @@ def is_data(value: Any) -> bool:
 
 
 def function_content(function: wp.Function) -> dict[str, Any]:
-    """Return digests of a function and of each function that it calls, keyed by function name.
+    """Return a hash of a user's Warp function and of each function it calls, keyed by function name.
 
     A digest covers the current source, and the current values of the constants in the source.
     """
@@ -45,7 +45,7 @@ def function_content(function: wp.Function) -> dict[str, Any]:
 
 
 def data_content(data: Any, function: Any) -> dict[str, Any]:
-    """Return the numbers in a user's struct, and digests of its arrays and vectors, keyed by field name.
+    """Return the content of a user's struct for comparisons: its numbers, and hashes of its arrays, keyed by field name.
 
     The memory at an address, such as the id of a wp.Mesh, cannot be compared. Where `function` reads from addresses, the
     content of an address field therefore differs from every other content.

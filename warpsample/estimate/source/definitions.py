@@ -1,4 +1,4 @@
-"""Lookup of the current definitions of users' Warp functions, which notebooks and reloads may define again.
+"""Lookup of the current definition of a user's Warp function, which notebooks may have defined again.
 
 If a function is defined again with other argument types, Warp keeps both definitions as overloads of one name. A kernel
 keeps the functions and constants of the time when the kernel was built.
@@ -41,12 +41,12 @@ def is_function(value: Any) -> bool:
 
 
 def names_in(function: wp.Function) -> set[str]:
-    """Return the names of all attributes and globals that a function and the user's functions that it calls read."""
+    """Return the names of all attributes and globals that a user's function, and the functions it calls, read."""
     return {name for one in reached(called(function)) for name in one.func.__code__.co_names}
 
 
 def called(function: wp.Function) -> list[wp.Function]:
-    """Return a list of a function and, if a `wp.static` in a loop is not evaluated yet, of the functions it calls.
+    """Return a list of a function and, if Warp has not evaluated a `wp.static` there yet, of the functions it calls.
 
     In that case Warp generates the function's code first, which evaluates each `wp.static`.
     """
@@ -60,7 +60,7 @@ def called(function: wp.Function) -> list[wp.Function]:
 
 
 def reached(functions: list[wp.Function]) -> list[wp.Function]:
-    """Return the given functions and, recursively, all user-defined functions that the sources refer to."""
+    """Return the given functions and all user-defined functions called from there, directly or indirectly."""
     found = list(functions)
     for one in found:  # the list grows
         named = (*one.adj.get_references()[2], *one.adj.resolved_static_expressions.values(), *one.defaults.values())

@@ -1,4 +1,4 @@
-"""Mesh files: `load_mesh`, with one reader for each format.
+"""The call `load_mesh`, with one reader for each format of mesh files.
 
 A reader reads a file completely or raises an error of one sentence. It compares declared sizes with the size of the file
 before it allocates memory. Of the libraries known to us only usd-core does so; each reader's page lists the failures of

@@ -53,7 +53,7 @@ def read(path: Path) -> Named:
 
 
 def read_corners(path: Path, name: str) -> np.ndarray:
-    """Read an attribute at the corners of the faces of `read`, as (F, 3, k) float64.
+    """Read a vertex attribute of a glTF file, for example "NORMAL", at all face corners, (F, 3, k) float64.
 
     "NORMAL" and "TANGENT" are transformed with their nodes to unit vectors; the fourth number of a tangent changes its sign
     where a node mirrors. Other attributes, such as "TEXCOORD_0", are unchanged. Primitives without the attribute have NaN.
@@ -64,7 +64,7 @@ def read_corners(path: Path, name: str) -> np.ndarray:
 
 @contextmanager
 def opened(path: Path) -> Iterator[tuple[Part, Data]]:
-    """Open a glTF file and give its JSON and data; convert errors of members to ValueError."""
+    """Open a glTF file within a `with` statement, and return its JSON and its arrays."""
     tree, chunk = binary(path) if path.suffix.lower() == ".glb" else (parsed(path.read_bytes()), memoryview(b""))
     try:
         check_extensions(tree)
@@ -75,7 +75,7 @@ def opened(path: Path) -> Iterator[tuple[Part, Data]]:
 
 
 def check_extensions(tree: Part) -> None:
-    """Raise a ValueError for extensions that compress or instance faces, and for unknown ones that the file requires."""
+    """Raise a ValueError if a glTF file uses extensions that this reader does not support."""
     needed = _EXTENSIONS & set(tree.texts("extensionsUsed"))
     if needed:
         raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file that does not")
@@ -86,7 +86,7 @@ def check_extensions(tree: Part) -> None:
 
 @dataclass(frozen=True)
 class PlacedPrimitive:
-    """One placement of a triangle primitive, in the face order of `read`.
+    """Triangle primitive of a glTF file at one place in the scene.
 
     Attributes:
         node: Node that places the primitive.
@@ -115,13 +115,13 @@ def iterate_primitives(tree: Part) -> Iterator[PlacedPrimitive]:
 
 
 def _faced(mesh: Part) -> list[tuple[int, Part]]:
-    """Return the triangle primitives of a mesh, each with its index."""
+    """Return the primitives of a glTF mesh that consist of triangles, each with its index."""
     primitives = enumerate(mesh.parts("primitives"))
     return [(i, p) for i, p in primitives if p.whole("mode", _TRIANGLES, _FAN) >= _TRIANGLES]
 
 
 def _attributes(placed: PlacedPrimitive, data: Data, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return values, triangles and matrix of an attribute of a primitive; values are NaN if the attribute is missing."""
+    """Read a vertex attribute of a primitive; return (values, triangles, matrix), with NaN for a missing attribute."""
     points, triangles = surface(placed.primitive, data)
     attributes, width = placed.primitive.part("attributes"), _WIDTHS.get(name, 2)
     if name not in attributes:
@@ -139,7 +139,7 @@ def _attributes(placed: PlacedPrimitive, data: Data, name: str) -> tuple[np.ndar
 
 
 def _turned_tangents(tangents: np.ndarray, matrix: np.ndarray) -> np.ndarray:
-    """Transform tangents by one matrix, or by one matrix per vertex; the first three numbers become unit vectors again."""
+    """Transform tangents, (V, 4), by one matrix, or by one matrix per vertex, and normalise the vectors."""
     rows = matrix[..., :3, :3]
     along = _times(tangents[:, :3], rows)
     sign = tangents[:, 3:] * np.sign(np.linalg.det(rows)).reshape(-1, 1)
@@ -147,7 +147,10 @@ def _turned_tangents(tangents: np.ndarray, matrix: np.ndarray) -> np.ndarray:
 
 
 def _turned(normals: np.ndarray, matrix: np.ndarray) -> np.ndarray:
-    """Transform unit normals by one matrix or one per vertex; return unit vectors, or NaN where the matrix is singular."""
+    """Transform unit normals, (V, 3), by one matrix, or by one per vertex; return unit vectors.
+
+    The result is NaN where the matrix is singular.
+    """
     rows = matrix[..., :3, :3]
     inverse = np.cross(rows[..., [1, 2, 0], :], rows[..., [2, 0, 1], :])  # columns of the inverse, times the determinant
     turned = _times(normals, inverse * np.sign(np.linalg.det(rows))[..., None, None])
@@ -160,7 +163,7 @@ def _times(vectors: np.ndarray, rows: np.ndarray) -> np.ndarray:
 
 
 def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray | None, str]]:
-    """Yield points, triangles, matrix and name for each placement of a mesh in the scene; each mesh is read once."""
+    """Yield (points, triangles, matrix, name) of each mesh in the scene, once for each of its places."""
     meshes = tree.parts("meshes")
     found: dict[int, tuple[np.ndarray, np.ndarray] | None] = {}
     for node, matrix, skin in iterate_nodes(tree):
@@ -179,10 +182,10 @@ def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, 
 def _skinned(
     faced: list[tuple[int, Part]], data: Data, skin: Skin, matrix: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray] | None:
-    """Return points and triangles of a mesh posed by joints; the node's matrix applies only to primitives without joints."""
+    """Return points and triangles of a glTF mesh that is deformed by the joints of a skin."""
 
     def pose_primitive(primitive: Part) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
-        """Return points, triangles and matrix of a primitive, posed by its joints."""
+        """Return (points, triangles, matrix) of a primitive, deformed by its joints if it has any."""
         points, triangles = surface(primitive, data)
         poses = skin.poses(primitive, data)
         return (points, triangles, matrix) if poses is None else (posed(points, poses), outward(triangles, matrix), None)

@@ -20,7 +20,7 @@ _SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]+:")  # scheme of a URI; one letter 
 
 @dataclass(frozen=True)
 class Data:
-    """Arrays of a glTF file: accessors, buffer views, and buffers cut to their declared lengths."""
+    """Binary data of a glTF file, from which the arrays described in its JSON are read."""
 
     accessors: list[Part]
     views: list[Part]
@@ -28,11 +28,13 @@ class Data:
 
     @classmethod
     def of(cls, tree: Part, path: Path, chunk: memoryview) -> "Data":
-        """Read the buffers of a file; `chunk` is the binary part of a .glb, and other files are relative to `path`."""
+        """Load the binary data that the JSON of a glTF file refers to; `chunk` is the binary part of a .glb."""
         return cls(tree.parts("accessors"), tree.parts("bufferViews"), _buffers(path, tree.parts("buffers"), chunk))
 
     def vectors(self, by: Part, key: str, width: int = 3) -> np.ndarray:
-        """Return the (V, width) numbers of the accessor that `by[key]` refers to; normalized integers become float64.
+        """Return the array of vectors, (V, width), that the JSON member by[key] refers to.
+
+        Normalized integers become float64.
 
         Without a copy, unless the numbers are normalized.
         """
@@ -44,16 +46,16 @@ class Data:
         return np.maximum(found / np.iinfo(found.dtype).max, -1.0)
 
     def indices(self, by: Part, key: str) -> np.ndarray:
-        """Return the (N,) integers of the accessor that `by[key]` refers to, without a copy."""
+        """Return the array of integers, (N,), that the JSON member by[key] refers to, without a copy."""
         return self._numbers(by, key, shape="SCALAR", width=1, kinds=_WHOLE)[1].ravel()
 
     def matrices(self, by: Part, key: str) -> np.ndarray:
-        """Return the (N, 4, 4) float64 matrices, for row vectors, of the accessor that `by[key]` refers to."""
+        """Return the array of matrices for row vectors, (N, 4, 4) float64, that the JSON member by[key] refers to."""
         found = self._numbers(by, key, shape="MAT4", width=16, kinds={5126: "<f4"})[1]
         return found.astype(np.float64).reshape(-1, 4, 4)
 
     def rows(self, by: Part, key: str) -> tuple[Part, np.ndarray]:
-        """Return the accessor that `by[key]` refers to and its (V, k) numbers of any type, without a copy."""
+        """Return the glTF accessor that the JSON member by[key] refers to, and its array, (V, k), of any type."""
         shape = self.accessors[by.index(key, self.accessors)].text("type")
         if shape not in _WIDTHS:
             raise ValueError(f"{by.at(key)}: got numbers that are {quote(shape)}, want one of {', '.join(_WIDTHS)}")
@@ -66,7 +68,7 @@ class Data:
         return bytes(self._view(self.views[image.index("bufferView", self.views)]))
 
     def _numbers(self, by: Part, key: str, *, shape: str, width: int, kinds: Mapping[int, str]) -> tuple[Part, np.ndarray]:
-        """Return an accessor and its (V, width) numbers, after checks of type, kind and bounds."""
+        """Return a glTF accessor and its array, (V, width), after checks of type and bounds."""
         accessor = self.accessors[by.index(key, self.accessors)]
         if "sparse" in accessor or "bufferView" not in accessor:
             raise ValueError("it has sparse data, want a file that holds all numbers")
@@ -85,7 +87,7 @@ class Data:
         return accessor, np.ndarray((count, width), kind, data, begin, (stride, kind.itemsize))
 
     def _view(self, view: Part) -> memoryview:
-        """Return the bytes of a buffer view."""
+        """Return the bytes of a glTF buffer view, a part of a buffer."""
         data = self.buffers[view.index("buffer", self.buffers)]
         begin, length = view.whole("byteOffset", 0), view.whole("byteLength")
         if begin + length > len(data):

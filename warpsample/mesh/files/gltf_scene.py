@@ -21,7 +21,7 @@ def iterate_nodes(tree: Part) -> Iterator[tuple[Part, np.ndarray, Skin | None]]:
 
 
 def _places(tree: Part, nodes: list[Part]) -> Iterator[tuple[int, np.ndarray]]:
-    """Yield the index and matrix, for row vectors, of each node of the scene, parents first."""
+    """Yield (index, matrix) of each node of the scene, parents first; matrices transform row vectors to the scene."""
     scenes = tree.parts("scenes")
     children = [node.indices("children", nodes) for node in nodes]
     parents = _parents(children)
@@ -44,7 +44,7 @@ def _places(tree: Part, nodes: list[Part]) -> Iterator[tuple[int, np.ndarray]]:
 
 
 def _parents(children: list[list[int]]) -> dict[int, int]:
-    """Return the parent of each node that has one; raise a ValueError if a node has two parents or is its own ancestor."""
+    """Return a dictionary from nodes to parents; raise a ValueError for two parents or a circle."""
     parents: dict[int, int] = {}
     for number, below in enumerate(children):
         for child in below:

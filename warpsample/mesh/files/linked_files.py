@@ -41,12 +41,12 @@ def uris_of(tree: Part, kinds: Iterable[str] = ("images", "buffers")) -> Iterato
 
 
 def _gltf(path: Path) -> Iterator[str]:
-    """Yield the file names in a .gltf or .glb."""
+    """Yield the names of the external files that a .gltf or .glb refers to."""
     return map(unquote, uris_of(_tree(path)))
 
 
 def _tree(path: Path) -> Part:
-    """Return the JSON of a .gltf or .glb."""
+    """Return the JSON of a .gltf or .glb file, as a `Part`."""
     return binary(path)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())
 
 
@@ -63,7 +63,7 @@ def _obj(path: Path) -> Iterator[str]:
 
 
 def _names(line: str) -> list[str]:
-    """Return all candidates for the file name in a line: each word after the first, with everything that follows.
+    """Return all possible file names in a line of an .obj: names may contain spaces and follow options.
 
     Options precede the name, and the name may contain spaces.
     """

@@ -50,18 +50,18 @@ class _Element:
     properties: list[_Property] = field(default_factory=list)
 
     def check(self, is_text: bool, size: int) -> None:
-        """Raise a ValueError, before allocation, if `size` bytes cannot hold the element even with empty lists."""
+        """Raise a ValueError if a file with `size` more bytes is too short for the number of rows in the header."""
         least = sum(2 if is_text else (p.count_kind or p.kind).itemsize for p in self.properties)
         if not 0 <= self.count * least <= size + 1 or (self.count and not least):
             raise self.cut(f"{size:,} bytes follow")
 
     def cut(self, found: str) -> ValueError:
-        """Return the error for an element with fewer rows than the header declares."""
+        """Return the ValueError for an element with fewer rows than the header declares; `found` states what follows."""
         return ValueError(f"its header declares {self.count:,} of '{self.name}', but {found}")
 
 
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Read vertices and faces; polygons are cut into triangles, and other elements are ignored.
+    """Read vertices and triangles of a .ply file; polygons are cut into triangles.
 
     Raises:
         ValueError: A header without vertices or faces, or more or less data than the header declares.
@@ -70,7 +70,7 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def read_elements(path: Path) -> dict[str, dict[str, Any]]:
-    """Read the columns of all elements, by the names of the element and of the property.
+    """Read all data of a .ply file: arrays keyed by the name of the element, then of the property.
 
     Raises:
         ValueError: More or less data than the header declares.
@@ -93,7 +93,7 @@ def read_elements(path: Path) -> dict[str, dict[str, Any]]:
 
 
 def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
-    """Return vertices (V, 3) and triangles (F, 3) from the columns of all elements."""
+    """Return vertices (V, 3) and triangles (F, 3) from the data of a .ply file."""
     vertex, face = found.get("vertex", {}), found.get("face", {})
     polygons = face.get("vertex_indices", face.get("vertex_index"))
     if not {"x", "y", "z"} <= vertex.keys() or not isinstance(polygons, tuple):
@@ -105,7 +105,7 @@ def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _header(file: BinaryIO) -> tuple[str, list[_Element]]:
-    """Read the byte order, "" for text, and the declared elements."""
+    """Read the header of a .ply file; return (byte order, "" for text; declared elements)."""
     if file.readline(_LONGEST).split() != [b"ply"]:
         raise ValueError("it does not begin with 'ply'")
     order, elements, line = None, [], ""
@@ -132,7 +132,7 @@ def _header(file: BinaryIO) -> tuple[str, list[_Element]]:
 
 
 def _kind(order: str | None, name: str, kinds: str = "iuf") -> np.dtype:
-    """Return the NumPy type of a declared type; raise a ValueError if it is not one of `kinds`."""
+    """Return the NumPy type of a type name in a .ply header, for example "float"."""
     kind = np.dtype(_KINDS[name])
     if order is None or kind.kind not in kinds:
         raise ValueError
@@ -140,7 +140,10 @@ def _kind(order: str | None, name: str, kinds: str = "iuf") -> np.dtype:
 
 
 def _text(rows: Iterator[list[bytes]], element: _Element) -> dict[str, Any]:
-    """Read an element of a text file as columns by name; a list column is (lengths, all numbers)."""
+    """Read the rows of one element of a text .ply; return arrays keyed by property name.
+
+    A list property is a pair (lengths, all numbers).
+    """
     lengths, numbers = _empty(element, lambda p: array("d" if p.kind.kind == "f" else "q"))
     steps = [(p.name in lengths, real if p.kind.kind == "f" else whole, p.name) for p in element.properties]
     seen = 0
@@ -163,7 +166,7 @@ def _text(rows: Iterator[list[bytes]], element: _Element) -> dict[str, Any]:
 
 
 def _binary(file: BinaryIO, element: _Element) -> dict[str, Any]:
-    """Read an element of a binary file as columns like `_text`, in one step if all rows have equal lengths, else by rows."""
+    """Read the rows of one element of a binary .ply; return arrays keyed by property name, as `_text` does."""
     start = file.tell()
     left = file.seek(0, SEEK_END) - file.seek(start)
     kind = _first_row(file, element, left)
@@ -178,7 +181,7 @@ def _binary(file: BinaryIO, element: _Element) -> dict[str, Any]:
 
 
 def _first_row(file: BinaryIO, element: _Element, left: int) -> np.dtype:
-    """Return the NumPy type of rows with the list lengths of the first row."""
+    """Return the NumPy type of an element's rows, assuming that all lists are as long as in the first row."""
     fields: list[tuple] = []
     for p in element.properties:
         if p.count_kind is not None:
@@ -192,7 +195,7 @@ def _first_row(file: BinaryIO, element: _Element, left: int) -> np.dtype:
 
 
 def _rows(file: BinaryIO, element: _Element) -> dict[str, Any]:
-    """Read an element of a binary file row by row."""
+    """Read one element of a binary .ply row by row, since its lists differ in length."""
     start, data, at = file.tell(), file.read(), 0
     lengths, numbers = _empty(element, lambda _: bytearray())
     for _ in range(element.count):
@@ -211,16 +214,16 @@ def _rows(file: BinaryIO, element: _Element) -> dict[str, Any]:
 
 
 def _empty(element: _Element, make: Callable[[_Property], Any]) -> tuple[dict[str, array], dict[str, Any]]:
-    """Return empty containers for the lengths of lists and for numbers."""
+    """Return empty containers for the data of an element: one for list lengths, one for numbers."""
     lengths = {p.name: array("q") for p in element.properties if p.count_kind is not None}
     return lengths, {p.name: make(p) for p in element.properties}
 
 
 def _columns(lengths: dict[str, Any], numbers: dict[str, np.ndarray]) -> dict[str, Any]:
-    """Return the columns of an element by name; a list column is (lengths, all numbers)."""
+    """Combine list lengths and numbers of an element to a dictionary of its properties."""
     return {name: (np.asarray(lengths[name]), found) if name in lengths else found for name, found in numbers.items()}
 
 
 def _order(kind: np.dtype) -> Literal["little", "big"]:
-    """Return the byte order of a type."""
+    """Return the byte order of a NumPy type as "little" or "big"."""
     return "big" if kind.byteorder == ">" else "little"

@@ -15,7 +15,7 @@ _BYTES = 400  # memory per vertex: its matrix and temporary arrays
 
 @dataclass(frozen=True, eq=False)
 class Skin:
-    """Joints that pose a mesh.
+    """Skin of a glTF mesh: joints that deform the mesh.
 
     Attributes:
         part: JSON of the skin.
@@ -27,7 +27,7 @@ class Skin:
 
     @classmethod
     def of(cls, tree: Part, node: Part, places: Mapping[int, np.ndarray]) -> "Skin | None":
-        """Return the skin of a node, or None; `places` maps node indices of the scene to matrices."""
+        """Return the skin of a glTF node, or None; `places` maps node numbers to matrices."""
         if "skin" not in node:
             return None
         skins = tree.parts("skins")
@@ -39,7 +39,7 @@ class Skin:
         return cls(part, np.array([places[joint] for joint in joints]).reshape(-1, 4, 4))
 
     def poses(self, primitive: Part, data: Data) -> np.ndarray | None:
-        """Return (V, 4, 4) matrices for row vectors that pose a primitive's vertices.
+        """Return the matrices, (V, 4, 4), that move each vertex of a primitive to its deformed position.
 
         Returns None for a primitive without joints.
         """
@@ -64,7 +64,7 @@ class Skin:
         return found
 
     def _moves(self, data: Data) -> np.ndarray:
-        """Return (J, 4, 4) matrices that move the mesh from its bind pose to the pose of each joint."""
+        """Return the matrix of each joint, (J, 4, 4), that moves the undeformed mesh with the joint."""
         if "inverseBindMatrices" not in self.part:
             return self.joints
         inverse = data.matrices(self.part, "inverseBindMatrices")

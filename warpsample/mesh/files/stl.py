@@ -19,7 +19,9 @@ _WORDS = {"solid", "facet", "outer", "vertex", "endloop", "endfacet", "endsolid"
 
 
 def read(path: Path) -> Named:
-    """Read vertices and faces; corners with equal coordinates become one vertex. Solids of a text file become named parts.
+    """Read vertices, faces and named parts of an .stl file; corners with equal coordinates become one vertex.
+
+    Solids of a text file become named parts.
 
     Raises:
         ValueError: A size other than the header declares, unknown words, or facets, loops or solids without an end.
@@ -38,7 +40,7 @@ def read(path: Path) -> Named:
 
 
 def _text(path: Path) -> tuple[np.ndarray, list[int], list[str]]:
-    """Read a text file: (N, 3) corners, and the number of facets and the name of each solid."""
+    """Read a text .stl; return the (N, 3) corners of all facets, and the number of facets and name of each solid."""
     positions, seen = array("d"), Counter(dict.fromkeys(_WORDS, 0))
     starts, names = [], []
     for number, words in numbered(path):

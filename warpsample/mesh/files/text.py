@@ -24,7 +24,7 @@ _NO_SURFACE |= {"usemap", "maplib", "shadow_obj", "trace_obj"}
 
 
 def read_obj(path: Path) -> Named:
-    """Read vertices, faces and parts of an .obj; polygons are cut into triangles.
+    """Read vertices, faces and named parts of an .obj file; polygons are cut into triangles.
 
     Faces with the same object, group and material ("o", "g", "usemtl") form a part. Its name joins these names by "/".
 
@@ -57,7 +57,7 @@ def read_obj(path: Path) -> Named:
 
 
 def read_obj_uv(path: Path) -> np.ndarray:
-    """Read (F, 3, 2) texture coordinates at the corners of the faces of `read_obj`, v upward; NaN for faces without any.
+    """Read the texture coordinates of an .obj at all face corners, (F, 3, 2), v upward; NaN for faces without any.
 
     Raises:
         ValueError: A line that cannot be read; the message gives the number of the line.
@@ -83,7 +83,7 @@ def read_obj_uv(path: Path) -> np.ndarray:
 
 
 def _texture_corners(words: list[str], coordinates: int) -> list[int]:
-    """Return the 1-based indices of the texture coordinates of a face's corners."""
+    """Parse a face line of an .obj; return the 1-based indices of its texture coordinates."""
     found = [index + 1 for index in _corners(words, coordinates, 1)]
     if not 1 <= min(found) <= max(found) <= coordinates:
         raise ValueError(f"a face has the texture coordinates {min(found)} to {max(found)}, but they are 1 to {coordinates}")
@@ -91,7 +91,10 @@ def _texture_corners(words: list[str], coordinates: int) -> list[int]:
 
 
 def _used(part: np.ndarray, names: list[str]) -> tuple[np.ndarray | None, list[str]]:
-    """Return part numbers and names without the parts that have no faces; (None, []) if no part has a name."""
+    """Return the part number of each face and the parts' names, without parts that have no faces.
+
+    If no part has a name, return (None, []).
+    """
     if len(names) == 1:
         return None, []
     used, part = np.unique(part, return_inverse=True)
@@ -99,7 +102,7 @@ def _used(part: np.ndarray, names: list[str]) -> tuple[np.ndarray | None, list[s
 
 
 def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Read vertices and faces of an .off, COFF or NOFF; colours and normals are ignored, polygons are cut into triangles.
+    """Read vertices and faces of an .off file; polygons are cut into triangles, colours and normals are ignored.
 
     Raises:
         ValueError: Another header, more or fewer lines than declared, or a line that cannot be read.
@@ -128,7 +131,7 @@ def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def numbered(path: Path, joins: bool = False) -> Iterator[tuple[int, list[str]]]:
-    """Yield the line number and words of each nonempty line, without comments.
+    """Yield (line number, words) of each line of a text file that is not empty, without comments.
 
     With `joins`, a backslash at the end of a line continues the line.
     """
@@ -147,26 +150,26 @@ def numbered(path: Path, joins: bool = False) -> Iterator[tuple[int, list[str]]]
 
 
 def three(words: list[str]) -> list[float]:
-    """Return the three coordinates of a vertex; further numbers are ignored."""
+    """Parse the three coordinates of a vertex from the words of a line; further numbers are ignored."""
     if len(words) < 3:
         raise ValueError(f"a vertex has {len(words)} numbers, not 3")
     return [real(word) for word in words[:3]]
 
 
 def real(word: str | bytes) -> float:
-    """Convert a word of a mesh file to a float."""
+    """Parse a number in a text file as a float."""
     return float(_plain(word))
 
 
 def whole(word: str | bytes) -> int:
-    """Convert a word of a mesh file to an int."""
+    """Parse a whole number in a text file as an int."""
     return int(_plain(word))
 
 
 def _plain(word: str | bytes) -> str | bytes:
-    """Return a word that is a number; raise a ValueError for formats that only Python accepts.
+    """Return a word unchanged; raise a ValueError if it is a number only to Python, for example 1_0.
 
-    Such formats are 1_0 for 10, and digits of other scripts.
+    Digits of other scripts raise the error, too.
     """
     if {"_", "\\"} & set(ascii(word)):
         raise ValueError(f"{ascii(word)[:60]} is not a number")
@@ -174,7 +177,7 @@ def _plain(word: str | bytes) -> str | bytes:
 
 
 def _corners(words: list[str], vertices: int, column: int = 0) -> list[int]:
-    """Return the 0-based vertex indices of a face of an .obj.
+    """Parse a face line of an .obj; return the 0-based indices of its vertices.
 
     Indices of the file are 1-based, or count back from the last vertex, which is -1. `column` selects the number between
     slashes.

@@ -35,7 +35,7 @@ def read(path: Path) -> Named:
 
 
 def read_corners(path: Path, number: int) -> np.ndarray:
-    """Read (F, 3, 2) float64 texture coordinates at the corners of the faces of `read`, v upward.
+    """Read the texture coordinates of a USD file at all face corners, (F, 3, 2) float64, v upward.
 
     Prims without the set have NaN. Set 0 is the primvar "st", or the first primvar by name. Errors are those of `read`.
     """
@@ -48,7 +48,7 @@ def read_up_axis(path: Path) -> str:
 
 
 def _run_usd_stage(path: Path, what: str = "") -> bytes:
-    """Run `usd_stage` on a file in a new process and return its output."""
+    """Read a USD file in a separate process, since damaged files crash usd-core; return the process' output."""
     if find_spec("pxr") is None:
         raise missing(f"path: got {path.name!r}, which needs usd-core", "pxr")
     status, found = run_program(_PROGRAM.format(path=sys.path, file=str(path), what=what))
@@ -61,11 +61,11 @@ def _run_usd_stage(path: Path, what: str = "") -> bytes:
 
 
 def _parts(found: bytes) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, str]]:
-    """Yield points, triangles, matrix and name of each mesh in the output of `usd_stage`."""
+    """Yield (points, triangles, matrix, name) of each mesh, parsed from the output of the reading process."""
     at = 0
 
     def read_array(kind: type, rows: int, columns: int) -> np.ndarray:
-        """Return the next array of the output, and advance."""
+        """Return the next (rows, columns) array of the output."""
         nonlocal at
         array = np.frombuffer(found, kind, rows * columns, at).reshape(rows, columns)
         at += array.nbytes

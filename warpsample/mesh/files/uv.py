@@ -16,7 +16,7 @@ _UPWARD = np.array((1.0, -1.0)), np.array((0.0, 1.0))
 
 
 def _gltf(path: Path, number: int) -> np.ndarray:
-    """Read the set TEXCOORD_n of a glTF file."""
+    """Read one set of texture coordinates, TEXCOORD_n, of a glTF file."""
     return gltf.read_corners(path, f"TEXCOORD_{number}")
 
 
@@ -33,7 +33,7 @@ def _usd(path: Path, number: int) -> np.ndarray:
 
 
 def _downward(uv: np.ndarray) -> np.ndarray:
-    """Replace v by 1 - v."""
+    """Return texture coordinates with v replaced by 1 - v, to convert between v upward and v downward."""
     scale, shift = _UPWARD
     return uv * scale + shift
 

@@ -1,4 +1,4 @@
-"""Arrays for parameters by point: read from files by name, and carried from vertices or faces to points."""
+"""Arrays for distribution parameters: read from files by name, and interpolated from vertices or faces to points."""
 
 from pathlib import Path
 from typing import Any
@@ -43,7 +43,7 @@ def read_array(path: Any, name: str, argument: str) -> np.ndarray:
 
 
 def _ply(path: Path) -> dict[str, np.ndarray]:
-    """Read the numbers of vertices and faces in a .ply, by name; for equal names vertices come first."""
+    """Read the arrays of numbers at vertices and faces in a .ply file, keyed by name."""
     found = read_elements(path)
     columns = {**_numbers(found.get("face", {})), **_numbers(found.get("vertex", {}))}
     for name in [name.removesuffix("_x") for name in columns if name.endswith("_x")]:
@@ -54,12 +54,12 @@ def _ply(path: Path) -> dict[str, np.ndarray]:
 
 
 def _numbers(columns: dict[str, Any]) -> dict[str, np.ndarray]:
-    """Return the columns of a .ply element that hold one number in each row."""
+    """Return the properties of a .ply element that are single numbers, not lists, keyed by name."""
     return {name: np.asarray(column) for name, column in columns.items() if not isinstance(column, tuple)}
 
 
 def _vtp(path: Path) -> dict[str, np.ndarray]:
-    """Read the arrays of points and cells in a .vtp, by name; for equal names points come first."""
+    """Read the point and cell arrays of a .vtp file, keyed by name; a point array hides a cell array of its name."""
     found = pyvista().read(path)
     return arrays_of(found)
 
@@ -71,7 +71,7 @@ def arrays_of(dataset: Any) -> dict[str, np.ndarray]:
 
 
 def _npz(path: Path) -> dict[str, np.ndarray]:
-    """Read the arrays of an .npz, by name."""
+    """Read all arrays of an .npz file, keyed by name."""
     with np.load(path, allow_pickle=False) as archive:
         return {name: archive[name] for name in archive.files}
 

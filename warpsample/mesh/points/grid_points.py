@@ -83,7 +83,7 @@ def _check_faces(value: Any, faces: int) -> np.ndarray:
 
 
 def _above_ground(mesh: Mesh, spacing: float, height: float, chosen: np.ndarray, upward: np.ndarray) -> SurfacePoints:
-    """Return points at a height above the chosen faces, on vertical lines through a lattice common to all meshes."""
+    """Return points at a height above the chosen faces, in a horizontal grid whose position does not depend on the mesh."""
     axes = np.stack(axes_in_plane(upward[None], upward))[:, 0]
     found = lattice_points((mesh.vertices @ axes.T / spacing - 0.5)[mesh.faces])
     corners = (mesh.vertices @ upward)[mesh.faces[found.triangle]]
@@ -103,7 +103,7 @@ def _above_ground(mesh: Mesh, spacing: float, height: float, chosen: np.ndarray,
 
 
 def _is_free(place: np.ndarray, z: np.ndarray, facing: np.ndarray, height: float, close: float) -> np.ndarray:
-    """Return the (N,) bool mask of ground crossings that are outside bodies and have free space above.
+    """Return a mask of the grid points that are outside bodies and have free space above, (N,) bool.
 
     Crossings are sorted by column and height. A crossing is left out if another face is within `height` above, or if the
     next face above is seen from its back.
@@ -122,7 +122,7 @@ def _is_free(place: np.ndarray, z: np.ndarray, facing: np.ndarray, height: float
 
 
 def _on_faces(mesh: Mesh, spacing: float, height: float, chosen: np.ndarray, upward: np.ndarray) -> SurfacePoints:
-    """Return points on grids in the planes of the flat parts of the chosen faces."""
+    """Return points on a grid in the plane of each flat part of the chosen faces."""
     rows = np.flatnonzero(chosen)
     part, x, y = flat_parts(mesh, rows, upward)
     triangles = (mesh.vertices - mesh.bounds.mean(axis=0))[mesh.faces[rows]]

@@ -13,7 +13,7 @@ _BYTES_PER_POINT = 96
 
 @dataclass(frozen=True)
 class LatticePoints:
-    """Integer lattice points in triangles.
+    """Points with integer coordinates in triangles of the plane: triangle, coordinates and barycentric weights of each.
 
     Attributes:
         triangle: (N,) int64 index of the triangle that contains the point.
@@ -48,7 +48,7 @@ def lattice_points(corners: np.ndarray) -> LatticePoints:
 
 
 def _blocks(counts: np.ndarray) -> Iterator[np.ndarray]:
-    """Yield groups of triangles whose bounding boxes have few lattice points in total; skip triangles without any."""
+    """Yield groups of triangles that are small enough to be searched for lattice points at once."""
     rows = np.flatnonzero(counts)
     block = (np.cumsum(counts[rows]) // _AT_A_TIME).astype(np.int64)
     yield from np.split(rows, np.flatnonzero(np.diff(block)) + 1) if len(rows) else ()
@@ -57,7 +57,7 @@ def _blocks(counts: np.ndarray) -> Iterator[np.ndarray]:
 def _inside(
     corners: np.ndarray, rows: np.ndarray, low: np.ndarray, sides: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the fields of `LatticePoints` for the triangles `rows`.
+    """Return the lattice points in the triangles `rows`: triangle, coordinates and barycentric weights of each.
 
     Their bounding boxes begin at `low` and have `sides` lattice points per axis.
     """
@@ -75,7 +75,10 @@ def _inside(
 
 
 def _side(start: np.ndarray, end: np.ndarray, place: np.ndarray) -> np.ndarray:
-    """Return twice the (N,) signed area between an edge and a point; reversing the edge only changes the sign, exactly."""
+    """Return twice the signed area of the triangle of an edge and a point, (N,): the sign is the side of the edge.
+
+    Reversing the edge only changes the sign, exactly.
+    """
     turned = (start[:, 0] > end[:, 0]) | ((start[:, 0] == end[:, 0]) & (start[:, 1] > end[:, 1]))
     a, b = np.where(turned[:, None], end, start), np.where(turned[:, None], start, end)
     cross = (b[:, 0] - a[:, 0]) * (place[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (place[:, 0] - a[:, 0])

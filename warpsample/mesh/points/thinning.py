@@ -1,4 +1,4 @@
-"""Poisson-disk points: random points of a surface, thinned to a minimum distance as if accepted one by one.
+"""Poisson-disk sampling: random points on a surface are thinned until all have a minimum distance.
 
 The order of the points alone determines the result: a point is accepted if no earlier accepted point is within the distance.
 Parallel rounds decide each point whose earlier neighbours are decided (Blelloch2012). So the result is that of the
@@ -38,13 +38,13 @@ def darts_for(count: int | None, radius: float | None, area: float) -> int:
 
 
 def thinned(points: "SurfacePoints", count: int | None, radius: float | None, area: float, workers: int) -> np.ndarray:
-    """Return the rows of random points to keep, in rising order, so that all kept points have a minimum distance.
+    """Return the rows of the random points to keep, ascending, so that all kept points have a minimum distance.
 
     With `radius`, that is the distance. With `count`, the distance is searched for, as large as possible for `count` points.
     """
 
     def select_rows(distance: float) -> np.ndarray:
-        """Return the rows of the points that are accepted for a distance."""
+        """Return the rows of the points to keep for a minimum distance."""
         return np.flatnonzero(_stay(points, distance, workers))
 
     if count is None:
@@ -54,7 +54,7 @@ def thinned(points: "SurfacePoints", count: int | None, radius: float | None, ar
 
 
 def _distance_of(count: int, guess: float, select_rows: Callable[[float], np.ndarray]) -> np.ndarray:
-    """Search for the largest distance that accepts at least `count` points; return the rows of the accepted points."""
+    """Search for the largest minimum distance that keeps at least `count` points; return the rows of the kept points."""
     low, high, best = 0.0, np.inf, None
     distance = guess
     for _ in range(_ROUNDS):
@@ -71,7 +71,7 @@ def _distance_of(count: int, guess: float, select_rows: Callable[[float], np.nda
 
 
 def _stay(points: "SurfacePoints", distance: float, workers: int) -> np.ndarray:
-    """Return the (N,) bool mask of the points that are accepted for a minimum distance."""
+    """Return a mask of the points to keep so that all kept points have a minimum distance, (N,) bool."""
     count = len(points)
     if not distance > 0.0:
         return np.ones(count, bool)
@@ -122,7 +122,7 @@ def _neighbours(position: np.ndarray, distance: float) -> tuple[np.ndarray, np.n
 
 @once
 def settle() -> wp.Kernel:
-    """Build the kernel of one round: each task accepts a point, rejects it, or leaves it undecided until the next round."""
+    """Build the kernel of one round of thinning: each point is accepted, rejected, or left for the next round."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def settle(

@@ -40,7 +40,7 @@ Tiles = Iterator[tuple[Span, Mapping[str, np.ndarray]]]
 
 @dataclass(frozen=True)
 class RasterJob:
-    """A raster computation on files; each process reads the files itself.
+    """Description of a computation on raster files, small enough to send to worker processes, which read the files.
 
     Attributes:
         source: Path of the raster of heights.
@@ -58,7 +58,7 @@ class RasterJob:
 
     @classmethod
     def of(cls, run: BakeRun) -> "RasterJob":
-        """Build the job from the arguments of a `warpsample bake` command."""
+        """Build the description of the computation from the arguments of a `warpsample bake` command."""
         given = run.options | {name: run.more[name] for name in _RASTER_OPTIONS if name in run.more}
         given |= {} if run.transmittance is None else {"transmittance": run.transmittance}
         options = {ARGUMENTS.get(name, name): _to_plain(name, value) for name, value in given.items()}
@@ -74,7 +74,7 @@ class RasterJob:
         return [file for path in rasters if isinstance(path, str) for file in files_read(path)] + weather
 
     def read(self) -> tuple[RasterRun, dict[str, Any]]:
-        """Return the checked run, and the attributes that identify the run without the heights, which are not read yet."""
+        """Check the input files; return the computation, and attributes (arguments, place on the map) that identify it."""
         how = {"model": self.model, "receiver": self.receiver}
         run, about = run_of(quantity_of(self.quantity), self.source, dict(self.options), **how)
         about.pop("workers", None)
@@ -101,27 +101,27 @@ def _to_plain(name: str, value: Any) -> Any:
 
 
 class TileStore(Protocol):
-    """Interface of storage for the tiles of a raster run: a folder of files or a Zarr store, which can be resumed."""
+    """Interface of the storage of computed raster tiles, from which an interrupted computation can be resumed."""
 
     path: Path
 
     def locked(self) -> AbstractContextManager[Any]:
-        """Keep other processes from writing the tiles, within a `with` statement."""
+        """Lock the storage within a `with` statement, so that no other process writes tiles."""
 
     def begin(self, run: RasterRun, about: dict[str, Any]) -> np.ndarray:
-        """Create the store, or check an existing one, and return the (tiles,) bool mask of the complete tiles."""
+        """Create the storage, or check that an existing one belongs to the same run; return the mask of complete tiles."""
 
     def compute(self, job: RasterJob, digests: Mapping[str, np.ndarray], tiles: list[int]) -> Iterator[np.void]:
-        """Compute and store the given tiles, and yield a summary of each (dtype SUMMARY)."""
+        """Compute and store the tiles with the given numbers, and yield counts and sums of the values of each."""
 
     def tiles(self, run: RasterRun) -> Tiles:
-        """Yield all tiles of a finished run."""
+        """Yield the (rows and columns, arrays) of all tiles, after all have been computed."""
 
     def about(self) -> dict[str, Any]:
-        """Return the stored attributes that identify the run."""
+        """Return the stored attributes that identify the computation: arguments and hashes of the inputs."""
 
     def remove(self) -> None:
-        """Remove the tiles of a finished run, unless the tiles are the output."""
+        """Delete the storage at the end, unless it is the output itself."""
 
 
 def bake_raster(run: BakeRun, store: TileStore) -> str:
@@ -163,7 +163,7 @@ def check_raster_files(run: BakeRun, job: RasterJob) -> None:
 
 
 def _bake(run: BakeRun, job: RasterJob, store: TileStore, record: RunRecord) -> tuple[list[str], tuple[int, int]]:
-    """Compute all tiles and write the output; return sentences on further files, and the shape of the raster."""
+    """Compute all tiles that are missing in the store and write the output; return notes, and the raster's shape."""
     raster, about = job.read()
     raster.check()
     digests = {name: digests_of(reader) for name, reader in raster.rasters.items()}
@@ -180,7 +180,7 @@ def _bake(run: BakeRun, job: RasterJob, store: TileStore, record: RunRecord) -> 
 
 
 def _finish(run: BakeRun, raster: RasterRun, about: Mapping[str, Any], store: TileStore) -> list[str]:
-    """Write the GeoTIFF or the picture, and the report, from finished tiles; return notes on files."""
+    """Write the GeoTIFF or picture, and the report, from the computed tiles; return sentences on the files."""
     notes = []
     if run.output.suffix in (".tif", ".tiff"):
         removed = write_cog(run.output, raster, about, lambda: store.tiles(raster), store.path / "cog")
@@ -199,7 +199,7 @@ def _finish(run: BakeRun, raster: RasterRun, about: Mapping[str, Any], store: Ti
 
 @contextmanager
 def _resumable(store: Path) -> Iterator[None]:
-    """Convert a WriteError within a `with` statement to one that states that the store can be resumed."""
+    """Add to any WriteError inside a `with` statement that the computation can be resumed from the store."""
     try:
         yield
     except WriteError as error:
@@ -208,18 +208,18 @@ def _resumable(store: Path) -> Iterator[None]:
 
 @dataclass(frozen=True, eq=False)
 class BakedRaster:
-    """Values in the cells of a raster, for pictures and reports.
+    """Computed values in the cells of a raster, in the form that pictures and reports use.
 
     Attributes:
         run: Arguments of the command.
-        found: Flat arrays `value`, `standard_error`, `rays` and `status`; the status is 0 in cells with a value.
+        result: Flat arrays `value`, `standard_error`, `rays` and `status`; the status is 0 in cells with a value.
         shape: Rows and columns.
         cell: Width of a cell in units of the map.
         north: Direction of true north on the picture, to the right and up.
     """
 
     run: BakeRun
-    found: Any
+    result: Any
     shape: tuple[int, int]
     cell: float
     north: tuple[float, float]
@@ -242,19 +242,19 @@ class BakedRaster:
 
     @property
     def quantity(self) -> Quantity:
-        """Record of the quantity."""
+        """Description of the computed quantity: its name, unit and options."""
         return quantity_of(self.run.quantity)
 
 
 def describe_heights(digests: Mapping[str, np.ndarray]) -> dict[str, str]:
-    """Return the digests of whole rasters as attributes, from the digests of their blocks."""
+    """Return a hash of each input raster, as an attribute of the run, from the hashes of its blocks."""
     return {f"{name}_heights": digest_of(found) for name, found in digests.items()}
 
 
 def check_unchanged(
     job: RasterJob, kept: Mapping[str, Any], store: Path, digests: Mapping[str, np.ndarray] | None = None
 ) -> RasterRun:
-    """Return a job's run, after a check that its input files are the same as when the run began.
+    """Read a computation's input files again, and raise an error if any has changed since the computation began.
 
     Args:
         job: Computation to run.
@@ -279,11 +279,11 @@ def check_unchanged(
 
 
 def read_unchanging(job: RasterJob, kept: Mapping[str, Any], store: Path, digests: Mapping[str, np.ndarray]) -> RasterRun:
-    """Return a job's run that raises an error if the rasters change after the run began."""
+    """Return a computation whose reads raise an error where an input raster has changed since the computation began."""
     run = check_unchanged(job, kept, store, digests)
     return run.reading({name: unchanging(raster, digests[name], name) for name, raster in run.rasters.items()})
 
 
 def summarize_tile(arrays: Mapping[str, np.ndarray]) -> np.void:
-    """Return the counts, sums and range of a tile's values, as a record of dtype SUMMARY."""
+    """Return the number, sums and range of the values in a tile, as a NumPy record of dtype SUMMARY."""
     return summarize(arrays["value"].ravel(), arrays["standard_error"].ravel(), 0)

@@ -24,7 +24,7 @@ ABOUT, DIGESTS = "about.json", "digests.npz"
 
 
 class TileFiles:
-    """Tiles of a run in the hidden folder `.NAME.tiles` next to the output NAME.
+    """Storage of computed raster tiles as .npz files, in the hidden folder `.NAME.tiles` next to the output NAME.
 
     Attributes:
         path: Path of the folder.
@@ -38,7 +38,7 @@ class TileFiles:
 
     @contextmanager
     def locked(self) -> Iterator[None]:
-        """Create and lock the folder within a `with` statement; remove the folder at the end if it has no run.
+        """Create and lock the folder of tiles within a `with` statement; remove the folder at the end if it is empty.
 
         Raises:
             ValueError: the folder exists and is not to be resumed, or holds other files.
@@ -58,7 +58,7 @@ class TileFiles:
                 self.path.rmdir()
 
     def _check_folder(self) -> None:
-        """Raise a ValueError for an existing folder with other files, or that is not to be resumed."""
+        """Raise a ValueError if the folder exists and holds other files, or if `--resume` is not given."""
         files = list(self.path.iterdir()) if self.path.is_dir() else [self.path]
         if files and not (self.path / ABOUT).is_file():
             raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another name of the output")
@@ -68,7 +68,7 @@ class TileFiles:
             )
 
     def begin(self, run: RasterRun, about: dict[str, Any]) -> np.ndarray:
-        """Write the attributes of a run, or check the attributes in the folder; return the mask of complete tiles.
+        """Start or resume a computation in the folder; return the (tiles,) bool mask of tiles that are complete.
 
         Raises:
             ValueError: the folder is of another run; the message names the difference.
@@ -88,7 +88,7 @@ class TileFiles:
         return whole
 
     def _is_whole(self, index: int, run: RasterRun) -> bool:
-        """Return whether the file of a tile can be read and holds all arrays of a run."""
+        """Return whether the .npz file of a tile can be read and holds all result arrays."""
         try:
             return self._file(index).exists() and set(read_arrays(self._file(index))) == set(run.names)
         except (OSError, ValueError, KeyError, EOFError, BadZipFile):
@@ -99,7 +99,7 @@ class TileFiles:
         return tile_file(self.path, index)
 
     def compute(self, job: RasterJob, digests: Mapping[str, np.ndarray], tiles: list[int]) -> Iterator[np.void]:
-        """Compute and write tiles one after the other, each with all threads, and yield a SUMMARY for each."""
+        """Compute the tiles one after the other, write each to a file, and yield counts and sums of its values."""
         write_digests(self.path, digests)
         own = read_unchanging(job, self.about(), self.path, digests)
         spans = list(own.spans())
@@ -109,12 +109,12 @@ class TileFiles:
             yield summarize_tile(arrays)
 
     def tiles(self, run: RasterRun) -> Tiles:
-        """Yield the row and column range and the arrays of each tile of a finished run."""
+        """Yield the range of rows and columns and the arrays of each tile, after all have been computed."""
         for index, span in enumerate(run.spans()):
             yield span, read_arrays(self._file(index))
 
     def about(self) -> dict[str, Any]:
-        """Return the attributes in the folder, which identify the run."""
+        """Return the attributes stored in the folder, which identify the computation."""
         return read_about(self.path)
 
     def remove(self) -> None:
@@ -128,17 +128,17 @@ def tile_file(folder: Path, index: int) -> Path:
 
 
 def read_about(folder: Path) -> dict[str, Any]:
-    """Read the attributes that identify the run of a folder of tiles."""
+    """Read the attributes stored in a folder of tiles, which identify the computation."""
     return json.loads((folder / ABOUT).read_bytes())
 
 
 def write_digests(folder: Path, digests: Mapping[str, np.ndarray]) -> None:
-    """Write the digests of the input rasters into a folder of tiles."""
+    """Write the hashes of the input rasters' blocks into a folder of tiles."""
     with complete_or_absent(folder / DIGESTS) as stream:
         write_arrays(stream, digests)
 
 
 def write_tile_file(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.ndarray]) -> None:
-    """Write a tile into a folder; the file appears complete."""
+    """Write the arrays of one tile to an .npz file in a folder; other processes never see a partly written file."""
     with complete_or_absent(tile_file(folder, index)) as stream:
         write_arrays(stream, {name: arrays[name] for name in run.names})

@@ -27,7 +27,7 @@ from warpsample.texture.sets import TextureOptions
 
 
 def bake_texture(source: TextureSource, record: RunRecord) -> str:
-    """Compute a checked run with `--texture` and write its output, complete or not at all.
+    """Compute the textures of a `warpsample bake --texture` command, write the output, and return a report in lines.
 
     Args:
         source: Source of the run, as `read_texture_source` returns it.
@@ -55,7 +55,7 @@ def bake_texture(source: TextureSource, record: RunRecord) -> str:
 
 
 def _compute(source: TextureSource, record: RunRecord) -> list[list[Picture]]:
-    """Compute the pictures of all textures."""
+    """Compute the images of all textures of a command, for each place of the meshes in the scene."""
     closed = Closed(source.traced)
     fill = partial(fill_texture, run=source.run, how=source.how, closed=closed, high=source.high, record=record)
     points = sum(len(job.points) * (1 + max((len(one.others) for one in job.group), default=0)) for job in source.jobs)
@@ -64,7 +64,7 @@ def _compute(source: TextureSource, record: RunRecord) -> list[list[Picture]]:
 
 
 def _refuse_mostly_inside(source: TextureSource, found: list[list[Picture]]) -> None:
-    """With `--strict`, raise a ValueError for charts with more than half of their points filled for being inside."""
+    """Raise a ValueError, with `--strict`, if most points of a UV chart are inside closed bodies."""
     pictures = (picture.filled for row in found for picture in row)
     doubtful = [f"{one.job.name!r}: {_describe_mostly_inside(one)}" for one in pictures if one.mostly_inside]
     if source.how.strict and doubtful:
@@ -72,7 +72,7 @@ def _refuse_mostly_inside(source: TextureSource, found: list[list[Picture]]) -> 
 
 
 def _describe_mostly_inside(found: Filled) -> str:
-    """Return a sentence on charts with more than half of their points filled for being inside closed bodies."""
+    """Return a warning about UV charts most of whose points are inside closed bodies."""
     charts = "one chart is" if found.mostly_inside == 1 else f"{found.mostly_inside:,} charts are"
     return f"{charts} more than half inside closed bodies and filled: if a body is a room, pass --inside keep"
 
@@ -106,7 +106,7 @@ def _write_scene(file: GlbFile, source: TextureSource, found: list[list[Picture]
 
 
 def _add_picture(file: GlbFile, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions) -> Iterator[str]:
-    """Store the picture of a job in a glTF file, and return sentences on replaced pictures.
+    """Store a computed image in a glTF file as a texture, and return sentences on textures that it replaces.
 
     Lengths become fractions of the longest length, in units of the primitives.
     """
@@ -133,7 +133,7 @@ def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Fil
 
 
 def _count(found: list[list[Picture]]) -> str:
-    """Return the number of pictures as text."""
+    """Return the number of computed images as text, for example "2 pictures"."""
     count = sum(map(len, found))
     return "one picture" if count == 1 else f"{count} pictures"
 

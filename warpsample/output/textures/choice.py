@@ -10,7 +10,7 @@ from warpsample.texture.texture_points import check_samples, check_size
 
 
 def texture_options(run: BakeRun) -> TextureOptions:
-    """Check and return the options for textures of a run.
+    """Convert the texture options of a `warpsample bake` command to `TextureOptions`, after checking their values.
 
     Raises:
         ValueError: an option that cannot be used; the message names the option.
@@ -38,7 +38,7 @@ def texture_options(run: BakeRun) -> TextureOptions:
 
 
 def _parse_gutter(value: str) -> str | int:
-    """Return a gutter as a number of texels, or "all"; raise a ValueError for other text."""
+    """Parse the option `--gutter`: the number of texels around charts to fill, or "all"."""
     gutter = int(value) if value.isascii() and value.isdecimal() and len(value) < 10 else value
     check_gutter(gutter, "--gutter")
     return gutter

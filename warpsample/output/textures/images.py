@@ -26,7 +26,7 @@ from warpsample.texture.tangents import Frames
 
 @dataclass(frozen=True, eq=False)
 class Filled:
-    """Images of a job, and counts of filled points.
+    """Computed images of one texture, and counts of points without a value of their own.
 
     Attributes:
         job: Texture that the images belong to.
@@ -58,7 +58,7 @@ class Filled:
 def fill_texture(
     job: TextureJob, *, run: BakeRun, how: TextureOptions, closed: Closed, high: HighMesh | None, record: RunRecord
 ) -> Filled:
-    """Compute the images of one job, part by part; only the values of a part are kept."""
+    """Compute a quantity at all texels of one texture, and return the images of values and standard errors."""
     quantity, points, options = quantity_of(run.quantity), job.points, dict(run.options)
     if how.samples > 1 and quantity.takes("samples"):
         options["samples"] = max(2, (options.get("samples") or quantity.default("samples")) // how.samples)
@@ -68,7 +68,7 @@ def fill_texture(
     looks, convert = how.inside == "fill" and quantity.result is not ExactResult, _converter(job, run, quantity)
 
     def of_part(part: SurfacePoints, first: int) -> Any:
-        """Compute the quantity at a part of the texels."""
+        """Compute the quantity at a range of the texels' points, beginning with point number `first`."""
         rows, places = slice(first, first + len(part)), part
         if high is not None:
             places, missed[rows] = high.project(part, points.mesh, workers)
@@ -93,7 +93,7 @@ def fill_texture(
 
 
 def _images(job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray) -> tuple[Any, Any, float]:
-    """Return the images of values and standard errors at points, and the mean; NaN marks points without a value."""
+    """Return the images of values and of standard errors at the texels, and the mean value."""
     error[np.isnan(value)] = np.nan
     known = np.isfinite(value)
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
@@ -105,7 +105,7 @@ def _images(job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.n
 def _converter(
     job: TextureJob, run: BakeRun, quantity: Quantity
 ) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
-    """Return the function that converts (values, faces, weights of corners) to the values of the picture."""
+    """Return the function that converts computed values for the picture, for example to tangent-space normals."""
     if slot_for_quantity(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
         return Frames.of(run.mesh, job.points.mesh, job.points.corners, job.rows).to_components
     if quantity.result is Thickness and job.group:

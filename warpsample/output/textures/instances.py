@@ -1,4 +1,4 @@
-"""Pictures of meshes that a scene has in several places: one picture for places with equal values."""
+"""Textures of meshes that a scene shows in several places: places with equal values share one picture."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -35,7 +35,7 @@ class Picture:
 
 
 def pictures_of(job: TextureJob, fill: Callable[[TextureJob], Filled], how: TextureOptions) -> list[Picture]:
-    """Compute a job at all places, and return its pictures; the first one is of the first place."""
+    """Compute a texture for each place of its mesh in the scene, and return the pictures that differ."""
     found = [_picture(fill(job), job)]
     if how.instances == "mean":
         return [_mean_of(found[0], (_picture(fill(other), other) for other in job.at_other_places()), how.gutter)]
@@ -50,13 +50,13 @@ def pictures_of(job: TextureJob, fill: Callable[[TextureJob], Filled], how: Text
 
 
 def _joined(known: Picture, other: Picture) -> Picture:
-    """Return the first of two equal pictures, with the places of both."""
+    """Return one picture for the places of two equal pictures."""
     rays = known.rays[0] + other.rays[0], known.rays[1] + other.rays[1]
     return replace(known, groups=known.groups + other.groups, rays=rays)
 
 
 def _mean_of(first: Picture, others: Iterator[Picture], gutter: Any) -> Picture:
-    """Average the pictures of all places of a mesh to one picture; errors are averaged, not taken as independent."""
+    """Return the mean of the pictures of all places of a mesh, with the mean of their standard errors."""
     total, count = _sums(first.filled)
     for other in others:
         first = _joined(first, other)
@@ -99,14 +99,14 @@ def _differ(known: Filled, other: Filled) -> bool:
 
 
 def _sums(filled: Filled) -> tuple[np.ndarray, np.ndarray]:
-    """Return (2, H, W, C) values and errors, 0 outside the texels that a place covers, and (H, W, 1) the covered texels."""
+    """Return values and errors of a texture as (2, H, W, C), 0 in unused texels, and the (H, W, 1) count of used texels."""
     covered = filled.job.points.covered[..., None]
     both = np.stack([filled.value, filled.error]).astype(np.float64)
     return np.where(covered, both.reshape(2, *covered.shape[:2], -1), 0.0), covered.astype(np.int64)
 
 
 def place_pictures(file: GlbFile, pictures: list[list[Picture]]) -> list[list[list[Primitive]]]:
-    """Copy meshes in a .glb for places whose pictures differ from the picture of the first place.
+    """Copy meshes in a .glb so that each place in the scene can show its own picture.
 
     Args:
         file: to be edited.
@@ -131,7 +131,7 @@ def place_pictures(file: GlbFile, pictures: list[list[Picture]]) -> list[list[li
 
 
 def _mesh_for(file: GlbFile, one: Primitive, shown: dict[int, int], known: dict[Any, int]) -> int:
-    """Return the number of the mesh that shows some pictures at a node; copy and place the mesh if needed."""
+    """Return the number of the glTF mesh for a node with the given pictures; copy the mesh if necessary."""
     key = one.mesh, tuple(sorted(shown.items()))
     if key not in known:
         known[key] = file.copy_mesh(one.mesh) if any(shown.values()) else one.mesh
@@ -140,7 +140,7 @@ def _mesh_for(file: GlbFile, one: Primitive, shown: dict[int, int], known: dict[
 
 
 def describe_places(pictures: list[Picture]) -> Iterator[str]:
-    """Yield a sentence on a picture of meshes in several places."""
+    """Yield a sentence on how many pictures the places of a mesh share, if the mesh is in several places."""
     places = sum(len(picture.groups) for picture in pictures)
     if places > 1:
         several = join_names(one.name for one in pictures[0].groups[0] if one.others)

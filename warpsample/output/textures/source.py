@@ -1,4 +1,4 @@
-"""Source of a run with `--texture`: the checked arguments, the meshes, and the textures to compute."""
+"""Input of a `warpsample bake --texture` command: the checked arguments, the meshes, and the textures to compute."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -38,7 +38,7 @@ _WITHOUT_LIGHT = ("normals", "position", "thickness")  # quantities that do not 
 
 @dataclass(frozen=True, eq=False)
 class TextureSource:
-    """Checked and loaded input of a run with `--texture`: meshes, arguments and planned textures.
+    """Input of a `warpsample bake --texture` command, checked and loaded: arguments, meshes, and textures to compute.
 
     Attributes:
         run: Arguments of the command.
@@ -64,7 +64,7 @@ class TextureSource:
 
 
 def read_texture_source(run: BakeRun) -> TextureSource:
-    """Check all arguments of a run, read the meshes, and plan the textures.
+    """Check the arguments of a `warpsample bake --texture` command, read the meshes, and list the textures to compute.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: a file or an option that cannot be used; the message names the option.
@@ -111,7 +111,7 @@ def _check_scene(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[Te
 
 
 def _inputs(run: BakeRun, how: TextureOptions) -> list[Path]:
-    """Return the files that a run reads."""
+    """Return the paths of all files that a `warpsample bake --texture` command reads."""
     high = [] if how.high is None else [how.high, *list_linked_files(how.high)]
     return [*input_files(run, quantity_of(run.quantity)), *high]
 

@@ -1,4 +1,4 @@
-"""Twins: second implementations of every map, density and frame, in float64 NumPy, written differently from the kernels.
+"""Second implementations ("twins") of every map, density and frame, in float64 NumPy, to compare the kernels with.
 
 Where a record states a limit (a clamped edge, a blurred horizon), its twin has the same limit. Parameters are first rounded
 to float32, as in the kernels. The module `sequences` has the twins of the sequences, in exact integers.
@@ -8,16 +8,14 @@ import numpy as np
 
 from warpsample.distributions.own import Twin, user_distributions
 from warpsample.distributions.record import Distribution
-from warpsample.proof.twins import lights, microfacets, pictures, shapes
+from warpsample.proof.twins import lights, microfacets, pictures, scattered, shapes
 from warpsample.proof.twins.angles import frames, polar_angle, spherical
 
 __all__ = ["check_twin", "density", "directions", "frames", "names", "polar_angle", "spherical"]
 
-_TWINS = {**shapes.TWINS, **microfacets.TWINS, **lights.TWINS, **pictures.TWINS}
-
 
 def check_twin(distribution: Distribution) -> Twin:
-    """Return the twin of a distribution: its second implementations (directions, density) in float64.
+    """Return the second implementation of a distribution in float64 NumPy: functions (directions, density).
 
     Raises:
         NotImplementedError: the distribution has no twin; the message explains how to add it.
@@ -44,6 +42,15 @@ def density(distribution: Distribution, w: np.ndarray) -> np.ndarray:
     return check_twin(distribution)[1](distribution, w)
 
 
+_TWINS = {
+    **shapes.TWINS,
+    **microfacets.TWINS,
+    **lights.TWINS,
+    **pictures.TWINS,
+    **scattered.twins_of(directions, density),
+}
+
+
 def names() -> set[str]:
-    """Return the names of the package's distributions that have a twin."""
+    """Return the names of the package's distributions that have a second implementation."""
     return set(_TWINS)

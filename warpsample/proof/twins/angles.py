@@ -1,4 +1,4 @@
-"""Functions shared by the float64 twins: angles, unit vectors, frames about normals, and parameters rounded to float32."""
+"""Functions that the second implementations share: angles, unit vectors, frames, and parameters rounded to float32."""
 
 from collections.abc import Callable
 from typing import Any

@@ -1,4 +1,4 @@
-"""Twins of the distributions of microfacet normals: all normals about the mean normal, and normals visible from a view."""
+"""Second implementations of the distributions of microfacet normals, all or only those visible from a view."""
 
 from typing import Any
 
@@ -14,20 +14,20 @@ def _roughnesses(d: Any) -> tuple[float, float]:
 
 
 def _tilted(d: Any, turns: np.ndarray, sine: np.ndarray, cosine: np.ndarray) -> np.ndarray:
-    """Return normals with the slopes sine / cosine (alpha_x cos phi, alpha_y sin phi), for phi in turns."""
+    """Return microfacet normals from sine and cosine of their angle, before stretching by the roughnesses, and azimuth."""
     x, y = _roughnesses(d)
     azimuth = TAU * turns
     return _normalize(np.stack([x * sine * np.cos(azimuth), y * sine * np.sin(azimuth), cosine], axis=-1))
 
 
 def _steepness(d: Any, w: np.ndarray) -> np.ndarray:
-    """Return cos^2 phi / alpha_x^2 + sin^2 phi / alpha_y^2 for the azimuth phi of directions."""
+    """Return cos^2 phi / alpha_x^2 + sin^2 phi / alpha_y^2 for directions with azimuth phi, a factor of densities."""
     (x, y), azimuth = _roughnesses(d), np.arctan2(w[..., 1], w[..., 0])
     return (np.cos(azimuth) / x) ** 2 + (np.sin(azimuth) / y) ** 2
 
 
 def _beckmann(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return Beckmann normals at u."""
+    """Sample Beckmann microfacet normals from points u of the unit square."""
     r = np.sqrt(-np.log1p(-u[..., 0]))
     return _tilted(d, u[..., 1], r, np.ones_like(r))
 
@@ -39,7 +39,7 @@ def _beckmann_density(d: Any, w: np.ndarray) -> np.ndarray:
 
 
 def _ggx(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return GGX normals at u."""
+    """Sample GGX microfacet normals from points u of the unit square."""
     return _tilted(d, u[..., 1], np.sqrt(u[..., 0]), np.sqrt(1.0 - u[..., 0]))
 
 
@@ -60,7 +60,7 @@ def _cosine_to_view(d: Any, m: np.ndarray) -> np.ndarray:
 
 
 def _rotate_to_view(d: Any, w: np.ndarray) -> np.ndarray:
-    """Rotate vectors about z from a frame whose x axis lies below the stretched view to the stretched local frame."""
+    """Rotate vectors about the z axis so that the x axis turns to the azimuth of the stretched view direction."""
     (x, y, _), (alpha, alpha_y) = _view_of(d), _roughnesses(d)
     x, y = x * alpha, y * alpha_y
     turn = np.exp(1j * np.arctan2(y, x)) * (w[..., 0] + 1j * w[..., 1])
@@ -68,12 +68,12 @@ def _rotate_to_view(d: Any, w: np.ndarray) -> np.ndarray:
 
 
 def _normalize(w: np.ndarray) -> np.ndarray:
-    """Scale vectors to unit length."""
+    """Return vectors scaled to unit length."""
     return w / np.sqrt(np.einsum("...i,...i", w, w))[..., None]
 
 
 def _visible_ggx(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return normals by Dupuy2023, listing 3, as printed, except that the azimuth starts at the view."""
+    """Sample visible GGX normals at u, by Dupuy2023, listing 3, as printed, except that the azimuth starts at the view."""
     (x, y, z), (alpha, alpha_y) = _view_of(d), _roughnesses(d)
     view = _normalize(np.array([np.hypot(alpha * x, alpha_y * y), 0.0, z]))
     cap_z = (1.0 - u[..., 0]) * (1.0 + view[2]) - view[2]
@@ -93,7 +93,7 @@ def _visible_ggx_density(d: Any, m: np.ndarray) -> np.ndarray:
 
 
 def _visible_slope_limit(d: Any) -> tuple[float, float]:
-    """Return (a, alpha sin v), where a is the slope in units of alpha at which normals face away from the view.
+    """Return (a, alpha sin v): microfacets with a slope beyond a, in units of alpha, face away from the view.
 
     alpha sin v is the length of (alpha_x v_x, alpha_y v_y). The sine of the view's angle v to +z is at least 1e-12.
     """
@@ -103,7 +103,7 @@ def _visible_slope_limit(d: Any) -> tuple[float, float]:
 
 
 def _visible_beckmann(d: Any, u: np.ndarray) -> np.ndarray:
-    """Sample visible Beckmann normals at u.
+    """Sample visible Beckmann microfacet normals from points u of the unit square.
 
     The slope along the view comes from bisection of its distribution function, the slope across it from SciPy's `ndtri`.
     """

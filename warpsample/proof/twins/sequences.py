@@ -1,4 +1,4 @@
-"""Second implementations of the sequences in exact integers and fractions, and recorded digests of their streams."""
+"""Second implementations of the sequences in exact integers and fractions, and recorded hashes of their values."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -26,7 +26,7 @@ def frozen_digest(name: str) -> str:
 
 
 def names() -> set[str]:
-    """Return the names of the sequences that have a twin."""
+    """Return the names of the sequences that have a second implementation."""
     return set(_TWINS)
 
 
@@ -65,7 +65,7 @@ def _swap_halves(word: int) -> int:
 
 
 def _combine(run: Sequence[int], low: int) -> Key:
-    """Combine the words of a run with the low word of a point id, or with a stream number, to four words."""
+    """Hash four words of seed and upper point id with the lower 32 bits of the id, or with a stream number."""
     x, y, z, w = run
     x = _finalize(low ^ x)
     return x, (y + _swap_halves(x)) & _MASK, (z + x) & _MASK, w
@@ -87,18 +87,18 @@ def _key(seed: int, point: int) -> Key:
 
 
 def _stream_key(seed: int, point: int, stream: int) -> Key:
-    """Return the key of one random stream of a surface point: four random words."""
+    """Return the random key of one independent stream of a surface point: four words."""
     return pcg4d(*_combine(_key(seed, point), stream))
 
 
 def _variates_from_words(words: Sequence[int], sample: int) -> tuple[int, int]:
-    """Return the two variates of a sample from four random words, which two consecutive samples share."""
+    """Return the two random numbers of a sample, from four random words that two consecutive samples share."""
     first = 2 * (sample & 1)
     return words[first] >> 8, words[first + 1] >> 8
 
 
 def _independent(key: Key, sample: int, count: int) -> tuple[int, int]:
-    """Return the variates of the sequence "independent", in cells of 2^-24."""
+    """Return one sample of the sequence "independent", as two integers in units of 2^-24."""
     half = sample >> 1
     half = (half ^ half >> 16) * 0x85EBCA6B & _MASK
     half ^= half >> 13
@@ -106,22 +106,22 @@ def _independent(key: Key, sample: int, count: int) -> tuple[int, int]:
 
 
 def _philox(key: Key, sample: int, count: int) -> tuple[int, int]:
-    """Return the variates of the sequence "philox", in cells of 2^-24."""
+    """Return one sample of the sequence "philox", as two integers in units of 2^-24."""
     return _variates_from_words(philox4x32_10([sample >> 1, key[0], key[1], 0], key[2:]), sample)
 
 
 def _rotation(sample: int, step: int, key: int) -> int:
-    """Return one coordinate sample * step + key modulo 1 of a lattice, in units of 2^-24."""
+    """Return one coordinate of a lattice point, (sample * step + key) modulo 1, in units of 2^-24."""
     return (((sample * step % 2**64) >> 32) + key & _MASK) >> 8
 
 
 def _r2(key: Key, sample: int, count: int) -> tuple[int, int]:
-    """Return the variates of the sequence "r2", in cells of 2^-24."""
+    """Return one sample of the sequence "r2", as two integers in units of 2^-24."""
     return _rotation(sample, 0xC13FA9A902A6328F, key[0]), _rotation(sample, 0x91E10DA5C79E7B1D, key[1])
 
 
 def _fibonacci(key: Key, sample: int, count: int) -> tuple[int, int]:
-    """Return the variates of the sequence "fibonacci", in cells of 2^-24."""
+    """Return one sample of the sequence "fibonacci", as two integers in units of 2^-24."""
     along = (sample + Fraction(key[0], 2**32)) / count * _CELLS
     return min(int(along), _CELLS - 1), _rotation(sample, 0x9E3779B97F4A7C15, key[1])
 
@@ -140,7 +140,7 @@ def _owen(x: int, key: int) -> int:
 
 
 def _sobol(key: Key, sample: int, count: int) -> tuple[int, int]:
-    """Return the variates of the sequence "sobol", in cells of 2^-24, by direction numbers.
+    """Return one sample of the sequence "sobol", as two integers in units of 2^-24.
 
     In the second dimension each direction number is v ^ (v >> 1) of the previous one, starting from 1/2.
     """
@@ -153,7 +153,7 @@ def _sobol(key: Key, sample: int, count: int) -> tuple[int, int]:
 
 
 def _stratified(key: Key, sample: int, count: int) -> tuple[int, int]:
-    """Return the variates of the sequence "stratified", in cells of 2^-24."""
+    """Return one sample of the sequence "stratified", as two integers in units of 2^-24."""
     rows = isqrt(count)
     short, long_rows = divmod(count, rows)
     in_long = long_rows * (short + 1)

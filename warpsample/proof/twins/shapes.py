@@ -1,4 +1,4 @@
-"""Twins of the uniform, cosine and offset distributions, and of the lobes that depend on the angle to the normal alone."""
+"""Second implementations of the distributions whose density depends only on the angle to the normal."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from warpsample.proof.twins.angles import BLUR, TAU, by_theta, constant, paramet
 
 
 def _cosine(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return cosine-distributed directions of the hemisphere at u, by the distribution's method."""
+    """Sample cosine-distributed directions of the hemisphere from points u of the unit square."""
     if d.method == "concentric":
         r, turns = _concentric(u)
         return spherical(np.arctan2(r, np.sqrt((1.0 - r) * (1.0 + r))), turns)
@@ -16,7 +16,7 @@ def _cosine(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _concentric(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return radius and azimuth, in turns, of the concentric map, by the square's four triangles (Shirley1997).
+    """Return (radius, azimuth / 2 pi) of the concentric map of the square to the disk (Shirley1997).
 
     u is moved to the centre of its cell.
     """
@@ -31,36 +31,36 @@ def _concentric(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _disk(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return uniformly distributed points of the unit disk at u, by the distribution's method."""
+    """Sample uniformly distributed points of the unit disk from points u of the unit square."""
     r, turns = _concentric(u) if d.method == "concentric" else (np.sqrt(u[..., 0]), u[..., 1])
     return r[..., None] * np.stack([np.cos(TAU * turns), np.sin(TAU * turns)], axis=-1)
 
 
 def _cone(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return the angle to +z, in radians, of directions uniform in a cone at u."""
+    """Return the angle to +z, in radians, of uniform directions in a cone, sampled from u[0]."""
     return 2.0 * np.arcsin(np.sqrt(0.5 * u * parameter(d, "one_minus_cos")))
 
 
 def _offset_circle(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return directions of the offset circle at u."""
+    """Sample directions of the distribution OffsetCircle from points u of the unit square."""
     theta = (u[..., 0] - 0.5) * np.pi
     return np.stack([np.sin(theta), np.cos(theta)], axis=-1)
 
 
 def _offset_disk(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return directions of the offset disk at u."""
+    """Sample directions of the distribution OffsetDisk from points u of the unit square."""
     sine = np.sqrt(u[..., 0]) * np.cos(TAU * u[..., 1])
     return np.stack([sine, np.sqrt((1.0 - sine) * (1.0 + sine))], axis=-1)
 
 
 def _offset_sphere(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return the angle to +z, in radians, of directions of the offset sphere at u."""
+    """Return the angle to +z, in radians, of directions of the distribution OffsetSphere, sampled from u[0]."""
     rho, half = parameter(d, "rho"), np.arctan2(np.sqrt(u), np.sqrt(1.0 - u))
     return np.arctan2(rho * np.sin(2.0 * half), (1.0 - rho) + 2.0 * rho * np.cos(half) ** 2)
 
 
 def _offset_sphere_density(d: Any, w: np.ndarray) -> np.ndarray:
-    """Return the exact density of the offset sphere.
+    """Return the exact density of the distribution OffsetSphere at directions w, per steradian.
 
     There is one formula for a surface point outside the sphere, and one for a surface point inside.
     """
@@ -73,7 +73,7 @@ def _offset_sphere_density(d: Any, w: np.ndarray) -> np.ndarray:
 
 
 def _power(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return the angle to +z, in radians, of directions of the power-cosine lobe at u."""
+    """Return the angle to +z, in radians, of directions of the power cosine lobe, sampled from u[0]."""
     return 2.0 * np.arcsin(np.sqrt(-0.5 * np.expm1(np.log1p(-u) / (parameter(d, "exponent") + 1.0))))
 
 
@@ -84,7 +84,7 @@ def _power_density(d: Any, w: np.ndarray) -> np.ndarray:
 
 
 def _von_mises_fisher(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return the angle to +z, in radians, of directions of the von Mises-Fisher lobe at u."""
+    """Return the angle to +z, in radians, of directions of the von Mises-Fisher distribution, sampled from u[0]."""
     kappa = parameter(d, "kappa")
     return 2.0 * np.arcsin(np.sqrt(np.minimum(-np.log1p(u * np.expm1(-2.0 * kappa)) / (2.0 * kappa), 1.0)))
 
@@ -96,7 +96,7 @@ def _von_mises_fisher_density(d: Any, w: np.ndarray) -> np.ndarray:
 
 
 def _henyey_greenstein(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return the angle to +z, in radians, of directions of Henyey and Greenstein's phase function at u, by its half."""
+    """Return the angle to +z, in radians, of directions of Henyey and Greenstein's phase function, sampled from u[0]."""
     g = parameter(d, "g")
     near, far = (1.0 - g) ** 2 * u * (1.0 + g * (1.0 - u)), (1.0 + g) ** 2 * (1.0 - u) * (1.0 - g * u)
     return 2.0 * np.arctan2(np.sqrt(near), np.sqrt(far))
@@ -115,14 +115,14 @@ def _matrix(d: Any) -> np.ndarray:
 
 
 def _linearly_transformed_cosine(d: Any, u: np.ndarray) -> np.ndarray:
-    """Return transformed directions of the cosine lobe at u."""
+    """Sample directions of a linearly transformed cosine from points u of the unit square."""
     theta = np.arctan2(np.sqrt(u[..., 0]), np.sqrt(1.0 - u[..., 0]))
     moved = spherical(theta, u[..., 1]) @ _matrix(d).T
     return moved / np.sqrt(np.square(moved).sum(axis=-1, keepdims=True))
 
 
 def _linearly_transformed_cosine_density(d: Any, w: np.ndarray) -> np.ndarray:
-    """Return D(o) of the cosine lobe times the change of solid angle, by the inverse (Heitz2016, equation 1)."""
+    """Return the density of a linearly transformed cosine, per steradian (Heitz2016, equation 1)."""
     inverse = np.linalg.inv(_matrix(d))
     back = w @ inverse.T
     length = np.sqrt(np.square(back).sum(axis=-1))

@@ -1,4 +1,4 @@
-"""Casting of rays from faces, in blocks on worker threads, and counting of the surfaces that the rays hit."""
+"""Ray casting for view factors: rays start on each face, in blocks on worker threads, and their hits are counted."""
 
 import threading
 from collections import deque
@@ -32,20 +32,20 @@ _BLOCK_RAYS = 1 << 22  # most rays per block of several faces
 
 
 class InOrder:
-    """Queue that accepts numbered blocks of work in any order and passes them on in ascending order.
+    """Queue that accepts numbered blocks of work in any order and passes blocks on in ascending order.
 
     Threads put blocks in; a function receives them.
     """
 
     def __init__(self, take: Callable[[Block], None]) -> None:
-        """Store the function that receives the blocks in ascending order."""
+        """Create the queue; `take` is called with each block, in ascending order."""
         self._take = take
         self._next = 0
         self._early: dict[int, Block] = {}
         self._lock = threading.Lock()
 
     def add_block(self, number: int, block: Block) -> None:
-        """Add a numbered block, and pass all blocks that are next in order to the function; numbers start at 0."""
+        """Accept block number `number`, and pass on all blocks whose predecessors have arrived; numbers start at 0."""
         with self._lock:
             self._early[number] = block
             while self._next in self._early:
@@ -78,7 +78,7 @@ class Casting:
         return np.clip(0.5 + 0.5 * (self.mesh.face_normals.astype(np.float64) @ self.up), 0.0, 1.0)
 
     def counts(self, rows: np.ndarray, surfaces: np.ndarray | None) -> tuple[Counts, np.ndarray]:
-        """Cast the rays of the faces `rows`; return counts of hits, and the (F,) mask of the faces that cast rays.
+        """Cast rays from the faces with the given numbers; return counts of the surfaces hit, and a mask of casting faces.
 
         surfaces: (F,) int32, column of each face; None for one column per face.
         """
@@ -104,7 +104,7 @@ class Casting:
         return collector.counts(), cast
 
     def _find_open_faces(self, rays: FaceRaysArgs, trees: list[AcceleratorArgs], rows: np.ndarray) -> np.ndarray:
-        """Return the (B,) mask of the faces in `rows` that have no geometry above their plane."""
+        """Return a mask of the given faces that have no geometry above their plane, so that their rays hit nothing."""
         opens = np.zeros((len(trees), len(rows)), np.uint8)
         rays.rows = rows.ctypes.data
         for tree, found in zip(trees, opens, strict=True):
@@ -121,7 +121,7 @@ class Casting:
         surfaces: np.ndarray | None,
         blocks: InOrder,
     ) -> None:
-        """Cast the rays of the faces `rows` in blocks on threads, and count the hits.
+        """Cast rays from the given faces, in blocks on several threads, and pass counts of hits to `blocks` in order.
 
         One thread computes a block, so that none waits for another.
         """
@@ -160,7 +160,7 @@ class Casting:
     def _cast_block(
         self, of_all: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None
     ) -> Block:
-        """Cast the rays of one block of faces, and count the hits of each surface."""
+        """Cast rays from a block of faces, and count how many hit each surface."""
         codes = np.empty((len(rows), self.replicates, self.per_replicate), np.int32)
         rays = FaceRaysArgs.from_buffer_copy(of_all)
         rays.rows, rays.codes = rows.ctypes.data, codes.ctypes.data

@@ -1,4 +1,4 @@
-"""Scaling of exchanged radiation between pairs of surfaces so that each row of view factors adds up to 1."""
+"""Adjustment of reciprocal view factors so that the factors of each surface add up to 1."""
 
 import warnings
 from dataclasses import dataclass
@@ -20,13 +20,13 @@ _DAMPING = 1e-12  # relative to the diagonal, so that rows that cannot close do 
 
 
 def rows_of(indptr: np.ndarray) -> np.ndarray:
-    """Return the row of each entry of a CSR matrix, (E,) int32, from the matrix' index pointers."""
+    """Return the row number of each stored entry of a sparse CSR matrix, (E,) int32."""
     return np.repeat(np.arange(len(indptr) - 1, dtype=np.int32), np.diff(indptr))
 
 
 @dataclass(frozen=True, eq=False)
 class Closure:
-    """Exchange between pairs of surfaces, scaled so that rows close, and the derivatives of the scale factors.
+    """Exchanged radiation of all pairs of surfaces, scaled so that each surface's shares add up to 1, with derivatives.
 
     Pair (i, j) is multiplied by exp(2 (u_i + u_j) / (q_i + q_j)), the loss of row i by exp(0.3 u_i / q_i); q is the row's
     ray density.
@@ -48,7 +48,7 @@ class Closure:
     yields: np.ndarray
 
     def step(self, gap: np.ndarray) -> np.ndarray:
-        """Solve for the change of the unknowns u, (N,) or (N, k), that increases the row sums by `gap`, to first order."""
+        """Return how to change the scale parameters u so that the row sums increase by `gap`: one Newton step."""
         slopes = self.exchange.copy()
         slopes.data *= self.give
         diagonal = slopes.sum(axis=1) + self.yields * self.lost * self.less
@@ -56,7 +56,7 @@ class Closure:
 
 
 def closure_of(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densities: np.ndarray) -> Closure:
-    """Scale the exchange of pairs of surfaces (N, N) and the losses so that each row adds up to its area.
+    """Scale the radiation exchanged by pairs of surfaces, an (N, N) matrix, so that each row adds up to the surface's area.
 
     The u with which all rows close minimises a convex function. It is found by Newton steps that change no factor by more
     than e.

@@ -24,7 +24,10 @@ _NONE = wp.constant(wp.int32(2**31 - 1))
 
 @wp.struct
 class Hit:
-    """Hit of a ray on the back of a face: point p, search radius r, normal n, and address of all normals (F, 3) float32."""
+    """Hit of a ray on the back of a face: point p, radius r to search around it, and normal n.
+
+    `normals` is the address of the normals of all faces, (F, 3) float32.
+    """
 
     p: wp.vec3
     r: wp.float32
@@ -34,7 +37,10 @@ class Hit:
 
 @wp.func
 def _choose_face(face: wp.int32, hit: Hit, best: wp.int32) -> wp.int32:
-    """Return the smaller of the face numbers `best` and `face` if `face` is opposite to the face hit, else `best`."""
+    """Return `face` if it coincides with the face that was hit, faces the ray, and has a lower number than `best`.
+
+    Otherwise return `best`.
+    """
     if wp.dot(vec3_at(hit.normals, face), hit.n) < _OPPOSITE:
         best = wp.min(best, face)
     return best

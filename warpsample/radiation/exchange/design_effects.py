@@ -1,4 +1,4 @@
-"""Design effects: ratio of the variance of hits by lattice rays to that of independent rays, over all rows.
+"""Variances of view factors: how much smaller they are with quasi-random rays than with independent rays.
 
 The replicates of one number give few degrees of freedom: alone they often give an error bar of a third of the right one, or
 0 where they agree. But design effects are similar for similar numbers of hits or misses: 1 for few, 0.1 for thousands. So
@@ -17,7 +17,7 @@ _SLICE = 1 << 20  # hits at a time: the squares of all hits would take more memo
 
 
 def factors_and_variances(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return view factors F and their variances, from the hits of each replicate and a design effect v.
+    """Return view factors and their variances, from the numbers of hits of two or more independent sets of rays.
 
     The variance is (4 v F (1 - F) / n + (R - 1) s^2) / (4 + R - 1), with s^2 from the R replicates.
 
@@ -41,7 +41,7 @@ def factors_and_variances(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.n
 
 
 def _compute_by_kind(hits: np.ndarray, rays: int, whole: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the view factors and variances of two kinds of entries, each kind computed separately."""
+    """Return view factors and variances, computed separately for the entries in the mask `whole` and for the rest."""
     found = np.empty((2, len(hits)))
     for kind in (whole, ~whole):
         found[:, kind] = factors_and_variances(hits[kind], rays)
@@ -49,7 +49,7 @@ def _compute_by_kind(hits: np.ndarray, rays: int, whole: np.ndarray) -> tuple[np
 
 
 def _estimate_effects(hits: np.ndarray, rays: int) -> np.ndarray:
-    """Estimate the design effect of each variance class, (_CLASSES,): mean over the class and one fitted value."""
+    """Estimate the ratio of measured to binomial variance (design effect), for each class of equal binomial variance."""
     sums, numbers = np.zeros(_CLASSES), np.zeros(_CLASSES)
     for _, total, spread in _iterate_slices(hits) if hits.shape[1] > 1 else ():
         independent, kind = _compute_independent_variance(total, rays)
@@ -61,7 +61,7 @@ def _estimate_effects(hits: np.ndarray, rays: int) -> np.ndarray:
 
 
 def _fit_effects(sums: np.ndarray, numbers: np.ndarray) -> np.ndarray:
-    """Fit design effects, (_CLASSES,), that are a power of the hits' variance, 1 for single hits.
+    """Fit ratios of measured to binomial variance, (_CLASSES,), that are a power of the binomial variance.
 
     With a single replicate the power is -1/4: a boundary through points that fill four dimensions evenly leaves m^(3/4) of m
     cells undecided.
@@ -77,7 +77,7 @@ def _fit_effects(sums: np.ndarray, numbers: np.ndarray) -> np.ndarray:
 
 
 def _iterate_slices(hits: np.ndarray) -> Iterator[tuple[slice, np.ndarray, np.ndarray]]:
-    """Iterate over slices of view-factor entries: (slice, total hits, variance of the total from the replicates)."""
+    """Yield (slice of the view factors, total numbers of hits, measured variances of the numbers of hits)."""
     replicates = hits.shape[1]
     step = _SLICE // replicates
     for first in range(0, len(hits), step):
@@ -88,6 +88,6 @@ def _iterate_slices(hits: np.ndarray) -> Iterator[tuple[slice, np.ndarray, np.nd
 
 
 def _compute_independent_variance(total: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the variance n F (1 - F) of hits by independent rays, and its class, the binary exponent."""
+    """Return the binomial variance n F (1 - F) of numbers of hits, and the class of each: its binary exponent."""
     variance = total * np.maximum(rays - total, 0) / rays
     return variance, np.clip(np.frexp(variance)[1], 0, _CLASSES - 1)

@@ -1,4 +1,4 @@
-"""Random draws of the errors of view factors, with the given variances and a sum of 0 in each row."""
+"""Random errors of view factors, with given variances and a sum of 0 over the factors of each surface."""
 
 import numpy as np
 
@@ -19,7 +19,7 @@ _LOST = ("outside", "behind")
 
 
 class ErrorDraws:
-    """Random draws of the errors of all view factors and of the rows' losses; `number` draws.
+    """Generator of random errors of all view factors, used to estimate the variances of derived numbers.
 
     Losses are radiation that goes outside or hits backs of faces. The errors of a row are independent, minus their sum in
     proportion to the variances. So are counts of independent rays, where one surface gains the rays that others lose; here
@@ -27,7 +27,7 @@ class ErrorDraws:
     """
 
     def __init__(self, factors: RowFactors) -> None:
-        """Compute the size of each view factor's error, and its share of the row's sum that is subtracted."""
+        """Prepare the draws: compute the standard deviation of each view factor's error, for rows that sum to 0."""
         self._row, everywhere = rows_of(factors.indptr), np.arange(len(factors.indptr) - 1)
         self._places = [self._row, *[everywhere] * len(_LOST)]
         variances = [factors.variance, *(factors.others[name][1] for name in _LOST)]
@@ -46,7 +46,7 @@ class ErrorDraws:
         self.number: int = len(self._signs)
 
     def draw(self, number: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-        """Return one random draw of the errors: (E,) errors of view factors, and (N,) errors of each loss by name.
+        """Return random errors of all view factors, (E,), and of the radiation that hits no surface, (N,) arrays by name.
 
         Equal numbers give equal draws.
         """
@@ -63,20 +63,20 @@ class ErrorDraws:
         return free[0], others
 
     def _sum_by_row(self, parts: list[np.ndarray]) -> list[np.ndarray]:
-        """Sum errors by row, and return for each entry of each part the sum of its row."""
+        """Return, for each error, the sum of all errors in the same row of the view-factor matrix."""
         sums = np.bincount(self._row, parts[0], len(parts[1])) + sum(parts[1:])
         return [sums[places] for places in self._places]
 
 
 def _split_error(factors: RowFactors, name: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return the share of the error of `outside` in that of the sky or the ground, and the size of the rest."""
+    """Split the error of the sky or ground share: the part that follows from the error of `outside`, and the rest."""
     (outside, whole), (value, variance) = factors.others["outside"], factors.others[name]
     part = np.minimum(quotients(value, outside), np.sqrt(quotients(variance, whole)))
     return part, np.sqrt(np.maximum(variance - np.square(part) * whole, 0.0))
 
 
 def _choose_signs(errors: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return a (draws, draws) Hadamard matrix of signs, and the column that gives each error's signs.
+    """Return a Hadamard matrix of signs, a row for each draw, and the matrix column to use for each error.
 
     Columns are random where there are more errors than columns.
     """

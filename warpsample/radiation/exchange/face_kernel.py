@@ -1,4 +1,4 @@
-"""Kernel that casts rays from faces, through a tree opened above each face, and stores one code per ray."""
+"""Kernel that casts rays from faces and stores, for each ray, a code for what it hits."""
 
 import warp as wp
 
@@ -34,7 +34,7 @@ _prepare = prepare_rays()
 
 @wp.func
 def _fill_chunk(f: Face, key: wp.vec4ui, step: wp.uint64, first: wp.int32, length: wp.int32, chunk: wp.uint64):
-    """Write starts and directions of consecutive rays of a face to a chunk; two loops vectorise better than one."""
+    """Write the starts and directions of consecutive rays of a face to the buffer of rays to trace."""
     frame = frame_about(f.n)
     k = wp.int32(0)
     while k < length:
@@ -48,7 +48,7 @@ def _fill_chunk(f: Face, key: wp.vec4ui, step: wp.uint64, first: wp.int32, lengt
 
 @wp.func
 def _encode_hit(rays: FaceRays, face: wp.int32, d: wp.vec3) -> wp.int32:
-    """Return the code that records the hit of a ray: on `face`, or on nothing if negative; see `face_rays.SKY`."""
+    """Return the code for what a ray hits: a face number, or a negative code for sky, ground or the back of a face."""
     if face < 0:
         return wp.where(wp.dot(rays.up, d) < 0.0, GROUND, SKY)
     return wp.where(wp.dot(vec3_at(rays.normals, face), d) < 0.0, face, BACK - face)
@@ -56,7 +56,7 @@ def _encode_hit(rays: FaceRays, face: wp.int32, d: wp.vec3) -> wp.int32:
 
 @wp.func
 def _place_at_centre(rays: FaceRays, f: Face, point: ShadingPoint) -> ShadingPoint:
-    """Return the point at the centre of a face around which the search tree is opened for all the face's rays.
+    """Place a point at the centre of a face; the search tree is restricted to what this point sees, for all the face's rays.
 
     All rays of a face start in one plane, so geometry below the centre's horizon is below the horizon of every start.
     """
@@ -72,14 +72,14 @@ def _place_at_centre(rays: FaceRays, f: Face, point: ShadingPoint) -> ShadingPoi
 
 @once
 def _build_caster(glass: bool) -> wp.Function:
-    """Build the Warp function that casts one replicate of a face's rays.
+    """Build the Warp function that casts one of the independent sets of rays of a face.
 
     `glass` is for meshes with transmitting faces.
     """
 
     @wp.func
     def cast(rays: FaceRays, tree: Accelerator, local: wp.int32, point: ShadingPoint, f: Face, place: wp.int64):
-        """Cast one replicate of a face's rays in chunks, and write the codes of the hits from index `place` on."""
+        """Cast one of the independent sets of rays of a face, and write a code for each hit, from index `place` on."""
         for first in range(0, rays.per_replicate, CHUNK):
             length = wp.min(CHUNK, rays.per_replicate - first)
             _fill_chunk(f, point.key, rays.step, first, whole_vectors(length), point.chunk)
@@ -96,7 +96,7 @@ def _build_caster(glass: bool) -> wp.Function:
 
 @once
 def face_kernel(glass: bool = False) -> wp.Kernel:
-    """Build the kernel that casts the rays of faces, one face per task; with `glass` it writes weights as well."""
+    """Build the kernel that casts rays from faces and stores what they hit; `glass` is for translucent faces."""
     cast_replicate = _build_caster(glass)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)

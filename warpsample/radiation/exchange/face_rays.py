@@ -1,4 +1,4 @@
-"""Rays of faces: start and direction from one lattice in four dimensions, and the codes that record hits."""
+"""Starts and directions of rays from faces, by a four-dimensional lattice, and the codes that record hits."""
 
 from fractions import Fraction
 
@@ -58,13 +58,13 @@ FaceRaysArgs = type(FaceRays().__ctype__())
 
 
 def step_of(per_replicate: int) -> int:
-    """Return the lattice step for `per_replicate` rays: 2^64 / per_replicate, rounded; 0 for a single ray."""
+    """Return 2^64 / per_replicate, rounded: the step with which a lattice places that many rays; 0 for a single ray."""
     return round(Fraction(1 << 64, per_replicate)) if per_replicate > 1 else 0
 
 
 @wp.struct
 class Face:
-    """Face that casts rays: a corner a, two sides b and c from there, the normal n, and the distance of starts off the face.
+    """Face prepared to cast rays: corner a, sides b and c as vectors, normal n, and offset of the rays' starts.
 
     inner_a, inner_b, inner_c: least barycentric weights of the corners.
     """
@@ -81,7 +81,7 @@ class Face:
 
 @wp.func
 def face_at(rays: FaceRays, face: wp.int32) -> Face:
-    """Return a face prepared for rays, with the corner weights that keep starts away from the face's sides.
+    """Prepare a face to cast rays; the starts keep a small distance from the face's sides.
 
     A start nearer to a side than four offsets and eight roundings could lie behind an adjacent face, and see out of a closed
     room, if the two faces meet at an angle of 14 degrees or more. Such starts are moved inwards. This changes factors by the
@@ -110,7 +110,7 @@ def face_at(rays: FaceRays, face: wp.int32) -> Face:
 
 @wp.func
 def _uniform(bits: wp.uint32) -> wp.float64:
-    """Map 32 random bits to a number in (0, 1), using 31 bits: a signed integer becomes a float in one instruction."""
+    """Map 32 random bits to a float64 number in (0, 1), from the upper 31 bits."""
     return (wp.float64(wp.int32(bits >> _BIT)) + HALF) * _CELL
 
 
@@ -145,12 +145,12 @@ def start_of(f: Face, key: wp.vec4ui, i: wp.uint32) -> wp.vec3:
 
 @wp.func
 def lowest_start(f: Face) -> wp.float64:
-    """Return a lower bound of the coordinate along a face's normal of the starts of the face's rays."""
+    """Return the lowest height at which rays of a face start: a dot product with the face's normal."""
     along = in_double(f.n)
     return wp.dot(along, f.a) + wp.min(wp.min(wp.dot(along, f.b), wp.dot(along, f.c)), ZERO) + f.offset
 
 
 @wp.func
 def horizon_margin(rays: FaceRays, n: wp.vec3) -> wp.float32:
-    """Return a distance below a ray's start; geometry lower than that is certainly below the start's horizon."""
+    """Return how far geometry must lie below a ray's start, along n, to be below the horizon in spite of rounding."""
     return HORIZON_MARGIN * extent_along(rays.extent, n)

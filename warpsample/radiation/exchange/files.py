@@ -29,7 +29,7 @@ _OPTIONAL = ("sky", "sky_error", "ground", "ground_error"), ("absorbed", "absorb
 
 
 def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
-    """Check that view factors can be written to `path`, before they are computed; return the path.
+    """Check that a file of view factors can be written to `path`, and return the path; called before the computation.
 
     Raises:
         TypeError, ValueError: no path, a name of an unknown format, or a file that cannot be written.
@@ -51,7 +51,7 @@ def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
 
 
 def save(factors: Factors, path: Path) -> None:
-    """Write view factors to a file whose path has been checked; all files are complete or absent.
+    """Write view factors to a file, in the format of its suffix; the path has been checked.
 
     Raises:
         WriteError: a file cannot be written.
@@ -125,7 +125,7 @@ def _check_arrays(held: dict[str, np.ndarray]) -> None:
 
 
 def _list_files(path: Path) -> tuple[Path, ...]:
-    """Return the files that view factors are written to for a path; uDALES has a second file for the sky."""
+    """Return the paths of all files to write for an output path: the uDALES format has a second file for the sky."""
     if path.suffix in (".npz", ".vf"):
         return (path,)
     return path, path.with_name(_SKY + path.name.removeprefix(_SPARSE))
@@ -164,7 +164,7 @@ def _write_sparse(factors: Factors, stream: BinaryIO) -> None:
 
 
 def _write_sky(factors: Factors, stream: BinaryIO) -> None:
-    """Write uDALES' sky view factors to a stream; rays that hit no face and are not absorbed count as sky."""
+    """Write the sky view factor of each face to a stream, in the format of uDALES."""
     absorbed = 0.0 if factors["absorbed"] is None else factors["absorbed"]
     rest = np.maximum(1.0 - factors["matrix"].sum(axis=1) - absorbed, 0.0)
     stream.write(b"# sky view factors\n")
@@ -186,5 +186,5 @@ def _write_view3d(factors: Factors, stream: BinaryIO) -> None:
 
 
 def _format_line(words: Iterator[str]) -> bytes:
-    """Return words joined by spaces, with a line feed, as bytes."""
+    """Return a line of text with the words separated by spaces, as bytes."""
     return (" ".join(words) + "\n").encode()

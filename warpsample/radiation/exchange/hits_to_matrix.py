@@ -1,4 +1,4 @@
-"""Sparse matrix of hit counts from the codes of rays: codes are sorted row by row.
+"""Counting of ray hits into a sparse matrix, with a row for each casting face and a column for each surface.
 
 Only columns with hits are stored.
 """
@@ -19,7 +19,7 @@ _BYTES, _HIT_BYTES = 40, 8  # per entry, and per replicate of an entry, while bl
 
 @dataclass(frozen=True, eq=False)
 class Counts:
-    """Sparse matrix that counts the rays of each face that hit each surface, by replicate.
+    """Sparse matrix of the numbers of rays of each face that hit each surface, for each independent set of rays.
 
     Attributes:
         indptr: (rows + 1,) int64, as in a CSR matrix.
@@ -37,7 +37,7 @@ class Counts:
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """Counts of hits for some rows of the matrix.
+    """Numbers of rays that hit each surface, for some of the casting faces.
 
     Attributes:
         rows: (B,) numbers of the rows, ascending.
@@ -55,7 +55,7 @@ class Block:
 
 
 def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None, weights: np.ndarray | None = None) -> Block:
-    """Count the hits of the rays of some faces, by the surface that is hit.
+    """Count the rays of some faces by the surface that each ray hits.
 
     Args:
         rows: (B,) int32.
@@ -79,7 +79,7 @@ def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None, wei
 
 
 class Collector:
-    """Collector of blocks of hit counts into one sparse matrix; blocks arrive in the order of their rows."""
+    """Builder of one sparse matrix from blocks of hit counts, which are added in the order of the rows."""
 
     def __init__(self, rows: int, replicates: int, weighs: bool = False) -> None:
         """Allocate the counts of hits; `weighs` states whether rays have weights.
@@ -96,11 +96,11 @@ class Collector:
         self._bytes = _BYTES + _HIT_BYTES * replicates
 
     def all_open(self, rows: np.ndarray, per_replicate: int) -> None:
-        """Record that all rays of the given rows hit nothing; the split into sky and ground is computed later."""
+        """Record that all rays of the given faces hit nothing."""
         self._special[rows, 0] = per_replicate
 
     def take(self, block: Block) -> None:
-        """Add a block of hit counts to the collected rows.
+        """Append the hit counts of the next faces to the matrix.
 
         Raises:
             MemoryError: the collected blocks need more memory than is free.
@@ -113,14 +113,14 @@ class Collector:
         check_memory(self._bytes * self._entries, f"{self._entries:,} view factors and more", wants)
 
     def counts(self) -> Counts:
-        """Return the hit counts of all collected rows, and release the blocks."""
+        """Return the complete matrix of hit counts, and free the blocks."""
         columns, hits = (np.concatenate(parts) for parts in zip(*self._blocks, strict=True))
         self._blocks.clear()
         return Counts(np.cumsum(self._sizes), columns, hits, self._special)
 
 
 def _count_codes(codes: np.ndarray, weights: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Count the rays with each code, row by row; return (row, code, hits per replicate), sorted by row and code.
+    """Count the rays of each face by what they hit; return (face, code of the hit, number of rays in each set).
 
     codes: (B, replicates, per_replicate). weights: the same shape; hits are then float64 sums of the weights.
     """

@@ -1,4 +1,4 @@
-"""Radiance's matrix files: a few lines of text, an empty line, and the numbers as float32, row by row."""
+"""Reader and writer of Radiance's matrix files: a text header, an empty line, and float32 numbers row by row."""
 
 from typing import BinaryIO
 

@@ -45,7 +45,7 @@ def radiosity_of(matrix: "csr_array", emission: Any, reflectance: Any) -> np.nda
 
 
 def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """Solve J = emitted + share F J, (N, k), by adding reflection after reflection.
+    """Solve J = emitted + share F J for the (N, k) radiosity J, by adding one reflection after the other.
 
     Where that converges slowly, corrections come from solved equations.
 
@@ -75,7 +75,7 @@ def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.
 
 
 def _solve_corrections(matrix: "csr_array", lacking: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """Solve for the (N, k) corrections that remain in the radiosity, to a few digits, by GMRES."""
+    """Return the (N, k) radiosity that is still missing after several reflections, to a few digits, by GMRES."""
     linear = imported("scipy.sparse.linalg")
     operator, gmres = linear.LinearOperator, linear.gmres
     equations = operator(matrix.shape, matvec=lambda leaving: leaving - share * (matrix @ leaving), dtype=np.float64)

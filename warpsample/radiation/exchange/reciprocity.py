@@ -1,4 +1,4 @@
-"""Reciprocal view factors: both directions of each pair of surfaces are pooled, then adjusted until all rows close."""
+"""Reciprocal view factors: the two estimates of each pair are averaged, then adjusted so that each row adds up to 1."""
 
 from typing import TYPE_CHECKING
 
@@ -39,10 +39,10 @@ def reciprocal_factors(factors: RowFactors, surfaces: Surfaces) -> RowFactors:
 
 
 class _Pooling:
-    """Mean of the exchange A_i F_ij in both directions of each pair of surfaces, weighted by rays per area."""
+    """Averaging of the two estimates A_i F_ij and A_j F_ji of each pair of surfaces, weighted by rays per area."""
 
     def __init__(self, factors: RowFactors, areas: np.ndarray, densities: np.ndarray) -> None:
-        """Find, for each view factor, the pair of surfaces that it belongs to."""
+        """Index the pairs of surfaces with a view factor in either direction."""
         size, row = len(areas), rows_of(factors.indptr)
         one, other = (a.astype(np.int64) * size + b for a, b in ((row, factors.indices), (factors.indices, row)))
         keys = np.concatenate([one, other])
@@ -56,7 +56,7 @@ class _Pooling:
         self._both = densities[self.rows] + densities[self.columns]
 
     def pooled(self, value: np.ndarray) -> np.ndarray:
-        """Return the (pairs,) mean exchange from (E,) view factors, or from (E,) changes of view factors."""
+        """Return the average of A_i F_ij and A_j F_ji for each pair of surfaces, from the (E,) view factors."""
         hits = self._hits * value
         sums = np.zeros(len(self._both))
         sums[self._here] = hits
@@ -65,7 +65,7 @@ class _Pooling:
         return sums
 
     def pairs(self, value: np.ndarray) -> "csr_array":
-        """Return the mean exchange of each pair as a sparse matrix between all surfaces."""
+        """Return the averages of `pooled` as a symmetric sparse matrix, with a row and a column per surface."""
         size = len(self._indptr) - 1
         return imported("scipy.sparse").csr_array((self.pooled(value), self.columns, self._indptr), shape=(size, size))
 
@@ -73,7 +73,7 @@ class _Pooling:
 def _variances(
     factors: RowFactors, pooling: _Pooling, closure: Closure, areas: np.ndarray
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Return the variances of the adjusted view factors and of the rows' losses, from random draws of errors.
+    """Estimate the variances of reciprocal view factors by propagating random errors through the adjustment.
 
     Each draw is processed as the factors, to first order: pooled, then adjusted to close the rows again.
     """

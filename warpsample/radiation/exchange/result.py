@@ -192,7 +192,7 @@ class ViewFactors(Summary):
         return self.matrix.sum(axis=1) + self.outside + self.behind + (0.0 if self.absorbed is None else self.absorbed)
 
     def _check_rows(self) -> None:
-        """Raise a ValueError if `active` left out a surface, which must not count as black or open to the sky.
+        """Raise a ValueError if the view factors lack rows because `active` excluded surfaces.
 
         Raises:
             ValueError: a surface with area has an empty row.

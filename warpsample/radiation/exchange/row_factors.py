@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class RowFactors:
-    """View factors in the layout of a CSR matrix, and the shares of rays that hit no front of a face.
+    """View factors as a sparse CSR matrix, and the shares of each surface's rays that hit no front side of a face.
 
     Attributes:
         indptr: (N + 1,) int64, start of each row.
@@ -36,7 +36,7 @@ class RowFactors:
 
 
 def factors_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
-    """Compute the view factors of each surface from the counts of hits of all faces.
+    """Compute the view factors of all surfaces from the numbers of ray hits.
 
     rays: number of rays per face. upward: (F,) float64, share of each face's hemisphere above the horizon; None to omit sky
     and ground.
@@ -65,7 +65,7 @@ def matrices_of(
 
 
 def _group_factors(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
-    """Compute the view factors of groups: area means over the groups' faces, whose errors are independent."""
+    """Compute the view factors between groups of faces, as area-weighted means over each group's faces."""
     groups, weights, size = surfaces.groups, surfaces.weights, len(surfaces.areas)
     face = np.repeat(np.arange(len(weights)), np.diff(counts.indptr))
     keys, entry = np.unique(groups[face].astype(np.int64) * size + counts.indices, return_inverse=True)
@@ -81,7 +81,7 @@ def _group_factors(counts: Counts, rays: int, upward: np.ndarray | None, surface
 
 
 def _iterate_lost_rays(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tuple[str, np.ndarray, np.ndarray]]:
-    """Iterate over the kinds of rays that hit no front: (name, (F, replicates) hits, (F,) exact share or NaN).
+    """Yield the kinds of rays that hit no front of a face, as (name, (F, replicates) counts, (F,) exact share or NaN).
 
     Sky and ground have exact shares for faces all of whose rays hit nothing.
     """
@@ -100,7 +100,7 @@ def _iterate_lost_rays(counts: Counts, rays: int, upward: np.ndarray | None) -> 
 def _sum_by_group(
     parts: np.ndarray, variance: np.ndarray, weights: np.ndarray, into: np.ndarray, size: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Sum the view factors and variances of faces by group, with weights; return (factors, variances).
+    """Return weighted sums of the view factors and variances of each group's faces.
 
     Factors are also summed over the replicates.
     """

@@ -1,4 +1,4 @@
-"""The command `view-factors`: from a mesh file to a file of view factors."""
+"""The command `warpsample view-factors`: computes view factors of a mesh file and writes them to a file."""
 
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from warpsample.radiation.exchange.view_factors import view_factors
 
 
 def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dict[str, Any]) -> str:
-    """Compute view factors of a mesh file and write them to a file; return a sentence about the result.
+    """Compute view factors of a mesh file, write a file of factors, and return a sentence about the result.
 
     The file is complete or absent.
 

@@ -17,7 +17,7 @@ _BYTES = 200  # per row
 
 @dataclass(frozen=True, eq=False)
 class Surfaces:
-    """N surfaces between which view factors are computed: F faces, or groups of them.
+    """Surfaces between which view factors are computed: the F faces of a mesh, or N groups of faces.
 
     Attributes:
         groups: (F,) int32, group of each face; None if each face is a surface.
@@ -32,7 +32,7 @@ class Surfaces:
     densities: np.ndarray
 
     def summed(self, values: np.ndarray) -> np.ndarray:
-        """Sum (F,) integers over the faces of each surface; return (N,)."""
+        """Sum integers per face, (F,), over the faces of each surface, and return the (N,) sums."""
         if self.groups is None:
             return values
         return np.bincount(self.groups, values, len(self.areas)).astype(values.dtype)
@@ -58,7 +58,7 @@ def surfaces_of(areas: np.ndarray, cast: np.ndarray, groups: np.ndarray | None) 
 
 
 def quotients(above: np.ndarray, below: np.ndarray) -> np.ndarray:
-    """Return above / below, and 0 where `below` is 0."""
+    """Return the elementwise quotients above / below; 0 where `below` is 0."""
     return np.divide(above, below, out=np.zeros_like(above), where=below > 0.0)
 
 
@@ -93,7 +93,7 @@ def check_groups(groups: Any, mesh: Mesh) -> tuple[np.ndarray | None, tuple[str,
 
 
 def _group_by_part(mesh: Mesh, groups: str) -> tuple[np.ndarray, tuple[str, ...]]:
-    """Return the named part of each face as its group, (F,) int32, and the names.
+    """Group the faces by named part; return (number of each face's part, (F,) int32; names of the parts).
 
     Faces without a part get a group named "".
     """

@@ -130,7 +130,7 @@ def _find_status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
 
 
 def _build_result(factors: RowFactors, surfaces: Surfaces, status: np.ndarray, cast: np.ndarray, rays: int) -> ViewFactors:
-    """Build the result of `view_factors` from row factors; `cast` (F,) are the faces that cast `rays` rays each."""
+    """Build the result of `view_factors` from computed factors; the faces in the mask `cast` have cast `rays` rays each."""
     open_faces = int(np.count_nonzero((status == 0) & ~cast))
     matrix, standard_error = matrices_of(factors.value, np.sqrt(factors.variance), factors.indices, factors.indptr)
     others = {}

@@ -9,7 +9,7 @@ from warpsample.radiation.sky.irradiance import Irradiance, irradiance
 
 
 def _prepare(mesh: Mesh, _total: int, *, radiance: Any, **options: Any) -> Numbers:
-    """Read the picture of the light once; return a function of points that computes their irradiance."""
+    """Read the picture of the light, and return a function that computes the irradiance of surface points."""
     picture = read_picture(radiance)
     return lambda points, first: irradiance(mesh, points, picture, first_point=first, **options)
 

@@ -14,7 +14,7 @@ _BYTES = 8  # per value and error
 
 
 def _prepare(mesh: Mesh, total: int, **options: Any) -> Numbers:
-    """Return a function of points that computes their rows of the sky matrix.
+    """Return a function that computes the sky matrix, with a row for each surface point.
 
     Raises:
         MemoryError: the rows of all points need more memory than is free.

@@ -20,7 +20,7 @@ from warpsample.tracing.placed_points import PlacedPoints
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SunHours(ExactResult):
-    """Hours of sun at each of P points, in the fields of an estimate.
+    """Hours of sun at each of P points, with the same fields as an `Estimate`.
 
     These are `value` (P,), zeros (P,) as `standard_error` and `rays`, and `status` (P,). An hour counts if in its middle the
     sun's centre is above the horizon, in front of the point and not hidden by the mesh.
@@ -74,7 +74,7 @@ def sun_hours(
 def _prepare(
     mesh: Mesh, _total: int, *, weather: Any, period: Any, up: Any, north: Any, seed: int, workers: int | None
 ) -> Numbers:
-    """Read the weather file once; return a function of points that counts their sun hours."""
+    """Read the weather file, and return a function that counts the sun hours of surface points."""
     found = read_weather(weather, period)
     suns = sun_directions(found.chosen(found.sun_altitude > 0.0), sky_patches(up=up, north=north).frame)
 

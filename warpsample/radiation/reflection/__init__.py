@@ -1,1 +1,1 @@
-"""Diffuse reflections between the faces of a mesh, in all orders."""
+"""Light reflected diffusely between the faces of a mesh, any number of times."""

@@ -1,4 +1,4 @@
-"""Rays over cosine lobes, and the share of each lobe that each reflecting patch fills, as sparse matrices."""
+"""Cosine-weighted rays from points, and the share of them that hits each reflecting patch, as sparse matrices."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ _NOTHING, _DISTANT = -1, -2  # codes instead of a patch: no light, and light out
 
 @dataclass(frozen=True, eq=False)
 class Targets:
-    """Sources of light that rays may reach: N reflecting patches, and the light outside the mesh.
+    """Light sources that rays may reach: N reflecting patches of the mesh, and the light outside the mesh.
 
     Attributes:
         patches: N patches of faces.
@@ -36,7 +36,7 @@ class Targets:
 
 @dataclass(frozen=True, eq=False)
 class Shares:
-    """Shares of the points' cosine lobes that each light source fills, in rows of sparse matrices.
+    """Cosine-weighted shares of each light source in the view of each point, as rows of sparse matrices.
 
     Attributes:
         patches: (P, N) shares of the lobes that patches fill; each ray has a separate entry.
@@ -49,7 +49,7 @@ class Shares:
 
 @dataclass(frozen=True, eq=False)
 class LobeRays:
-    """n cosine-weighted rays from each of P points about their normals.
+    """Cosine-weighted rays from P points about the points' normals, n from each point.
 
     Attributes:
         points: The P points.
@@ -61,7 +61,7 @@ class LobeRays:
 
     @property
     def way(self) -> np.ndarray:
-        """Directions of all rays, (P n, 3), point by point."""
+        """Directions of all rays as one array, (P n, 3), point by point."""
         return self.directions.reshape(-1, 3)
 
     def start(self, rays: np.ndarray) -> np.ndarray:
@@ -69,7 +69,7 @@ class LobeRays:
         return self.points.position[rays // self.directions.shape[1]]
 
     def leaving(self, normals: np.ndarray) -> np.ndarray:
-        """Return the (P n,) mask of the rays that start towards the front side of their point's face.
+        """Return the (P n,) bool mask of the rays that leave the surface.
 
         The smooth normal of a texel may direct rays behind the face.
         """
@@ -81,7 +81,7 @@ class LobeRays:
 
 @dataclass(frozen=True, eq=False)
 class RayHits:
-    """Hits of rays, ray by ray: a patch, the light outside the mesh, or nothing.
+    """Hits of rays on light sources: the ray, the patch (or the light outside the mesh), and the share of light.
 
     Attributes:
         ray: (M,) int64, index of the ray, ascending.
@@ -121,7 +121,7 @@ def trace_shares(targets: Targets, rays: LobeRays, together: int, workers: int |
 
 
 def _find_first_hits(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
-    """Trace rays and return the first opaque hit of each one."""
+    """Trace rays, and return for each the patch of its first opaque hit and the transmitted share of light."""
     hits = trace(patches.mesh, rays.points, rays.directions, workers=workers)
     face, distance = hits.face.ravel(), hits.distance.ravel()
     column = patches.find_hit(face, rays.way, distance, rays.start)
@@ -131,7 +131,7 @@ def _find_first_hits(patches: Patches, rays: LobeRays, workers: int | None) -> R
 
 
 def _find_hits_along(patches: Patches, rays: LobeRays, workers: int | None) -> RayHits:
-    """Trace rays and return all hits of each ray until no light is left.
+    """Trace rays through translucent faces, and return all patches along each ray with the share of light left.
 
     Transmitting faces attenuate the light of faces behind them.
     """
@@ -162,7 +162,7 @@ def trace_lobes(
     together: int = 1,
     workers: int | None = None,
 ) -> Iterator[tuple[slice, Shares]]:
-    """Iterate over blocks of points: (slice of points, share of their cosine lobes that each light source fills).
+    """Cast cosine-weighted rays from points, and yield blocks: (slice of points, share of rays that reaches each source).
 
     Each point has `count` rays; shares are means over each `together` consecutive points.
     """

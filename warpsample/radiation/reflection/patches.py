@@ -1,4 +1,4 @@
-"""Patches of a mesh that reflect uniformly: both sides of each reflecting face, or of equal parts of a face."""
+"""Division of the reflecting faces of a mesh into patches with uniform radiosity, on both sides of each face."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ _USUALLY_MORE = 2**13  # patches beyond the number of sides of reflecting faces
 
 @dataclass(frozen=True, eq=False)
 class Patches:
-    """N patches that reflect uniformly: for each reflecting face its front patches, then its back patches.
+    """The N reflecting patches of a mesh: for each reflecting face the patches of its front, then of its back.
 
     Attributes:
         mesh: Mesh of the faces.
@@ -70,7 +70,7 @@ class Patches:
 
     @cached_property
     def _tables(self) -> tuple[np.ndarray, np.ndarray]:
-        """Number of the first patch of each face and number of patches per side, (F + 1,) int32 each.
+        """Number of each face's first patch, and number of patches on each side of the face, (F + 1,) int32 each.
 
         They are -1 and 0 for a face without patches, as in the last row.
         """
@@ -97,7 +97,7 @@ class Patches:
 
 
 def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
-    """Divide the reflecting faces of a mesh into patches with edges not longer than `refine`; None if all are black.
+    """Divide the reflecting faces of a mesh into patches with edges of at most `refine`; return None if no face reflects.
 
     Raises:
         TypeError, ValueError: `refine` is not a positive length.
@@ -120,12 +120,12 @@ def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
 
 
 def _count_cuts(edges: np.ndarray, longest: float) -> np.ndarray:
-    """Return the number of parts per edge for faces with the given longest edges, (F,) int64; 0 for an edge of 0."""
+    """Return into how many parts each face's edges are cut so that no part is longer than `longest`, (F,) int64."""
     return np.where(edges > 0.0, np.clip(np.ceil(edges / longest), 1, _MOST_CUTS), 0).astype(np.int64)
 
 
 def _choose_longest_edge(edges: np.ndarray) -> float:
-    """Choose the longest edge of a patch so that cutting long faces adds about 8,192 patches to one per side.
+    """Choose the longest edge of a patch so that dividing long faces adds about 8,192 patches.
 
     The faces with the longest edges are cut.
     """
@@ -151,7 +151,7 @@ def _part_at(mesh: Mesh, face: np.ndarray, places: np.ndarray, cuts: np.ndarray)
 
 
 def _corner_of(part: np.ndarray, cuts: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the place of parts in a divided face: (row, column, 1 if the part is rotated by half a turn)."""
+    """Return the position of parts in a divided triangle: (row, column, 1 if the part points the other way)."""
     row = (cuts - np.ceil(np.sqrt(np.square(cuts) - part))).astype(np.int64)
     rest = part - row * (2 * cuts - row)
     return row, rest // 2, rest % 2

@@ -1,4 +1,4 @@
-"""All orders of diffuse reflection between faces: radiosity of reflecting patches, and reflected light at points.
+"""Light reflected any number of times between faces: radiosity of patches, and reflected irradiance at points.
 
 The radiosity J of patches solves J = rho (E + F J) (Goral1984). The irradiance E and the view factors F come from rays of
 the patches, which hit distant light or other patches. A point's reflected irradiance is the mean of J over the patches that
@@ -44,7 +44,7 @@ _BYTES_OF_RAY = 40  # per ray of a patch
 
 @dataclass(frozen=True, eq=False)
 class Probes:
-    """Rays and sample positions on N reflecting patches, with which the distant light on the patches is computed.
+    """Sample positions on the N reflecting patches, and the light from outside the mesh that their rays see.
 
     Attributes:
         at: P sample positions, P / N on each patch, patch by patch.
@@ -62,7 +62,7 @@ class Probes:
 
 
 class DistantLight(Protocol):
-    """Interface of distant light with T columns, which are colours or hours.
+    """Interface of a distant light source (sky, sun or picture) with T columns: colours or hours.
 
     Attributes:
         size: Number of columns T.
@@ -71,15 +71,15 @@ class DistantLight(Protocol):
     size: int
 
     def targets(self, patches: Patches, workers: int) -> Targets:
-        """Return the light sources for rays of the patches; `workers` is the number of threads."""
+        """Return the light sources that rays of the patches may reach: the patches, and this light."""
 
     def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
-        """Return the float64 irradiance of N patches by some columns of the distant light, one row per patch."""
+        """Return the irradiance of each patch by this light alone, float64, for some of the columns."""
 
 
 @dataclass(frozen=True, eq=False)
 class Reflected:
-    """Irradiance at P points by light that faces reflect.
+    """Irradiance at P points by light that the faces of the mesh reflect.
 
     Attributes:
         value: (P, T) float64, irradiance.
@@ -105,7 +105,7 @@ class Reflections:
     leaving: tuple[np.ndarray, ...]
 
     def at(self, points: SurfacePoints, count: int, options: RayOptions) -> Reflected:
-        """Compute the reflected irradiance at points.
+        """Compute the irradiance at points by the light that the patches reflect.
 
         Each point casts `count` rays, rounded down to a multiple of the runs.
         """
@@ -124,7 +124,7 @@ class Reflections:
 
 
 def cached_reflections(mesh: Mesh, key: Hashable, find: Callable[[], Reflections]) -> Reflections:
-    """Return the reflected light cached on a mesh if its key is `key`; else compute it by `find` and cache it.
+    """Return the reflected light of a mesh from the mesh's cache, or compute it by `find` and cache it under `key`.
 
     For calls over many parts of the points. Threads with the same mesh wait for the first computation.
     """
@@ -137,7 +137,7 @@ def cached_reflections(mesh: Mesh, key: Hashable, find: Callable[[], Reflections
 
 
 def reflections_of(patches: Patches, distant: DistantLight, count: int, options: RayOptions) -> Reflections:
-    """Compute the light that patches reflect, in all orders; `count` is the number of rays per point of the call.
+    """Compute the radiosity of all reflecting patches in distant light, after any number of reflections.
 
     Raises:
         ValueError: faces that reflect all light and lose none.
@@ -154,12 +154,12 @@ def reflections_of(patches: Patches, distant: DistantLight, count: int, options:
 
 
 def _derive_seed(purpose: str, number: int, seed: int) -> int:
-    """Return the random seed of one of several independent runs, for a purpose."""
+    """Return a random seed for run number `number` of several independent runs."""
     return seed_for(f"{purpose} {number}", seed)
 
 
 def _merge_entries(seen: "csr_array", columns: int) -> "csr_array":
-    """Sum entries of the same patch in each row of a sparse matrix, if this saves time; return the matrix.
+    """Merge entries of the same row and column of a sparse matrix if that saves time; return the matrix.
 
     It saves time if the light has many columns.
     """
@@ -169,7 +169,7 @@ def _merge_entries(seen: "csr_array", columns: int) -> "csr_array":
 
 
 def _compute_radiosity(patches: Patches, distant: DistantLight, count: int, options: RayOptions) -> np.ndarray:
-    """Compute the radiosity of each reflecting patch, (N, T) float32, in one run."""
+    """Compute the radiosity of each reflecting patch, (N, T) float32, from one independent set of rays."""
     number = len(patches)
     if number == 0:
         return np.zeros((0, distant.size), np.float32)

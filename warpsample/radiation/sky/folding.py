@@ -1,4 +1,4 @@
-"""Product of a sky matrix and the radiances of its patches, in float64.
+"""Multiplication of a sky matrix by radiances of the sky patches, in float64.
 
 The order of summation is fixed, so that a row's result does not depend on the other rows. A library's matrix product is as
 fast, but its last bits depend on the number of rows.
@@ -20,7 +20,7 @@ _SUMS = 2 * _ROWS * _COLUMNS
 
 @wp.struct
 class Fold:
-    """Kernel argument of the product of a sky matrix and weights of its patches: scalars and addresses.
+    """Kernel argument of the multiplication of a sky matrix by weights: numbers, and addresses of arrays.
 
     value, error: (rows, patches) float32. points: (rows,) int64, the result's row of each row. weights: (patches, columns)
     float64. sums, errors: (P, columns) float32.
@@ -43,7 +43,7 @@ FoldArgs = type(Fold().__ctype__())
 def fold_rows(
     value: np.ndarray, error: np.ndarray, points: np.ndarray, *, weights: np.ndarray, out: list[np.ndarray], workers: int
 ) -> None:
-    """Compute weighted sums over the patches of sky matrix rows, and their standard errors, and write both to `out`.
+    """Multiply rows of a sky matrix by weights of the patches, and write the products and their standard errors to `out`.
 
     Errors of patches are taken as independent.
 
@@ -70,7 +70,7 @@ def fold_rows(
 
 @wp.func
 def _add(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint64):
-    """Add factor * weight to each of a row of sums."""
+    """Add factor * weights[i] to sums[i], for `length` numbers."""
     w = wp.array(ptr=weights, shape=(_COLUMNS,), dtype=wp.float64)
     total = wp.array(ptr=sums, shape=(_COLUMNS,), dtype=wp.float64)
     i = wp.int32(0)
@@ -81,7 +81,7 @@ def _add(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint
 
 @wp.func
 def _add_squares(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint64):
-    """Add (factor * weight)^2 to each of a row of sums."""
+    """Add (factor * weights[i])^2 to sums[i], for `length` numbers."""
     w = wp.array(ptr=weights, shape=(_COLUMNS,), dtype=wp.float64)
     total = wp.array(ptr=sums, shape=(_COLUMNS,), dtype=wp.float64)
     i = wp.int32(0)

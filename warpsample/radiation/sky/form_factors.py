@@ -1,4 +1,4 @@
-"""Form factors of sky patches in closed form, including patches that are partly below a point's horizon.
+"""Form factors of sky patches in closed form: the cosine-weighted share of an unobstructed view that a patch fills.
 
 In the patches' frame (east, north, up) a direction at altitude a and azimuth p has the cosine n_z sin a + h(p) cos a to a
 normal n, with h(p) = H cos(p - p_n). The integral over the altitude is n_z sin^2 a / 2 + h (a + sin a cos a) / 2. It is
@@ -25,7 +25,7 @@ _UPRIGHT = wp.constant(wp.float64(1e-12))  # a horizontal part of the normal bel
 
 @wp.struct
 class Patch:
-    """Edges and constants of one sky patch for kernels; angles in radians, in the patches' frame.
+    """Sky patch as kernels use it: azimuths and altitudes of its edges in radians, with sines and cosines.
 
     first, last: azimuths of the sides, with sines and cosines. bulge: 1 - cos of half the width, 2 if wider than pi. *_low,
     *_high: sine, cosine and tangent of the altitudes of the lower and the upper edge; along_*: integrals of cos^2 up to the
@@ -54,7 +54,7 @@ class Patch:
 
 
 def table_of(patches: SkyPatches) -> np.ndarray:
-    """Return the table of the edges and constants of all sky patches, (K, 20) float64, one row per `Patch`."""
+    """Return a table of sky patches for kernels, (K, 20) float64: edges of each patch, with sines and cosines."""
     (low, high), (first, last) = np.radians(patches.altitudes).T, np.radians(patches.azimuths).T
     table = np.zeros((len(patches), _COLUMNS))
     table[:, 0:6] = np.stack([first, last, np.sin(first), np.cos(first), np.sin(last), np.cos(last)], axis=1)
@@ -80,7 +80,7 @@ def patch_at(table: wp.uint64, k: wp.int32) -> Patch:
 
 @wp.func
 def _horizon_integral(x: wp.float64, nz: wp.float64, level: wp.float64) -> wp.float64:
-    """Return the antiderivative, at azimuth x from the normal's, of the form-factor integral along the horizon.
+    """Return the antiderivative of the form-factor integrand along a tilted point's horizon, at azimuth x.
 
     Half of: h'(x) a(x), plus the angle by which the horizon turns about the normal.
     """
@@ -91,7 +91,7 @@ def _horizon_integral(x: wp.float64, nz: wp.float64, level: wp.float64) -> wp.fl
 
 @wp.func
 def _integrate_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
-    """Return the form-factor integral along the lower edge of a sky patch's visible part.
+    """Return the form-factor integral along the lower edge of a sky patch's visible part, from 0 to azimuth x.
 
     x, 0 to pi: upper limit, an azimuth measured from the normal's.
     """
@@ -107,7 +107,7 @@ def _integrate_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.
 
 @wp.func
 def _extend_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
-    """Return the integral of `_integrate_edge` for azimuths x from -2 pi to 2 pi, by symmetry.
+    """Return the form-factor integral of `_integrate_edge` for any azimuth x from -2 pi to 2 pi.
 
     The integrand is even about the normal's azimuth and about the opposite azimuth.
     """
@@ -120,7 +120,7 @@ def _extend_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.flo
 
 @wp.func
 def reaches(slope: wp.float64, level: wp.float64) -> wp.float64:
-    """Return the azimuth difference from the normal, 0 to pi, up to which the horizon is below an altitude.
+    """Return the azimuth, 0 to pi from the normal's, at which a tilted point's horizon rises above an altitude.
 
     slope: n_z times the tangent of the altitude. level: length of the normal's horizontal part.
     """
@@ -129,14 +129,14 @@ def reaches(slope: wp.float64, level: wp.float64) -> wp.float64:
 
 @wp.func
 def azimuth_near(n: wp.vec3d, middle: wp.float64) -> wp.float64:
-    """Return the normal's azimuth, plus the multiple of 2 pi that brings it within pi of `middle`."""
+    """Return the azimuth of a normal in radians, shifted by a multiple of 2 pi to be within pi of `middle`."""
     azimuth = wp.atan2(n[0], n[1])
     return azimuth + TWO * _PI * wp.round((middle - azimuth) / (TWO * _PI))
 
 
 @wp.func
 def _compute_cut_factor(n: wp.vec3d, level: wp.float64, patch: Patch) -> wp.float64:
-    """Return pi times the form factor of a sky patch that the horizon cuts, for n_z of at least 0."""
+    """Return pi times the form factor of a sky patch that is partly below the horizon of a normal n with n_z >= 0."""
     w_low = reaches(n[2] * patch.tan_low, level)
     w_high = reaches(n[2] * patch.tan_high, level)
     azimuth = azimuth_near(n, HALF * (patch.first + patch.last))
@@ -173,7 +173,7 @@ def highest(n: wp.vec3d, patch: Patch) -> wp.vec3d:
 
 @wp.func
 def open_form_factor(n: wp.vec3d, patch: Patch) -> wp.float64:
-    """Return the unobstructed form factor of a sky patch for a unit normal n in the patches' frame.
+    """Return the unobstructed form factor of a sky patch at a point with unit normal n.
 
     It is the integral of max(0, n.w) / pi over the patch.
     """

@@ -10,30 +10,26 @@ from numpy.typing import NDArray
 from typing_extensions import Unpack
 
 from warpsample.distributions.lights.picture import as_picture
-from warpsample.estimate.along import along
-from warpsample.estimate.estimating import estimate
-from warpsample.estimate.integrand import Integrand, integrand_of
+from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, RaySum, plan_of
 from warpsample.estimate.result import Estimate, PointStatus, has_status
 from warpsample.estimate.source.definitions import naming_function
-from warpsample.estimate.split import SplitSum, add_spreads
+from warpsample.estimate.split import add_spreads
 from warpsample.estimate.weights import build_environment_integrand
 from warpsample.host.arguments import check_choice, quote
 from warpsample.host.arrays import as_unit
-from warpsample.host.locks import imported
 from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.reflection.lobe_shares import Targets
 from warpsample.radiation.reflection.patches import Patches, patches_of
-from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, cached_reflections, reflections_of
+from warpsample.radiation.reflection.reflections import REPLICATES, Reflected, cached_reflections, reflections_of
 from warpsample.radiation.sky.picture_light import Picture, Sampling
+from warpsample.radiation.sky.radiance_light import RadianceLight
 from warpsample.tracing.placed_points import PlacedPoints
 
 if TYPE_CHECKING:
-    from scipy.sparse import csr_array
+    pass
 
 _SAMPLINGS = get_args(Sampling)
-_RAYS_OF_PLACE = 32  # rays from each sample position on a reflecting patch, unless the sampling is "cosine"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -120,71 +116,21 @@ def irradiance(
         with naming_function("radiance"):
             integrand = integrand_of(radiance, argument="radiance", device=plan.options.memory.device)
             summed = RaySum(integrand, unit=pi, result=Irradiance)
-            light = _RadianceLight(summed, integrand, integrand.channels)
+            light = RadianceLight(summed, integrand, integrand.channels)
             found = light.at(plan)
     else:
         picture = Picture.of(as_picture(radiance, "radiance", "an array of numbers, a path or a wp.func"), axis)
         sampling = sampling or "both"
         summed = picture.summed(sampling, Irradiance)
-        light = _RadianceLight(
+        light = RadianceLight(
             summed, build_environment_integrand(picture.pixels, axis), picture.colours, f"{picture.cache_key} {sampling}"
         )
         found = light.at(plan)
     return found if patches is None else _add_reflected(found, _compute_reflected(patches, light, plan))
 
 
-@dataclass(frozen=True, eq=False)
-class _RadianceLight:
-    """Distant light whose radiance is a function of the direction, for example a picture of the sky.
-
-    Attributes:
-        summed: sum over rays that gives the irradiance.
-        integrand: radiance as a function of the direction.
-        size: number of colours, 1 or 3.
-        cache_key: text that identifies the light in the cache of reflected light; None: the function identifies it.
-    """
-
-    summed: RaySum | SplitSum
-    integrand: Integrand
-    size: int
-    cache_key: str | None = None
-
-    def at(self, plan: Plan) -> Irradiance:
-        """Compute the irradiance of the points of a call's plan from this light, without reflections."""
-        found = estimate(plan, self.summed)
-        if self.size == self.integrand.channels:
-            return found
-        numbers = ("value", "standard_error", "spread", "degrees_of_freedom")
-        return replace(found, **{name: getattr(found, name)[:, 0] for name in numbers})
-
-    def targets(self, patches: Patches, workers: int) -> Targets:
-        """Return the light sources for rays of patches: the patches, and this light where rays hit nothing.
-
-        A radiance that is not finite counts as 0.
-        """
-        csr_array = imported("scipy.sparse").csr_array
-
-        def light_outside(directions: np.ndarray) -> "csr_array":
-            radiance = along(self.integrand, directions, workers)[:, : self.size]
-            number, columns = np.where(np.isfinite(radiance), radiance, np.float32(0.0)).ravel(), np.arange(self.size)
-            ends = np.arange(0, len(number) + 1, self.size)
-            return csr_array((number, np.tile(columns, len(radiance)), ends), shape=radiance.shape)
-
-        return Targets(patches, light_outside)
-
-    def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
-        """Return the irradiance of reflecting patches by this light.
-
-        It is that of the rays of the patches, or of further rays if some of the rays are drawn from a picture.
-        """
-        if isinstance(self.summed, RaySum):
-            return pi * probes.light_outside.toarray()[:, columns]
-        value = self.at(Plan.of(probes.at, _RAYS_OF_PLACE, probes.options)).value.reshape(len(probes.at), -1)
-        return probes.means(np.ascontiguousarray(value[:, columns]), value[:, columns].shape[1])
-
-
-def _compute_reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> Reflected:
-    """Compute the light that the points of a call receive from reflecting patches.
+def _compute_reflected(patches: Patches, light: RadianceLight, plan: Plan) -> Reflected:
+    """Compute the irradiance at the points of a call by light that reflecting patches reflect.
 
     The radiosity of the patches is cached on the mesh.
     """

@@ -1,4 +1,4 @@
-"""Kernel that computes rows of a sky matrix: patches are proven open or closed, or sampled with rays."""
+"""Kernel that computes the sky matrix: how much of each sky patch a point sees, by proofs where possible, else by rays."""
 
 import warp as wp
 
@@ -26,7 +26,7 @@ _FLOATS = workspace_floats(WEIGHTS, packets=True)
 
 @wp.func
 def _in_frame(sky: SkyRows, n: wp.vec3) -> wp.vec3d:
-    """Return a normal in the frame of the sky (east, north, up), as a float64 unit vector."""
+    """Return the components of a normal along east, north and up, as a float64 unit vector."""
     frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
     v = in_double(n)
     return wp.normalize(wp.vec3d(wp.dot(frame[0], v), wp.dot(frame[1], v), wp.dot(frame[2], v)))
@@ -34,14 +34,14 @@ def _in_frame(sky: SkyRows, n: wp.vec3) -> wp.vec3d:
 
 @once
 def _build_patch_classifier(glass: bool) -> wp.Function:
-    """Build the Warp function that classifies the sky patches of a point as open, closed or unknown."""
+    """Build the Warp function that classifies each sky patch, seen from a point, as open, blocked or undecided."""
     look = looker(glass)
 
     @wp.func
     def look_into(
         sky: SkyRows, tree: Accelerator, point: ShadingPoint, n: wp.vec3d, local: wp.int32, search: wp.bool, row: wp.int64
     ):
-        """Write the form factor of each sky patch without occlusion to `value`, and its state to `error`.
+        """Write each sky patch's unobstructed form factor at a point, and whether the patch is open, blocked or undecided.
 
         States are those of `shafts`, and 0 for a patch below the horizon.
         """
@@ -81,7 +81,7 @@ def _build_row_filler(glass: bool) -> wp.Function:
 
     @wp.func
     def fill_row(sky: SkyRows, tree: Accelerator, point: ShadingPoint, row: wp.int64):
-        """Compute a point's row of the sky matrix; return (rays cast, patches open, closed, below the horizon)."""
+        """Compute the row of the sky matrix for a point; return counts of rays, and of open, blocked and hidden patches."""
         seen, local, opened = open_around(tree, point)
         n = _in_frame(sky, point.n)
         look_into(sky, seen, point, n, local, opened, row)

@@ -1,4 +1,4 @@
-"""Rays of one sky patch: directions above the point's horizon are sampled, traced, and summed with their cosines."""
+"""Rays from a point to one sky patch: sampling of directions above the horizon, tracing, and the visible share."""
 
 import warp as wp
 
@@ -25,7 +25,7 @@ _prepare, _blocked = prepare_rays(), rays_blocked()
 
 @wp.struct
 class SkyRows:
-    """Kernel argument of the computation of a sky matrix, one row per point: scalars and addresses.
+    """Kernel argument of the computation of a sky matrix: numbers, and addresses of arrays.
 
     placement: placement of the points. normals, active: (P, 3) float32, (P,) uint8 or 0. count: largest number of rays per
     point. patches: number of patches. table: see `form_factors.table_of`. shafts: shafts of the patches. frame: (3, 3)
@@ -64,7 +64,7 @@ SkyRowsArgs = type(SkyRows().__ctype__())
 def _write_directions(
     sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, per_replicate: wp.int32, at: wp.int32, length: wp.int32
 ):
-    """Sample directions and weights of `length` rays of a sky patch into arrays, from index `at` on.
+    """Sample the directions and weights of `length` rays from a point to a sky patch, starting with ray number `at`.
 
     The second replicate's rays follow those of the first. The density is nearly proportional to the cosine: linear in the
     height along a column, with columns chosen by weight.
@@ -115,7 +115,7 @@ def _write_directions(
 
 @wp.func
 def _rays_with_weight(point: ShadingPoint, length: wp.int32) -> wp.uint64:
-    """Return the bit set of a chunk's rays with a weight above 0."""
+    """Return the bit set of the rays with a weight above 0, among the first `length` rays of a point."""
     rays = NO_RAYS
     for i in range(length):
         rays = rays | wp.where(float_at(point.own, i) > 0.0, ray_set(i), NO_RAYS)
@@ -135,7 +135,7 @@ def _aim_at_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local:
 
 @once
 def patch_sum(glass: bool) -> wp.Function:
-    """Build the Warp function that casts the rays of a sky patch; `glass` is for meshes with transmitting faces."""
+    """Build the Warp function that estimates by rays the visible share of a sky patch."""
 
     @wp.func
     def sum_rays(
@@ -148,7 +148,7 @@ def patch_sum(glass: bool) -> wp.Function:
         patch: Patch,
         per_replicate: wp.int32,
     ):
-        """Cast the rays of a sky patch in two replicates; return (visible share, its standard error, rays cast).
+        """Estimate the visible share of a sky patch at a point by rays; return (share, standard error, number of rays).
 
         The share is a quotient of weights: exactly 1 if no ray is blocked.
         """

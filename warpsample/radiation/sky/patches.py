@@ -25,7 +25,7 @@ _PARALLEL = 1e-9  # least sine of the angle between up and north
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SkyPatches(Summary):
-    """Patches that divide the sky, row by row from the horizon to the zenith, in each row clockwise seen from above.
+    """Patches into which the sky is divided, row by row from the horizon to the zenith, each with direction and size.
 
     Patch k is Radiance's sky patch k + 1, row k + 1 of its matrices. Radiance's row 0, the ground, is not included.
 
@@ -107,7 +107,7 @@ def patches_at(sky: SkyPatches, directions: np.ndarray) -> np.ndarray:
 
 @lru_cache(maxsize=8)
 def _patches_of(name: str, multiple: int, up: bytes, north: bytes) -> SkyPatches:
-    """Build the sky patches for checked arguments; equal bits return the same cached object."""
+    """Return the sky patches for checked arguments, from a cache if possible."""
     zenith, towards = np.frombuffer(up), np.frombuffer(north)
     rows, low, high, first, last = _compute_edges(multiple)
     middle, across = np.radians(0.5 * (low + high)), np.radians(0.5 * (first + last))

@@ -1,4 +1,4 @@
-"""Arrays of sky patches that kernels need, cached for the last eight skies."""
+"""Arrays that describe the sky patches to kernels, cached for the last eight skies."""
 
 from dataclasses import dataclass
 from functools import lru_cache

@@ -38,7 +38,7 @@ class SkySkipped:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SkyMatrix(PointResult):
-    """Share of each point's cosine lobe that each of K sky patches fills, for P points; or sums over the patches.
+    """Sky matrix: cosine-weighted share of each sky patch in the view of each point, or weighted sums of the shares.
 
     Attributes:
         value: (P, K) float32, integral of visibility times max(0, n.w) over the patch, divided by pi. A value times pi and

@@ -1,4 +1,4 @@
-"""Shafts around sky patches: pyramids of directions from a point, proven empty or filled by one triangle."""
+"""Tests whether a whole sky patch is visible or blocked, by pyramids of directions around the patch ("shafts")."""
 
 import numpy as np
 import warp as wp
@@ -21,7 +21,7 @@ _SECTORS = {"tregenza": 6, "reinhart2": 12, "reinhart4": 12}
 
 
 def groups_of(patches: SkyPatches) -> np.ndarray:
-    """Divide the sky patches into groups of neighbours; return the index of each group's first patch, (G + 1,) int32.
+    """Divide the sky patches into groups of neighbours; return the number of each group's first patch, (G + 1,) int32.
 
     A group is the patches of one row in one sector of azimuths, so that one shaft contains the group.
     """
@@ -56,24 +56,24 @@ def shafts_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
 
 
 def _towards(azimuth: np.ndarray, along: np.ndarray, up: np.ndarray) -> np.ndarray:
-    """Return unit vectors (K, 3) with the given components along an azimuth and upwards."""
+    """Return the (K, 3) unit vectors along vectors with a horizontal part `along` at an azimuth and a vertical part `up`."""
     vectors = np.stack(np.broadcast_arrays(along * np.sin(azimuth), along * np.cos(azimuth), up), axis=1)
     return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
 
 
 @once
 def looker(glass: bool) -> wp.Function:
-    """Build the Warp function that classifies a shaft (pyramid of directions) as open, closed or unknown.
+    """Build the Warp function that decides whether a shaft (pyramid of directions) is empty, blocked or undecided.
 
     `glass` is for meshes with transmitting faces.
     """
 
     @wp.func
     def look(tree: Accelerator, among: Glass, point: ShadingPoint, local: wp.int32, vectors: wp.uint64, filled: wp.uint64):
-        """Classify a shaft as OPEN, CLOSED or UNKNOWN; return the state, and the leaf with a triangle that fills the shaft.
+        """Classify a pyramid of directions from a point as OPEN (empty), CLOSED (blocked by one triangle) or UNKNOWN.
 
-        If no such leaf is found, the second value is `filled`: 0, or the address of a leaf that filled another shaft and is
-        tested, too.
+        The second value is the address of the leaf with the blocking triangle if it is new, else `filled`: 0, or the address
+        of a leaf that blocked another pyramid and is tested, too.
         """
         aim_at(vectors, point)
         found = search_shaft(tree, point, local)

@@ -1,4 +1,4 @@
-"""The call `sky_matrix`: the share of each point's cosine lobe that each sky patch fills."""
+"""The call `sky_matrix`: the cosine-weighted share of each sky patch in the view of each point."""
 
 from math import prod
 from typing import Any
@@ -39,7 +39,7 @@ def sky_matrix(
     fold: Any = None,
     **options: Unpack[CastPointKeywords],
 ) -> SkyMatrix:
-    """Compute the share of each point's cosine lobe that each sky patch fills: direct daylight coefficients divided by pi.
+    """Compute the cosine-weighted share of each sky patch in the view of each point: daylight coefficients divided by pi.
 
     An empty patch has its exact share and costs no ray, as does a patch that a single triangle fills, with 0. Each other
     patch gets its share of `count` rays, but at least 2; fewer where less than a quarter of the lobe is sky. Rays of a patch
@@ -84,7 +84,7 @@ def sky_matrix(
 
 
 def compute_sky_matrix(plan: Plan, sky: SkyPatches, fold: np.ndarray | None) -> SkyMatrix:
-    """Compute the sky matrix at the points of a plan (a call's checked arguments), or its product with `fold`.
+    """Compute the sky matrix for checked arguments, or its product with `fold`.
 
     `fold` has (K,) or (K, T) finite numbers.
     """
@@ -101,7 +101,7 @@ def compute_sky_matrix(plan: Plan, sky: SkyPatches, fold: np.ndarray | None) -> 
 
 
 def _check_fold(fold: Any, patches: int) -> np.ndarray:
-    """Return `fold` as a (K,) or (K, T) array of float32 or float64.
+    """Check the argument `fold`, and return it as a (K,) or (K, T) array of float32 or float64.
 
     Raises:
         TypeError, ValueError: not numbers, another shape, or a number that is not finite.
@@ -116,10 +116,10 @@ def _check_fold(fold: Any, patches: int) -> np.ndarray:
 
 
 class _Rows:
-    """Computation of the rows of a sky matrix: the points of a call, the sky, and counters per point."""
+    """Computation of a sky matrix at prepared points, in one piece or in blocks of rows."""
 
     def __init__(self, plan: Plan, sky: SkyPatches) -> None:
-        """Compute the starts of the points' rays, and allocate the counters."""
+        """Prepare the points to cast rays, and allocate the counters of skipped work."""
         self.plan, self.sky, points = plan, sky, len(plan.at)
         self.tally = np.zeros((points, 4), np.int32)
         self.status = np.zeros(points, np.uint8)
@@ -161,13 +161,13 @@ class _Rows:
         )
 
     def _order(self) -> np.ndarray | None:
-        """Return the points' processing order, (P,) int64; None for the order of the rows."""
+        """Return the order of processing the points, (P,) int64; None for the order of the rows."""
         if not len(self.status):
             return None
         return self.plan.at.order(self.placement, self.plan.count, self.plan.options.workers)
 
     def _run(self, value: np.ndarray, error: np.ndarray, order: np.ndarray | None, by_task: bool) -> None:
-        """Launch the kernel that computes the sky matrix rows of the points in `order`.
+        """Compute the rows of the sky matrix for the points in `order`, and write values and errors to the given arrays.
 
         With `by_task` the i-th point writes row i.
         """

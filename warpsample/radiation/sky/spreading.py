@@ -1,4 +1,4 @@
-"""Sampling of directions in a sky patch, above the horizon only, nearly proportional to the cosine.
+"""Sampling of directions in the visible part of a sky patch, with a density nearly proportional to the cosine.
 
 A column is the part of the patch at one azimuth. A direction's drop is 1 - sin(altitude).
 """
@@ -22,7 +22,7 @@ _UPRIGHT = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def _find_visible_azimuths(n: wp.vec3d, patch: Patch):
-    """Return the azimuths at which a sky patch is partly above the horizon: (first, width) as fractions of 2 pi.
+    """Return the range of azimuths with visible parts of a sky patch, as (first, width) in units of 2 pi.
 
     If these azimuths form two intervals, return the whole width of the patch.
     """
@@ -43,7 +43,7 @@ def _find_visible_azimuths(n: wp.vec3d, patch: Patch):
 
 @wp.struct
 class Slope:
-    """Parameters for sampling a sky patch: the normal in the sky's frame, the edges, and the weights of columns.
+    """Parameters for sampling directions in a sky patch as seen from a point with a given normal.
 
     A column is the part of the patch at one azimuth. top, bottom: drops of the upper and lower edge; near the zenith a drop
     keeps digits that the height loses. first, width: azimuths over 2 pi. start, end: square roots of the weights of the
@@ -63,20 +63,20 @@ class Slope:
 
 @wp.func
 def azimuth_at(slope: Slope, share: wp.float32) -> wp.vec2:
-    """Return (cosine, sine) of the azimuth at a fraction of a sky patch's width."""
+    """Return (cosine, sine) of the azimuth at a fraction, 0 to 1, of the width of a sky patch's visible part."""
     turn = slope.first + slope.width * share
     return sincos_turns(wp.where(turn < 1.0, turn, turn - 1.0))
 
 
 @wp.func
 def _cosine_at(level: wp.float32, nz: wp.float32, drop: wp.float32) -> wp.float32:
-    """Return the cosine between the normal and a direction at a drop below the zenith; 0 below the horizon."""
+    """Return the cosine between the normal and a direction whose height is 1 - drop; 0 below the horizon."""
     return greater(level * wp.sqrt(drop * (2.0 - drop)) + nz * (1.0 - drop), 0.0)
 
 
 @wp.func
 def column_at(slope: Slope, cs: wp.vec2) -> wp.vec4:
-    """Return the part above the horizon of a sky patch's column, the directions at one azimuth.
+    """Return the range of heights at which a sky patch is visible at one azimuth, and the cosines at both ends.
 
     It is (upper drop, extent in drop, cosine at the upper end, cosine at the lower end).
     """
@@ -91,13 +91,13 @@ def column_at(slope: Slope, cs: wp.vec2) -> wp.vec4:
 
 @wp.func
 def weight_of(column: wp.vec4) -> wp.float32:
-    """Return the sampling weight of a column of a sky patch, about twice the integral of the cosine over the column."""
+    """Return the sampling weight of one azimuth of a sky patch: about twice the integral of the cosine over its heights."""
     return column[1] * (column[2] + column[3])
 
 
 @wp.func
 def slope_of(n: wp.vec3d, patch: Patch) -> Slope:
-    """Compute the parameters for sampling a sky patch.
+    """Compute the parameters for sampling directions in a sky patch from a point with normal n.
 
     Column weights are interpolated as the square of a linear function.
     """

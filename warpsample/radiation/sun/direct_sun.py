@@ -45,7 +45,7 @@ class SunCall:
     cosine: bool = False
 
     def answer(self, tally: np.ndarray | None = None) -> np.ndarray:
-        """Compute the array that `direct_sun` returns.
+        """Compute the result of `direct_sun`: a flag, share or weighted sum for each point.
 
         If `tally` (P, 3) int32 is given, write for each point the number of suns proven lit, of rays blocked by a remembered
         triangle, and of rays cast.
@@ -70,7 +70,7 @@ class SunCall:
         return self.at.mesh.transmits
 
     def _run(self, answer: np.ndarray, tally: np.ndarray | None) -> None:
-        """Launch the kernel that tests all suns from all points and fills `answer` and `tally`."""
+        """Run the kernel that tests which suns each point sees, and fill the arrays `answer` and `tally`."""
         at, workers, suns = self.at, self.options.workers, len(self.directions)
         placement = at.two_sided(self.options, MOST_DISTANCE)
         order = at.order(placement, suns, workers)
@@ -201,7 +201,7 @@ def _check_weights(value: Any, suns: int) -> np.ndarray:
 
 
 def _unit(directions: np.ndarray) -> np.ndarray:
-    """Normalise directions to (T, 3) float32 unit vectors, rounded exactly as `trace` rounds them."""
+    """Return directions as (T, 3) float32 unit vectors, with the same rounding as in `trace`."""
     unit = np.empty(directions.shape, np.float32)
     inputs = [directions.ctypes.data, directions.dtype == np.float64, unit.ctypes.data]
     run(_unit_kernel(), len(unit), inputs, cpu(), workers=1, work=len(unit))

@@ -34,7 +34,7 @@ _WHOLE = wp.constant(wp.float64(2.0**-18))  # a disc this far above the horizon 
 
 @wp.func
 def _add_weights(suns: Suns, view: View, column: wp.int32, factor: wp.float64):
-    """Add the weights of one sun, times a factor, to a point's sums."""
+    """Add the weights of sun number `column`, times a factor, to the sums of a point."""
     row = wp.uint64(8 * suns.channels)
     total = wp.array(ptr=suns.answer + wp.uint64(view.point.index) * row, shape=(suns.channels,), dtype=wp.float64)
     weights = wp.array(ptr=suns.weights + wp.uint64(column) * row, shape=(suns.channels,), dtype=wp.float64)
@@ -46,7 +46,7 @@ def _add_weights(suns: Suns, view: View, column: wp.int32, factor: wp.float64):
 
 @once
 def _build_recorder(shares: bool) -> wp.Function:
-    """Build the Warp function that records in the result that a sun is lit, or its lit share."""
+    """Build the Warp function that writes to the result that a point sees a sun, or what share of it."""
 
     @wp.func
     def keep(suns: Suns, view: View, column: wp.int32, share: wp.float32, cosine: wp.float64):
@@ -63,11 +63,11 @@ def _build_recorder(shares: bool) -> wp.Function:
 
 @once
 def _build_transmission(glass: bool) -> wp.Function:
-    """Build the Warp function that returns the share of light transmitted along an unblocked ray."""
+    """Build the Warp function that returns the share of sunlight that translucent faces transmit along a ray."""
 
     @wp.func
     def transmitted(suns: Suns, view: View, k: wp.int32) -> wp.float32:
-        """Return the share of light that transmitting faces leave of the k-th prepared ray; 1 if `glass` is false."""
+        """Return the share of light that translucent faces transmit along the k-th ray; 1 without translucent faces."""
         share = wp.float32(1.0)
         if wp.static(glass):
             share = glass_transmittance(suns.glass, view.point, k)
@@ -78,14 +78,14 @@ def _build_transmission(glass: bool) -> wp.Function:
 
 @once
 def _build_points_test(glass: bool) -> wp.Function:
-    """Build the Warp function that tests a group of suns as points without discs."""
+    """Build the Warp function that tests which suns of a group a point sees; suns have no size here."""
     keep, transmitted = _build_recorder(glass), _build_transmission(glass)
 
     @wp.func
     def look_at_points(
         suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
     ):
-        """Record the lit suns of a group; cast a ray to each sun that the group's state leaves undecided."""
+        """Record which suns of a group a point sees; cast rays unless `state` says that all are visible or all blocked."""
         aimed = wp.int32(0)
         k = wp.int32(0)
         while k < GROUP:
@@ -111,7 +111,7 @@ def _build_points_test(glass: bool) -> wp.Function:
 
 @once
 def _build_disc_share(glass: bool) -> wp.Function:
-    """Build the Warp function that casts rays to a sun's disc and returns the lit share of the disc."""
+    """Build the Warp function that estimates the visible share of a sun's disc by rays."""
     transmitted = _build_transmission(glass)
 
     @wp.func
@@ -143,14 +143,14 @@ def _build_disc_share(glass: bool) -> wp.Function:
 
 @once
 def _build_discs_test(glass: bool) -> wp.Function:
-    """Build the Warp function that tests a group of suns as discs."""
+    """Build the Warp function that computes the visible share of each sun's disc, for the suns of a group."""
     keep, proven, share_of = _build_recorder(True), prover(glass), _build_disc_share(glass)
 
     @wp.func
     def look_at_discs(
         suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
     ):
-        """Record the lit share of each sun disc of a group; cast rays to discs that no proof decides."""
+        """Record the visible share of each sun's disc in a group; cast rays only to discs that are not decided otherwise."""
         k = wp.int32(0)
         while k < GROUP:
             sun = sun_of(suns, group, k)
@@ -172,12 +172,12 @@ def _build_discs_test(glass: bool) -> wp.Function:
 
 @once
 def _build_sun_test(disc: bool, glass: bool) -> wp.Function:
-    """Build the Warp function that tests all suns from one point."""
+    """Build the Warp function that finds all suns that one point sees."""
     look, proven = (_build_discs_test if disc else _build_points_test)(glass), prover(glass)
 
     @wp.func
     def look_all(suns: Suns, accelerator: Accelerator, view: View):
-        """Test all suns from one point; skip groups of suns that are proven lit or dark together."""
+        """Find the suns that one point sees; groups that are all visible or all blocked are decided without rays."""
         view, seen = open_tree(suns, accelerator, view)
         node = wp.int32(0)
         while node < suns.nodes:

@@ -26,7 +26,7 @@ COVER_MARGIN: wp.float32 = wp.constant(wp.float32(2.0**-19))
 
 @wp.func
 def open_tree(suns: Suns, tree: Accelerator, view: View):
-    """Open the search tree around a point once for all its rays; return (point, tree).
+    """Restrict the search tree to what rays from a point can hit; return (state of the point, restricted tree).
 
     If rays may be skipped, the tree is opened around the point.
     """
@@ -39,7 +39,7 @@ def open_tree(suns: Suns, tree: Accelerator, view: View):
 
 @wp.func
 def highest(vectors: wp.uint64, n: wp.vec3) -> wp.float32:
-    """Return the greatest cosine between a shaft's corners and a unit vector; if positive, a bound for the whole shaft."""
+    """Return the greatest dot product of n with the four corner directions of a pyramid of directions."""
     most = wp.float32(-1.0)
     for i in range(CORNERS):
         most = greater(most, wp.dot(corner_of(vectors, i), n))
@@ -48,7 +48,7 @@ def highest(vectors: wp.uint64, n: wp.vec3) -> wp.float32:
 
 @wp.func
 def is_darkened(view: View, vectors: wp.uint64) -> wp.bool:
-    """Return whether a triangle that blocked an earlier ray of the point blocks all rays of a shaft."""
+    """Return whether a triangle that blocked an earlier ray of the point blocks a whole pyramid of directions."""
     known = blocker_mask(view)
     if known == 0:
         return False
@@ -71,14 +71,14 @@ def _may_be_hit(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
 
 @once
 def prover(glass: bool) -> wp.Function:
-    """Build the Warp function that classifies a shaft of sun directions as UNKNOWN, LIT or DARK.
+    """Build the Warp function that decides whether a point sees all suns in a pyramid of directions, or none.
 
     `glass` is for meshes with translucent faces.
     """
 
     @wp.func
     def classify_shaft(suns: Suns, seen: Accelerator, view: View, vectors: wp.uint64) -> wp.int32:
-        """Return the state of a shaft of sun directions: UNKNOWN, LIT or DARK.
+        """Return whether all suns in a pyramid of directions are visible (LIT), all blocked (DARK), or neither (UNKNOWN).
 
         Rays of a LIT shaft with a cosine below `LEAST_COSINE` must be traced all the same.
         """

@@ -74,7 +74,7 @@ def aim_at_disc(suns: Suns, seen: Accelerator, view: View, column: wp.int32, sun
 
 @wp.func
 def _remember(suns: Suns, view: View, face: wp.int32):
-    """Remember a triangle that blocked a ray, in the point's own leaf; the oldest triangle is replaced."""
+    """Store a triangle that blocked a ray in the point's list of blockers, which the next rays test first."""
     corners = vec3i_at(suns.faces, face)
     lane = word(view, NEXT)
     a = vec3_at(suns.vertices, corners[0])

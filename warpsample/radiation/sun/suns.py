@@ -1,4 +1,4 @@
-"""Tree of sun positions in groups of neighbours, so that one proof can hold for all suns of a group.
+"""Tree of sun directions, so that visibility can be decided for a whole group of neighbouring suns at once.
 
 Each group has a shaft, a pyramid of directions around it. The groups are the leaves of a complete binary tree; each node's
 suns are halved across their widest axis. A shaft is a pyramid from the point: four planes around the suns, or around their
@@ -23,7 +23,7 @@ _NO_AXIS = 0.5  # least cosine of the suns to their mean direction
 
 @dataclass(frozen=True, eq=False)
 class SunTree:
-    """Tree of T unit directions towards suns, with G groups of neighbours as leaves and N nodes.
+    """Binary tree of T sun directions: G leaves with groups of neighbouring suns, N nodes in all.
 
     Attributes:
         groups: (G, 3, 16) float32, x, y, z of directions; 0 where a group has fewer suns.
@@ -83,13 +83,13 @@ def _cached_tree(directions: bytes, disc: float) -> SunTree:
 
 
 def _locate_in_parts(bounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the part that each row belongs to, and the row's index in the part, for parts with the given bounds."""
+    """Return, for each row of an array that is divided at `bounds`, the number of its part and its index there."""
     of = np.repeat(np.arange(len(bounds) - 1), np.diff(bounds))
     return of, np.arange(bounds[-1]) - bounds[of]
 
 
 def _sort_parts(directions: np.ndarray, bounds: np.ndarray) -> np.ndarray:
-    """Return the order of suns that sorts each part along the axis on which the part is widest."""
+    """Return the order that sorts the suns of each part along the coordinate axis with the widest extent."""
     low, high = (f.reduceat(directions, bounds[:-1]) for f in (np.minimum, np.maximum))
     of, lane = _locate_in_parts(bounds)
     along = np.full((len(bounds) - 1, np.diff(bounds).max()), np.inf, np.float32)  # parts differ in size by at most one
@@ -108,7 +108,7 @@ def _index_nodes(levels: int) -> list[np.ndarray]:
 
 
 def _build_shafts(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the shafts around each part's suns or discs, (N, 3, 16), and an (N,) mask of the usable shafts."""
+    """Return a pyramid of directions around each part's suns, (N, 3, 16), and a mask of the sufficiently narrow ones."""
     first, size = bounds[:-1], np.diff(bounds)
     total = np.add.reduceat(suns, first)
     length = np.linalg.norm(total, axis=1, keepdims=True)
@@ -133,7 +133,7 @@ def _build_shafts(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[
 
 
 def _compute_dots(suns: np.ndarray, vectors: np.ndarray, size: np.ndarray) -> np.ndarray:
-    """Return the dot product of each sun direction with the vector of the part that the sun belongs to."""
+    """Return the dot product of each sun direction with the vector of its part; parts have `size` suns each."""
     return np.einsum("ij,ij->i", suns, np.repeat(vectors, size, axis=0))
 
 

@@ -1,4 +1,4 @@
-"""Argument of the sun kernel, and the state of one point: remembered triangles, counters and working memory."""
+"""Data structures of the kernel of `direct_sun`: its argument, and its state for one point."""
 
 import warp as wp
 
@@ -79,7 +79,7 @@ class View:
 
 @wp.func
 def view_of(point: ShadingPoint) -> View:
-    """Return the initial state of a point for the test of suns, without remembered triangles."""
+    """Return the initial state of a point for the test of suns, with an empty list of blockers."""
     view = View()
     view.point = point
     view.blockers = point.own
@@ -89,19 +89,19 @@ def view_of(point: ShadingPoint) -> View:
 
 @wp.func
 def word(view: View, i: wp.int32) -> wp.int32:
-    """Return the i-th counter of a point for the test of suns."""
+    """Return one of a point's counters, for example of the rays cast; i is the counter's number."""
     return int_at(view.words, i)
 
 
 @wp.func
 def add(view: View, i: wp.int32, more: wp.int32):
-    """Increase the i-th counter of a point by `more`."""
+    """Increase one of a point's counters, for example of the rays cast, by `more`; i is the counter's number."""
     set_int(view.words, i, word(view, i) + more)
 
 
 @wp.func
 def blocker_mask(view: View) -> wp.int32:
-    """Return the bit mask of the triangles that a point remembers after a blocked ray."""
+    """Return a bit mask of the triangles in a point's list of blockers, which have blocked earlier rays."""
     return (1 << word(view, KNOWN)) - 1
 
 

@@ -23,7 +23,7 @@ _SUNS = 512  # from twice this number on, the sample positions of a replicate te
 
 @dataclass(frozen=True, eq=False)
 class WeatherLight:
-    """Sun, sky and ground of a period as distant light: the sum in kWh/m², or a column in W/m² for each hour.
+    """Light of sun, sky and ground in a period: the sum in kWh/m², or a column in W/m² for each hour.
 
     Only hours with light have a column.
 
@@ -41,7 +41,7 @@ class WeatherLight:
         return len(self.light.sky_rows) if self.series else 1
 
     def targets(self, patches: Patches, _workers: int) -> Targets:
-        """Return the light sources for rays of patches: the patches, and sky and ground where rays hit nothing."""
+        """Return the light sources that rays of reflecting patches may reach: the patches, the sky and the ground."""
         sky, csr_array = self.light.sky, imported("scipy.sparse").csr_array
 
         def light_outside(directions: np.ndarray) -> "csr_array":
@@ -66,7 +66,7 @@ class WeatherLight:
 
 
 def _fewer_suns(light: Light, seed: int) -> Light:
-    """Reduce the light of a period to at most about 1,000 sun positions.
+    """Merge the sun positions of a period into at most about 1,000, for the light that faces reflect.
 
     Of each run of neighbouring suns one is drawn at random, with the radiation of the run. Few suns are all kept.
     """
@@ -85,7 +85,7 @@ def sum_hours(hourly: np.ndarray) -> np.ndarray:
 
 
 def direct_light(at: PlacedPoints, options: RayOptions, light: Light, series: bool) -> np.ndarray:
-    """Compute the sun's irradiation (P,) in kWh/m²; with `series` its irradiance (P, S) in W/m², for hours with sun."""
+    """Compute the irradiation of points by direct sunlight, (P,) in kWh/m²; with `series` (P, S) in W/m², hour by hour."""
     if len(light.sun) == 0:
         return np.zeros((len(at), 0) if series else len(at))
     if not series:

@@ -140,7 +140,7 @@ def irradiation(
 
 
 def received(plan: Plan, light: Light, series: bool, reflections: Reflections | None = None) -> Irradiation:
-    """Compute the radiation received by the points of a call's plan, in kWh/m² or for each hour in W/m²."""
+    """Compute the radiation that points receive from sun, sky, ground and faces, in kWh/m² or, for each hour, in W/m²."""
     hours = len(light.hours)
     if series:
         size = _BYTES * len(plan.at) * hours
@@ -189,7 +189,7 @@ def _add_reflected(found: Irradiation, reflected: Reflected, light: Light) -> Ir
 
 
 def _expand_hours(part: np.ndarray, rows: np.ndarray, hours: int) -> np.ndarray:
-    """Expand columns for some hours to all hours, (P, hours) float32, with 0 in the other hours."""
+    """Copy columns for some hours into an array of all hours, (P, hours) float32, with 0 elsewhere."""
     made = np.zeros((len(part), hours), np.float32)
     made[:, rows] = part
     return made

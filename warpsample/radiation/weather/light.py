@@ -39,7 +39,7 @@ class Light:
     ground: np.ndarray
 
     def only(self, columns: slice) -> "Light":
-        """Return the radiation of sun, sky and ground for a slice of the L hours with light."""
+        """Return the radiation of sun, sky and ground in a slice of the L hours with light."""
         rows = self.sky_rows[columns]
         shining = np.isin(self.sun_rows, rows)
         return replace(

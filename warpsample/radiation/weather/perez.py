@@ -34,7 +34,7 @@ def perez_sky(weather: Weather, patches: str) -> np.ndarray:
 
 
 def _horizontal_shares(sky: SkyPatches) -> np.ndarray:
-    """Return the share of an open horizontal plane's cosine lobe that each sky patch fills, (K,); the sum is 1."""
+    """Return the cosine-weighted share of each sky patch in the sky above a horizontal plane, (K,); the sum is 1."""
     low, high = np.square(np.sin(np.radians(sky.altitudes.T)))
     return np.radians(np.diff(sky.azimuths, axis=1)[:, 0]) * (high - low) / (2.0 * np.pi)
 

@@ -84,7 +84,7 @@ def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
 
 @lru_cache(maxsize=2)
 def _build_year(pvlib: Any, text: str) -> Weather:
-    """Build the weather of a year from the text of an EPW file, cached by text.
+    """Return the `Weather` of the year in the text of an EPW file, from a cache if possible.
 
     Reading the text and computing the sun takes a fifth of a second.
     """
@@ -160,7 +160,7 @@ def _import_pvlib() -> Any:
 
 
 def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:
-    """Check that direct radiation falls in hours with the sun above the horizon.
+    """Check that nearly all direct radiation falls in hours with the sun above the horizon.
 
     Raises:
         ValueError: over 1 % falls at night, as with a longitude counted towards the west.

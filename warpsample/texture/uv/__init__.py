@@ -1,1 +1,1 @@
-"""Texture coordinates: charts of given ones, and new ones by xatlas."""
+"""Texture coordinates: detection of charts in existing coordinates, and new coordinates by xatlas."""

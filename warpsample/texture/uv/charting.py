@@ -35,7 +35,7 @@ def main(size: int, padding: int) -> None:
 
 
 def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> tuple[np.ndarray, Any]:
-    """Return the (2,) fractions of an image's width and height that the charts use, and the xatlas atlas.
+    """Pack the charts of all meshes into one image with xatlas; return (used fractions of width and height, the atlas).
 
     xatlas makes an image of only about the requested size. So charts are packed with fewer and fewer texels per unit of
     length, until all charts fit.

@@ -1,4 +1,4 @@
-"""Groups of faces: charts, connected by corners with equal texture coordinates, and closed parts of a mesh."""
+"""Grouping of faces: UV charts (faces connected in the texture) and closed parts of a mesh."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from warpsample.host.locks import imported
 
 
 def label_charts(corners: np.ndarray) -> np.ndarray:
-    """Return the (F,) int32 chart number of each face, counted from 0.
+    """Return the number of each face's UV chart, (F,) int32: faces that share corners in the texture form a chart.
 
     Faces without coordinates get arbitrary numbers.
 
@@ -25,7 +25,7 @@ def label_charts(corners: np.ndarray) -> np.ndarray:
 
 
 def label_closed(faces: np.ndarray) -> np.ndarray:
-    """Return the (N,) number of the closed part that each face (N, 3) belongs to, from 0 on; -1 in open parts.
+    """Return the number of the closed part that contains each face, (N,), counted from 0; -1 for faces in open parts.
 
     In a closed part each edge is used equally often in either direction, so parity is defined. At first, faces are joined
     over edges of two faces: bodies that share a vertex or an edge are counted apart, and may overlap. Then, faces without a
@@ -40,7 +40,7 @@ def label_closed(faces: np.ndarray) -> np.ndarray:
 
 
 def _label_balanced(faces: np.ndarray, over_edges: bool) -> np.ndarray:
-    """Return the (N,) number of each face's part, from 0 on; -1 in parts whose edges do not balance.
+    """Return the number of each face's part, (N,); -1 in parts with an edge not used equally often in both directions.
 
     Args:
         faces: (N, 3) int64 vertices.
@@ -62,7 +62,7 @@ def _label_balanced(faces: np.ndarray, over_edges: bool) -> np.ndarray:
 
 
 def _join_over_edges(along: np.ndarray, back: np.ndarray) -> np.ndarray:
-    """Return the (N,) number of each face's part, where edges of exactly two faces, one in either direction, join faces.
+    """Return the number of each face's part, (N,), if faces are joined by edges that exactly two faces share.
 
     Args:
         along: (3 N,) keys of the edges of each face in its direction.
@@ -77,11 +77,11 @@ def _join_over_edges(along: np.ndarray, back: np.ndarray) -> np.ndarray:
 
 
 def _join_over_vertices(start: np.ndarray, end: np.ndarray, count: int) -> np.ndarray:
-    """Return the (N,) number of each face's part, where vertices join faces; edges go from `start` to `end`, both (3 N,)."""
+    """Return the number of each face's part, (N,), if faces are joined by common vertices."""
     return _connect(start, end, count)[start[::3]]
 
 
 def _connect(start: np.ndarray, end: np.ndarray, count: int) -> np.ndarray:
-    """Return the (count,) int64 number of each node's part in a graph with edges from `start` to `end`."""
+    """Return the number of each node's connected component, (count,), in a graph with edges from `start` to `end`."""
     links = imported("scipy.sparse").coo_array((np.ones(len(start), np.bool_), (start, end)), (count, count))
     return imported("scipy.sparse.csgraph").connected_components(links, directed=False)[1].astype(np.int64)

@@ -13,7 +13,7 @@ from warpsample.texture.uv.unwrapping import PADDING, MeshCharts, unwrap_meshes
 
 
 def charts_for(group: list[Primitive], mesh: Mesh, size: int) -> list[MeshCharts]:
-    """Compute charts of the primitives of a group in one square image of `size` texels.
+    """Compute new texture coordinates for a group of primitives, in one square image of `size` texels.
 
     Positions are those of `load_mesh`, at the first place with an area of each primitive.
     """
@@ -21,7 +21,7 @@ def charts_for(group: list[Primitive], mesh: Mesh, size: int) -> list[MeshCharts
 
 
 def add_uv(file: GlbFile, group: list[Primitive], charts: list[MeshCharts], count: int) -> tuple[int, np.ndarray]:
-    """Add the coordinates of charts to a group of primitives, as a set that none of the primitives has yet.
+    """Add new texture coordinates to a group of primitives, as a set that none of the primitives has yet.
 
     Args:
         file: file to edit.
@@ -42,7 +42,7 @@ def add_uv(file: GlbFile, group: list[Primitive], charts: list[MeshCharts], coun
 
 
 def _split_vertices(file: GlbFile, one: Primitive, charts: MeshCharts, number: int) -> None:
-    """Rewrite a primitive with the split vertices and the new coordinates as set `number`.
+    """Rewrite a primitive with new texture coordinates as set `number`; vertices at chart borders are split.
 
     The sets below `number` that the primitive lacks get the new coordinates, too, since glTF numbers sets without gaps.
     """

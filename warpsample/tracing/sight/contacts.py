@@ -1,4 +1,4 @@
-"""Faces that touch a surface point, and the starts of the point's rays that follow from them (see `starts`)."""
+"""Search for the faces that touch a surface point, and choice of the position where the point's rays start."""
 
 import warp as wp
 
@@ -18,7 +18,7 @@ _THIN = wp.constant(wp.int32(-2))  # face number of a point that lies only on fa
 
 @wp.struct
 class FaceContact:
-    """State of the search for the start of a surface point's rays: the point, its face, and the start so far.
+    """State of the search for the position where a surface point's rays start: the point, its face, and the start so far.
 
     The last five fields are the state of the search for the point's own face, by the cosine of each touching face's normal
     to the point's direction of view.
@@ -58,7 +58,7 @@ class FaceContact:
 
 @wp.func
 def _move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
-    """Move the start of a point's rays off another facet that touches the point, if needed; return the new state.
+    """Move the start of a point's rays to the visible side of another face that touches the point, if needed.
 
     The start point ends on the same side of that facet as the centre of the point's own face.
     """
@@ -83,7 +83,7 @@ def _move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
 
 @wp.func
 def _is_better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int32) -> wp.bool:
-    """Return whether a face is the better candidate: greater cosine, or equal cosine and lower face number.
+    """Return whether a face matches a point's normal better than the best face so far; of equal ones, the first is better.
 
     The cosine must be at least 0. The result does not depend on the order in which faces are visited.
     """
@@ -94,7 +94,7 @@ def _is_better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.i
 def _look_at_other(
     contacts: Contacts, contact: FaceContact, face: wp.int32, look: wp.vec3d, searching: wp.bool
 ) -> FaceContact:
-    """Update a point's contact state by a face other than the point's own, if that face touches the point."""
+    """Update the search for the start of a point's rays by another face, if the face touches the point."""
     facet = facet_of(contacts, face)
     if wp.dot(facet.n, facet.n) == ZERO:
         if contact.own == -1:
@@ -116,7 +116,7 @@ def _look_at_other(
 
 @wp.struct
 class Around:
-    """Arguments of the search for the faces around a point.
+    """Arguments of the search for the faces that touch a point.
 
     Attributes:
         contacts: points and faces of the scene.
@@ -135,7 +135,7 @@ class Around:
 
 @wp.func
 def _look_at(face: wp.int32, around: Around, contact: FaceContact) -> FaceContact:
-    """Update a point's contact state by one face that may touch the point; the point's own face is skipped."""
+    """Update the search for the start of a point's rays by one nearby face; the point's own face is skipped."""
     if face != contact.own:
         contact.alone = wp.bool(False)
         contact = _look_at_other(around.contacts, contact, face, around.look, around.searching)
@@ -149,7 +149,7 @@ _look_around = faces_touching(_look_at, Around, FaceContact)
 def look_around(
     contacts: Contacts, tree: Accelerator, contact: FaceContact, look: wp.vec3d, searching: wp.bool, scratch: wp.uint64
 ) -> FaceContact:
-    """Update a point's contact state (the search for the start of its rays) by all faces that touch the point.
+    """Update the search for the start of a point's rays by all faces that touch the point; return the new state.
 
     `searching` is True to search for the point's own face, False to move the start off neighbouring faces.
     """
@@ -216,7 +216,7 @@ def start_above(contacts: Contacts, p: wp.vec3d, look: wp.vec3d) -> wp.vec3:
 
 @wp.func
 def start_of(contacts: Contacts, contact: FaceContact, look: wp.vec3d) -> wp.vec3:
-    """Return the start of a point's rays from its final contact state; for a point on no face, the point itself."""
+    """Return the position where a point's rays start, after the search for touching faces."""
     if contact.own == _THIN:
         towards = wp.vec3(look)
         return wp.vec3(contact.p) + origin_offset(contacts.placement, towards) * towards

@@ -1,4 +1,4 @@
-"""Faces of a scene in float64: corners, normal, and a test whether a point touches the face."""
+"""Faces in float64: corners, normals, and tests whether a point touches a face."""
 
 import warp as wp
 
@@ -14,7 +14,7 @@ NOWHERE: wp.vec3d = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 @wp.struct
 class Contacts:
-    """Kernel argument to compute ray starts: scalars, and addresses of points and of the scene's faces.
+    """Kernel argument of the search for ray starts: numbers, and addresses of the points and of the mesh's faces.
 
     Attributes:
         placement: placement of the points. Its `normals` are those of the points' faces, or the points' own without a face.
@@ -44,7 +44,7 @@ ContactsArgs = type(Contacts().__ctype__())
 
 @wp.struct
 class Facet:
-    """Face of a scene in float64: corners, normal, and tolerances.
+    """Face of a mesh in float64: corners, normal, and tolerances.
 
     Attributes:
         a, b, c: corners.
@@ -65,7 +65,7 @@ class Facet:
 
 @wp.func
 def with_normal(contacts: Contacts, facet: Facet, n: wp.vec3d) -> Facet:
-    """Return a facet with the unit normal n, and with the offset and tolerance that follow from n.
+    """Return a copy of a face with the unit normal n, and the offset and tolerance for this normal.
 
     The offset and the slack are 32 roundings of the corners plus the coarseness of stored positions.
     """
@@ -82,7 +82,7 @@ def with_normal(contacts: Contacts, facet: Facet, n: wp.vec3d) -> Facet:
 
 @wp.func
 def corners_of(contacts: Contacts, face: wp.int32) -> Facet:
-    """Return a facet with the corners of a face, without a normal."""
+    """Return the corners of a face in float64, as a `Facet` without a normal."""
     corners = vec3i_at(contacts.triangles, face)
     facet = Facet()
     facet.a = in_double(vec3_at(contacts.vertices, corners[0]))
@@ -93,7 +93,7 @@ def corners_of(contacts: Contacts, face: wp.int32) -> Facet:
 
 @wp.func
 def facet_of(contacts: Contacts, face: wp.int32) -> Facet:
-    """Return a facet with corners and normal of a face; the normal is zero where the face is thinner than its offset."""
+    """Return the corners and the normal of a face in float64; the normal of a needle-like face is zero."""
     facet = corners_of(contacts, face)
     n = wp.cross(facet.b - facet.a, facet.c - facet.a)
     facet.area = wp.length(n)
@@ -107,20 +107,20 @@ def facet_of(contacts: Contacts, face: wp.int32) -> Facet:
 
 @wp.func
 def _compute_edge_distance(facet: Facet, start: wp.vec3d, end: wp.vec3d, p: wp.vec3d) -> wp.float64:
-    """Return the signed distance of a point in a facet's plane from one edge, positive on the inner side."""
+    """Return the signed distance of a point from one edge of a face, within the face's plane; positive inside."""
     edge = end - start
     return wp.dot(wp.cross(edge, p - start), facet.n) / wp.length(edge)
 
 
 @wp.func
 def inward_distance(facet: Facet, p: wp.vec3d) -> wp.float64:
-    """Return the signed distance of a point in a facet's plane from the nearest edge, positive inside."""
+    """Return the signed distance of a point from the nearest edge of a face, within the face's plane; positive inside."""
     first = wp.min(_compute_edge_distance(facet, facet.a, facet.b, p), _compute_edge_distance(facet, facet.b, facet.c, p))
     return wp.min(first, _compute_edge_distance(facet, facet.c, facet.a, p))
 
 
 @wp.func
 def is_touching(facet: Facet, p: wp.vec3d, moved: wp.float64) -> wp.bool:
-    """Return whether a point is within two offsets of a facet, or may get there by a move of length `moved`."""
+    """Return whether a point touches a face, or may touch it after a move of length `moved`."""
     near = wp.abs(wp.dot(facet.n, p - facet.a)) <= TWO * facet.offset + moved
     return near and inward_distance(facet, p) >= -facet.slack - moved

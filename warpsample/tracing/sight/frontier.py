@@ -1,4 +1,4 @@
-"""Start nodes of one point's rays (frontier): the tree is opened around the point once for all its rays.
+"""Part of the search tree that rays from one surface point can reach, collected once for all the point's rays.
 
 All rays from a point on a surface would open the same nodes and
 leaves around the point. So these are opened once for all rays. The other children of the opened nodes become start nodes of
@@ -44,13 +44,13 @@ def _distance_to_interval(low: wp.float32, high: wp.float32, x: wp.float32) -> w
 
 @wp.func
 def limit_of_boxes(limit: wp.float32, n: wp.vec3) -> wp.float32:
-    """Return the limit along a normal for padded boxes, from the limit for the triangles in the boxes."""
+    """Return the limit for the padded boxes of a tree, from a limit for triangles: both are dot products with n."""
     return limit + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
 
 
 @wp.func
 def visible_children(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
-    """Return masks of a node's children: above the horizon and within reach, and around the origin.
+    """Return two masks of a tree node's children: those that rays from the point o may hit, and those that contain o.
 
     A child is above the horizon if its box has a point x with x n of at least `limit`.
     """
@@ -76,7 +76,7 @@ def visible_children(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32,
 
 @wp.func
 def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
-    """Return a mask of a leaf's triangles with a corner above the horizon.
+    """Return a mask of a tree leaf's triangles that have a corner above a point's horizon.
 
     Such a corner has a dot product with n of at least `limit`.
     """
@@ -90,7 +90,7 @@ def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
 
 @wp.func
 def _copy_child(node: wp.uint64, child: wp.int32, nodes: wp.uint64, entry: wp.int32):
-    """Copy a child of a node to the entry with the given number among the point's start nodes."""
+    """Copy a child (box and link) of a search-tree node to the list of nodes at which the rays of a point start."""
     source = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
     target = wp.array(ptr=nodes + wp.uint64(entry / WIDTH) * wp.uint64(NODE_BYTES), shape=(_NODE_FLOATS,), dtype=wp.float32)
     lane = entry % WIDTH
@@ -106,7 +106,7 @@ def _copy_child(node: wp.uint64, child: wp.int32, nodes: wp.uint64, entry: wp.in
 def _copy_to_local_leaf(
     leaf: wp.uint64, n: wp.vec3, limit: wp.float32, edge: wp.float32, local: wp.uint64, triangles: wp.int32
 ) -> wp.int32:
-    """Copy a leaf's triangles above the horizon to the local leaf; return the new number of triangles there.
+    """Copy a tree leaf's triangles above the horizon to the point's own list of triangles; return the list's new length.
 
     If they do not fit, nothing is copied and the result is -1.
     """
@@ -125,7 +125,7 @@ def _copy_to_local_leaf(
 
 @wp.func
 def _frontier(tree: Accelerator, point: ShadingPoint):
-    """Collect the start nodes of a point's rays (frontier); return the numbers of start nodes and of local triangles.
+    """Collect the tree nodes and nearby triangles that a point's rays can hit; return the numbers of nodes and triangles.
 
     Local triangles are copies of the triangles around the point. Rays above the point's horizon hit nothing else; their
     cosines to the normal must be at least 2^-12, as in the cosine lobe. If both numbers are 0, nothing is above the horizon.
@@ -172,7 +172,7 @@ def _frontier(tree: Accelerator, point: ShadingPoint):
 
 @wp.func
 def open_around(tree: Accelerator, point: ShadingPoint):
-    """Open the tree around a point, once for all its rays; return (tree, mask of local triangles, whether opened).
+    """Restrict the search tree to what a point's rays can hit; return (tree, mask of nearby triangles, True if restricted).
 
     Local triangles are copies of the triangles around the point. The whole tree is returned unopened for a distant point,
     and where there is no room for all parts around the point.
@@ -199,14 +199,14 @@ class HalfSpace:
 
 @wp.func
 def _find_children_in(node: wp.uint64, plane: HalfSpace):
-    """Return a mask of a node's children whose boxes reach into a half-space."""
+    """Return a mask of a tree node's children whose boxes intersect a half-space."""
     mask, _around = visible_children(node, wp.vec3(0.0), plane.n, limit_of_boxes(plane.limit, plane.n), _ANYWHERE)
     return mask
 
 
 @wp.func
 def _find_triangle_in(leaf: wp.uint64, plane: HalfSpace, found: wp.bool):
-    """Return whether a triangle of a leaf reaches into a half-space, twice: as the answer, and to end the search."""
+    """Return (answer, stop), both True if a triangle of a tree leaf has a corner in a half-space."""
     found = triangles_above(leaf, plane.n, plane.limit) != 0
     return found, found
 

@@ -31,7 +31,7 @@ _ONE = wp.constant(wp.uint64(1))
 
 @wp.func
 def first_rays(length: wp.int32) -> wp.uint64:
-    """Return the bit set of the first `length` rays of a chunk."""
+    """Return the bit set that holds the first `length` rays of a point."""
     return wp.where(length > 0, (~NO_RAYS) >> wp.uint64((CHUNK - length) % CHUNK), NO_RAYS)
 
 
@@ -70,7 +70,7 @@ def _is_hit(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.f
 def _unblocked_by_triangles(
     leaf: wp.uint64, triangles: wp.int32, point: ShadingPoint, alive: wp.uint64, blocks: wp.int32
 ) -> wp.uint64:
-    """Return the set of rays in `alive` that miss a leaf's masked triangles; vector lanes hold rays."""
+    """Return the rays in the bit set `alive` that miss a tree leaf's triangles, by a loop that is vectorised over rays."""
     open_leaf(leaf, point.o, point.reach, point.sides)
     while triangles != 0:
         t = lowest_bit(triangles)
@@ -93,7 +93,7 @@ def _unblocked_by_triangles(
 def _unblocked_by_leaf(
     leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.uint64, alive: wp.uint64
 ) -> wp.uint64:
-    """Return the set `alive` without the rays that hit a triangle of a leaf; vector lanes hold triangles.
+    """Return the rays in the bit set `alive` that miss a tree leaf's triangles, vectorised over triangles or rays.
 
     A single ray is tested without opening the leaf, which would not pay.
     """
@@ -114,7 +114,7 @@ def _unblocked_by_leaf(
 
 @wp.func
 def _children_hit(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.int32:
-    """Return a mask of a tree node's children whose boxes some rays of a set hit.
+    """Return a mask of a tree node's children whose boxes are hit by at least one ray of a bit set of rays.
 
     Two words per child in `scratch` receive the set of rays that hit the child's box.
     """
@@ -146,7 +146,7 @@ def _children_hit(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.i
 
 @wp.func
 def _rays_at_child(point: ShadingPoint, child: wp.int32) -> wp.uint64:
-    """Return the set of rays that hit the box of a node's child, as `_children_hit` stored it."""
+    """Return the bit set of rays that hit the box of a tree node's child, from the results of `_children_hit`."""
     words = wp.array(ptr=point.scratch, shape=(2 * WIDTH,), dtype=wp.uint32)
     return (wp.uint64(words[WIDTH + child]) << wp.uint64(32)) | wp.uint64(words[child])
 
@@ -184,7 +184,7 @@ def _unblocked_by_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64)
 
 @wp.func
 def blocked_rays(tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32) -> wp.uint64:
-    """Return the bit set of rays that hit anything, among a set of rays of a prepared chunk.
+    """Return the bit set of a point's rays that hit anything, among the prepared rays in the bit set `rays`.
 
     The set holds some of the first `length` rays of the chunk. `local` is that of `first_hit`. The rays of a distant point
     have separate origins and reaches, and are traced one by one.

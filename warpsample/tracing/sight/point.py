@@ -99,7 +99,7 @@ def workspace_floats(own: int, chunk: int = CHUNK_FLOATS, searches: bool = True,
 
 @wp.func
 def point_in(workspace: wp.uint64, own: wp.int32, chunk: wp.int32) -> ShadingPoint:
-    """Return a point without position whose working memory starts at the given address.
+    """Return a `ShadingPoint` whose working memory starts at the given address; its position is set later.
 
     The index, the normal and the position are not set yet. The workspace has the size that `workspace_floats` returns.
     """
@@ -118,7 +118,7 @@ def point_in(workspace: wp.uint64, own: wp.int32, chunk: wp.int32) -> ShadingPoi
 def orient_point(
     point: ShadingPoint, placement: Placement, normals: wp.uint64, active: wp.uint64, visit: wp.int64
 ) -> ShadingPoint:
-    """Return the point that is processed as number `visit`, with index, unit normal and status, but no position.
+    """Return the point that is processed as number `visit`, with its index, unit normal and status.
 
     normals: address of (P, 3) float32, of any length. active: address of (P,) uint8, or 0 if all points are active.
     """
@@ -135,7 +135,7 @@ def orient_point(
 
 @wp.func
 def _origin(placement: Placement, point: ShadingPoint, sides: wp.int32) -> wp.vec3:
-    """Return the start of a point's rays, on the side of its face to which the normal points."""
+    """Return the position where a point's rays start, on the side of its face to which the normal points."""
     if placement.starts != wp.uint64(0) and sides == 1:
         return vec3_at(placement.starts, point.index)
     side = vec3_at(placement.normals, point.index)
@@ -147,7 +147,7 @@ def _origin(placement: Placement, point: ShadingPoint, sides: wp.int32) -> wp.ve
 
 @wp.func
 def place_point(point: ShadingPoint, placement: Placement, sides: wp.int32) -> ShadingPoint:
-    """Set the position, ray start and status of a point of `orient_point`, and fill its chunk of rays with the start.
+    """Set the position, ray start and status of a point, and the origin of all rays in the point's working memory.
 
     `sides`, 1 or 2, is the number of starts per point in the placement.
     """

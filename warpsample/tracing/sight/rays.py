@@ -1,4 +1,4 @@
-"""Rays of one point: a chunk is prepared together, then traced ray by ray or as a packet."""
+"""Rays of one point: a group of rays is prepared together, then traced one by one or all at once."""
 
 import warp as wp
 
@@ -24,7 +24,7 @@ def whole_vectors(length: wp.int32) -> wp.int32:
 
 @wp.func
 def move_rays_near(point: ShadingPoint, length: wp.int32):
-    """Move the origins of the first rays of a chunk close to the mesh, if their point is distant."""
+    """Move the origins of `length` rays close to the mesh, if their point is far from the mesh."""
     if is_far_off(point.position):
         for k in range(length):
             move_ray_near(point, k, in_double(direction_of(point.chunk, k)))
@@ -32,7 +32,7 @@ def move_rays_near(point: ShadingPoint, length: wp.int32):
 
 @once
 def prepare_rays(prepare: wp.Function = prepare_wide) -> wp.Function:
-    """Build a Warp function that prepares the first rays of a chunk for a tracer, from their directions.
+    """Build a Warp function that prepares `length` rays of a point for a tracer.
 
     Its arguments are (tree, point, local, rays).
     """

@@ -32,7 +32,7 @@ class InShaft:
 
 @wp.func
 def _find_triangles_in(leaf: wp.uint64, shaft: wp.uint64, found: InShaft):
-    """Add the triangles of a tree leaf in a shaft to the search result; return (result, whether there are any)."""
+    """Return the search result with the triangles of a tree leaf that are in a shaft, and whether there are any."""
     found.leaf = leaf
     found.triangles = triangles_in(leaf, shaft)
     return found, found.triangles != 0
@@ -60,5 +60,5 @@ def search_shaft(tree: Accelerator, point: ShadingPoint, local: wp.int32) -> InS
 
 @wp.func
 def in_local_leaf(found: InShaft, point: ShadingPoint) -> wp.int32:
-    """Return a mask of the triangles in a point's local leaf that a search found in the shaft."""
+    """Return a mask of the nearby triangles of a point that a search found in a shaft (pyramid of directions)."""
     return wp.where(found.leaf == point.opened + LOCAL_LEAF, found.triangles, 0)

@@ -1,4 +1,4 @@
-"""Shafts: pyramids of directions from one point, tested against the tree.
+"""Shafts: pyramids of directions from one point, tested for geometry inside.
 
 A shaft without triangles needs no ray. A box or a triangle is outside a shaft if all its corners are outside one of the
 shaft's planes. A triangle is also outside if all directions of the shaft move away from its plane. The tests are
@@ -62,7 +62,7 @@ def corner_of(vectors: wp.uint64, i: wp.int32) -> wp.vec3:
 
 @wp.func
 def _complete_shaft(point: ShadingPoint):
-    """Set the limits of a shaft's planes, and the point's horizon as the first plane."""
+    """Complete a shaft (pyramid of directions): set the origin, the limits of the side planes, and the horizon plane."""
     rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     o = point.o
     n = point.n
@@ -81,7 +81,7 @@ def _complete_shaft(point: ShadingPoint):
 
 @wp.func
 def aim_about(vectors: wp.uint64, point: ShadingPoint):
-    """Compute the shaft (pyramid of directions) of a point from vectors in the frame about the point's normal."""
+    """Compute a pyramid of directions from a point, given by side normals and corners relative to the point's normal."""
     given = wp.array(ptr=vectors, shape=(_VECTORS_FLOATS,), dtype=wp.float32)
     rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     frame = frame_about(point.n)
@@ -97,7 +97,7 @@ def aim_about(vectors: wp.uint64, point: ShadingPoint):
 
 @wp.func
 def aim_at(vectors: wp.uint64, point: ShadingPoint):
-    """Compute the shaft (pyramid of directions) of a point from vectors in the scene's coordinates."""
+    """Compute a pyramid of directions from a point, given by side normals and corners in mesh coordinates."""
     given = wp.array(ptr=vectors, shape=(_VECTORS_FLOATS,), dtype=wp.float32)
     rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
@@ -128,7 +128,7 @@ class Plane:
 
 @wp.func
 def _plane(shaft: wp.uint64, i: wp.int32) -> Plane:
-    """Return the i-th side plane of a shaft."""
+    """Return the i-th side plane of a shaft (pyramid of directions)."""
     rows = wp.array(ptr=shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     plane = Plane()
     plane.nx = rows[i]
@@ -143,7 +143,7 @@ def _plane(shaft: wp.uint64, i: wp.int32) -> Plane:
 
 @wp.func
 def _is_box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
-    """Return 1 where some corner of a child's box is inside a shaft's side plane, else 0."""
+    """Return 1 if a tree node's child has a box that is at least partly inside a shaft's side plane, else 0."""
     x = wp.array(ptr=node + plane.x_row, shape=(WIDTH,), dtype=wp.float32)
     y = wp.array(ptr=node + plane.y_row, shape=(WIDTH,), dtype=wp.float32)
     z = wp.array(ptr=node + plane.z_row, shape=(WIDTH,), dtype=wp.float32)
@@ -152,7 +152,7 @@ def _is_box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
 
 @wp.func
 def _is_triangle_inside(a: wp.vec3, b: wp.vec3, c: wp.vec3, plane: Plane, margin: wp.float32) -> wp.int32:
-    """Return 1 where some corner of a triangle is inside a shaft's side plane, else 0.
+    """Return 1 if a triangle with corners a, b and c is at least partly inside a shaft's side plane, else 0.
 
     Corners are relative to the shaft's origin.
     """
@@ -185,7 +185,7 @@ def _is_facing(a: wp.vec3, b: wp.vec3, c: wp.vec3, shaft: wp.uint64) -> wp.int32
 
 @wp.func
 def boxes_in(node: wp.uint64, shaft: wp.uint64) -> wp.int32:
-    """Return a mask of a node's children whose boxes the rays of a shaft (pyramid of directions) may hit."""
+    """Return a mask of a tree node's children whose boxes rays of a shaft (pyramid of directions) may hit."""
     p = _plane(shaft, 0)
     q = _plane(shaft, 1)
     r = _plane(shaft, 2)
@@ -204,7 +204,7 @@ def boxes_in(node: wp.uint64, shaft: wp.uint64) -> wp.int32:
 
 @wp.func
 def triangles_in(leaf: wp.uint64, shaft: wp.uint64) -> wp.int32:
-    """Return a mask of a leaf's triangles that the rays of a shaft (pyramid of directions) may hit."""
+    """Return a mask of a tree leaf's triangles that rays of a shaft (pyramid of directions) may hit."""
     o = vec3_at(shaft + wp.uint64(4 * _ORIGIN), 0)
     low = float_at(shaft, _LOW)
     p = _plane(shaft, 0)

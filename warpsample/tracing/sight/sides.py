@@ -1,4 +1,4 @@
-"""Tests of rays from one origin against a leaf's triangles, by planes through the origin and the triangle sides.
+"""Tests of many rays from one origin against a tree leaf's triangles, by planes through the origin and triangle sides.
 
 Let corners a and b be relative to the origin. A ray with direction d passes inside the side from a to b where
 d . (a x (b - a)) > 0, if the triangle is oriented so that the origin is behind it. Then the ray also goes towards the
@@ -39,9 +39,9 @@ def _cross(a: wp.vec3, b: wp.vec3) -> wp.vec3:
 
 @wp.func
 def open_leaf(leaf: wp.uint64, o: wp.vec3, reach: wp.float32, sides: wp.uint64):
-    """Compute the planes through the origin o and the sides of a leaf's triangles, for rays of a given reach.
+    """Compute the planes through the origin o and each side of a tree leaf's triangles, to test many rays from o.
 
-    The rows hold inward normals and limits.
+    `sides` is the address to which the inward normals of the planes, and limits for rays, are written.
     """
     # Let u = 2^-24, and A and E the greatest sums of absolute components of corners and of sides. A component of a normal is
     # rounded by 4 u of its two products, and a product with d by 3 u more: 7 u A E in all. The difference b - a, instead of
@@ -99,7 +99,7 @@ def open_leaf(leaf: wp.uint64, o: wp.vec3, reach: wp.float32, sides: wp.uint64):
 def _classify_ray(
     d: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, sure: wp.float32, outside: wp.float32, behind: wp.float32
 ) -> wp.int32:
-    """Return flags of a ray and a triangle: bit 31 for a possible hit, bit 30 for a certain hit.
+    """Return flags for a ray and a triangle: bit 31 is set if the ray may hit it, bit 30 if it certainly does.
 
     A ray hits the triangle if it passes between the three sides.
     """
@@ -114,7 +114,7 @@ def _classify_ray(
 
 @wp.func
 def triangles_passed(sides: wp.uint64, d: wp.vec3) -> wp.int32:
-    """Return a mask of an opened leaf's triangles: bits 0 to 15 for possible hits of a ray, bits 16 to 31 for sure hits."""
+    """Return a mask of a tree leaf's triangles: bits 0 to 15 for possible hits of a ray, bits 16 to 31 for certain hits."""
     rows = wp.array(ptr=sides, shape=(SIDES_FLOATS,), dtype=wp.float32)
     met = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     k = wp.int32(0)

@@ -17,7 +17,7 @@ _NODE_FLOATS = NODE_BYTES // 4
 
 @wp.func
 def _children_around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
-    """Return a mask of a node's children whose boxes are within r of a point along each axis."""
+    """Return a mask of a tree node's children whose boxes are within the distance r of a point p along each axis."""
     rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
     links = wp.array(ptr=node + wp.uint64(4 * LINKS), shape=(WIDTH,), dtype=wp.int32)
     near = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
@@ -33,13 +33,13 @@ def _children_around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
 
 @wp.func
 def _is_near_zero(a: wp.float32, b: wp.float32, c: wp.float32, r: wp.float32) -> wp.int32:
-    """Return 1 where the interval spanned by three numbers is within r of 0, else 0."""
+    """Return 1 if the interval from the smallest to the largest of a, b and c comes within r of 0, else 0."""
     return wp.where(lesser(lesser(a, b), c) <= r, 1, 0) & wp.where(greater(greater(a, b), c) >= -r, 1, 0)
 
 
 @wp.func
 def _triangles_near_point(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
-    """Return a mask of a leaf's triangles that may be within r of a point."""
+    """Return a mask of a tree leaf's triangles that may be within the distance r of a point p."""
     touched = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     k = wp.int32(0)
     while k < WIDTH:

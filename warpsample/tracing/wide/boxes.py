@@ -1,4 +1,4 @@
-"""Contents of the nodes and leaves of the 16-wide tree, computed from vertices and updated when the vertices move."""
+"""Boxes and triangles in the nodes and leaves of the 16-wide search tree, computed from the vertices."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -32,7 +32,7 @@ _LINE = 64
 
 @dataclass(frozen=True, eq=False)
 class WideTree:
-    """Search tree with 16 children per node: a topology, and the contents of nodes and leaves.
+    """Search tree with 16 children per node, over the triangles of a mesh.
 
     Attributes:
         topology: links to the nodes' children, and the leaves' faces.

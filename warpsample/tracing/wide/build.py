@@ -72,7 +72,7 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
 
 
 def build_some(vertices: np.ndarray, faces: np.ndarray, chosen: np.ndarray, workers: int) -> Topology:
-    """Build the structure of the 16-wide tree over chosen faces.
+    """Build the structure of the 16-wide search tree over some faces of a mesh, `chosen`.
 
     The arguments are those of `build` and the numbers of the chosen faces. Without any face the tree has one empty leaf,
     which no ray hits.
@@ -84,7 +84,7 @@ def build_some(vertices: np.ndarray, faces: np.ndarray, chosen: np.ndarray, work
 
 
 def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Return the faces of each leaf, (leaves, 16) int32, from ranges of the sorted faces; -1 in empty lanes."""
+    """Return the face numbers of each tree leaf, (leaves, 16) int32, padded with -1."""
     faces = np.empty((len(begin), WIDTH), np.int32)
     for start in range(0, len(faces), _BLOCK):
         rows = slice(start, start + _BLOCK)

@@ -1,4 +1,4 @@
-"""Conversion of sixteen numbers, filled by one vectorised loop, to a mask of sixteen bits."""
+"""Conversion of the results of a vectorised loop, sixteen numbers, to a mask of sixteen bits."""
 
 import warp as wp
 
@@ -18,7 +18,7 @@ import warp as wp
 #endif
 """)
 def lanes_with(row: wp.uint64, bit: wp.int32) -> wp.int32:
-    """Return a 16-bit mask of the int32 numbers at an address that have the given bit (0 to 31) set.
+    """Return a 16-bit mask: bit k is set if the k-th of sixteen int32 numbers at `row` has its bit number `bit` set.
 
     The function is native because Warp has no such builtin, and a loop that gathers the bits folds the register four times.
     With AVX-512 this is one instruction, and the row stays in a register; AVX2 packs the numbers to bytes first.

@@ -55,7 +55,7 @@ def link_in(node: wp.uint64, k: wp.int32) -> wp.int32:
 
 @wp.func
 def edge_in(node: wp.uint64, k: wp.int32) -> wp.float32:
-    """Return the longest extent along an axis of the triangles in a leaf, stored in the node above as the k-th child."""
+    """Return the longest extent, along an axis, of the triangles in the leaf that is a tree node's k-th child."""
     return float_at(node, EDGES + k)
 
 

@@ -1,4 +1,4 @@
-"""Preparation of rays for the loops over boxes and triangles: derived values of a chunk, computed in one loop."""
+"""Preparation of rays for tests against boxes and triangles: inverse directions and other derived values."""
 
 import warp as wp
 
@@ -20,7 +20,7 @@ _SLOWEST = wp.constant(wp.float32(2.0**-60))
 
 @wp.struct
 class Ray:
-    """Prepared ray as the loops over boxes and triangles read it: an address in a chunk of rays.
+    """Prepared ray, as the tests against boxes and triangles read it.
 
     See `prepare_ray` for the values. direction: address of the unit direction's x. rows_of_leaf: distance in memory from x
     to y, and from y to z, in rows of a leaf.
@@ -110,7 +110,7 @@ def prepare_ray(o: wp.vec3, d: wp.vec3) -> PreparedRay:
 
 @wp.func
 def prepare_wide(chunk: wp.uint64, length: wp.int32):
-    """Compute the derived values of the first rays of a chunk, in one vectorised loop."""
+    """Compute the derived values of `length` rays in a buffer of rays, in one vectorised loop."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     offsets = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.int32)
     k = wp.int32(0)
@@ -141,7 +141,7 @@ def prepare_wide(chunk: wp.uint64, length: wp.int32):
 
 @wp.func
 def _ray(p: PreparedRay, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
-    """Return a `Ray` from its derived values; `direction` and `rows_of_leaf` are fields of `Ray`."""
+    """Build a `Ray` from the derived values of a prepared ray."""
     ray = Ray()
     ray.inverse_x = p.inverse[0]
     ray.inverse_y = p.inverse[1]
@@ -168,7 +168,7 @@ def _ray(p: PreparedRay, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
 
 @wp.func
 def ray_in(column: wp.uint64) -> Ray:
-    """Return the ray that is stored at an address in a prepared chunk."""
+    """Return the `Ray` stored at an address in a buffer of prepared rays."""
     p = PreparedRay()
     p.inverse = vector_in(column, _INVERSE)
     p.shift = vector_in(column, _SHIFT)
@@ -181,7 +181,7 @@ def ray_in(column: wp.uint64) -> Ray:
 
 @wp.func
 def ray_of(o: wp.vec3, d: wp.vec3, workspace: wp.array[wp.float32]) -> Ray:
-    """Prepare one ray for tracing, with the same values as in a chunk of rays.
+    """Prepare one ray from o along the unit vector d for tracing.
 
     The direction is stored in `workspace`, of RAY_WORKSPACE float32.
     """

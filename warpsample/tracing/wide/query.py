@@ -1,4 +1,4 @@
-"""Traversal of the 16-wide tree by one ray, which visits children whose boxes the ray hits; a stack holds the rest."""
+"""Traversal of the 16-wide search tree by one ray, for its nearest hit or any hit."""
 
 import warp as wp
 
@@ -17,7 +17,7 @@ _ALL = wp.constant(wp.int32(2**WIDTH - 1))
 
 @wp.func
 def nearest_triangle(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: wp.float32):
-    """Return (distance, lane) of the nearest triangle that a ray hits, among the masked triangles of a leaf.
+    """Return (distance, index) of the nearest triangle that a ray hits among the masked triangles of a tree leaf.
 
     Without a hit the result is (reach, -1).
     """
@@ -40,7 +40,7 @@ def nearest_triangle(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float
 
 @wp.func
 def any_triangle(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: wp.float32):
-    """Return (reach, lane) of some triangle that a ray hits, among the masked triangles of a leaf; else (reach, -1)."""
+    """Return (reach, index) of any triangle that a ray hits among a tree leaf's masked triangles; index -1 without one."""
     found = triangles_near(leaf, ray, reach, edge) & (lanes | (lanes << WIDTH))
     triangle = wp.int32(-1)
     if found != 0:
@@ -95,14 +95,14 @@ def _pop_node(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
 
 @wp.func
 def _start_at_one(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
-    """Start a tree traversal at one node; return (node, mask of children hit, child to visit first, stack top)."""
+    """Start the traversal of the search tree at one node; return (node, mask of children hit, nearest child, stack top)."""
     mask, child = boxes_hit(accelerator.start, ray, reach, flip)
     return accelerator.start, mask, child, scratch
 
 
 @wp.func
 def _start_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
-    """Start a tree traversal at the first of several nodes; push the remaining nodes on the stack.
+    """Start the traversal of the search tree at the first of several nodes; the other nodes wait on the stack.
 
     Return the values of `_start_at_one`.
     """
@@ -119,7 +119,7 @@ def _start_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, fli
 
 @once
 def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
-    """Build a query, a Warp function that traces one ray through the 16-wide tree.
+    """Build the Warp function that traces one ray through the 16-wide search tree, for the nearest or any hit.
 
     It maps (Accelerator, Ray, reach, scratch) to (distance or inf, face or -1, nodes visited, leaves visited). Distances are
     in the tree's coordinates. Origins must be within 6 of 0 on each axis, and reaches above 0. `scratch` is the address of
@@ -180,7 +180,7 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
 
 @once
 def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
-    """Build a query, a Warp function that traces one ray of a prepared chunk through the 16-wide tree.
+    """Build the Warp function that traces one prepared ray through the 16-wide search tree.
 
     It takes (Accelerator, column, reach, scratch), where `column` is the address of the ray; see `wide_walk`.
     """

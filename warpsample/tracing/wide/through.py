@@ -1,4 +1,4 @@
-"""Traversal of the 16-wide tree by a ray that no hit stops: it finds every triangle that the ray crosses."""
+"""Traversal of the 16-wide search tree that finds every triangle a ray crosses."""
 
 from typing import Any
 
@@ -80,7 +80,7 @@ def through_walk(look: wp.Function, answer_type: Any) -> wp.Function:
 
 @wp.struct
 class Transmission:
-    """Light transmitted along a ray so far (0 to 1), and the address of all faces' transmittances, (F,) float32."""
+    """Share of light transmitted along a ray so far, 0 to 1, and the address of the faces' transmittances, (F,) float32."""
 
     share: wp.float64
     transmittance: wp.uint64
@@ -134,7 +134,7 @@ class Crossing:
 
 @wp.func
 def _update_crossing(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Crossing):
-    """Update the next crossing of a ray by the triangles of a leaf."""
+    """Return the nearest crossing found so far, updated by the triangles of a tree leaf."""
     mask = crossed_triangles(leaf, ray, reach, edge)
     while mask != 0:
         k = lowest_bit(mask)

@@ -14,7 +14,7 @@ _THIRD = wp.constant(wp.int32(6 * WIDTH))
 
 @wp.func
 def _is_inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64) -> wp.bool:
-    """Return whether the origin (0, 0) is inside a triangle of the plane or on its edge."""
+    """Return whether the origin (0, 0) is inside the plane triangle with corners a, b and c, or on its edge."""
     u = cx * by - cy * bx
     v = ax * cy - ay * cx
     w = bx * ay - by * ax
@@ -93,7 +93,7 @@ def plane_distance(leaf: wp.uint64, k: wp.int32, ray: Ray) -> wp.float32:
 
 
 def _build_edge_test(inside: wp.Function) -> wp.Function:
-    """Build a Warp function (leaf, k, ray) -> bool: whether a ray's line passes inside the edges of a triangle.
+    """Build a Warp function (leaf, k, ray) -> bool that tests whether the line of a ray passes through a triangle.
 
     The result depends on the float32 ray and triangle alone, whichever leaf holds the triangle. As in `triangles_near`, the
     triangle is sheared onto the ray, but in float64, where differences of coordinates are exact. So the ray and an edge

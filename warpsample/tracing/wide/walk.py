@@ -1,4 +1,4 @@
-"""Traversal of the 16-wide tree for searches other than rays, and the stack of waiting nodes that rays use, too."""
+"""Traversal of the 16-wide search tree with user-supplied tests, and the stack of nodes to visit."""
 
 from typing import Any
 
@@ -18,7 +18,7 @@ _UNTESTED = wp.constant(wp.int32(-1))
 
 @wp.func
 def push_node(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
-    """Push a tree node onto the stack, with the children to visit and the reach of their box test; return the new top."""
+    """Push a tree node and a mask of its children to visit onto the stack; return the new top of the stack."""
     set_address(top, 0, node)
     set_int(top, 2, mask)
     set_float(top, 3, reach)
