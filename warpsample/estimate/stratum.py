@@ -204,7 +204,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
             more_x = wp.float64(more_hits)
             free = hits  # unoccluded rays of weight 1
         if wp.static(glass):
-            w = lost / wp.float32(wp.max(2 * each - free, 1))
+            w = lost / wp.float32(wp.max(counted - free, 1))
         return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, counted, w
 
     return sum_stratum

@@ -117,6 +117,11 @@ OPTIONS: dict[str, Option] = {
         "First and last day of the period, such as 06-01 08-31, or with hours, 03-21T09 03-21T15. Default: the whole year",
     ),
     "environment": _of_quantities(Path, LIGHT, "Equirectangular image of the light: .hdr or .npy"),
+    "sampling": _of_quantities(
+        Literal["cosine", "picture", "both"],
+        LIGHT,
+        "Directions of the rays: of the cosine lobe, by the luminance of the image, or of both. Default: both",
+    ),
     "patches": _of_quantities(str, LIGHT, "Division of the sky into patches: tregenza, reinhart2 or reinhart4"),
     "up": _of_quantities(
         tuple[float, float, float],

@@ -60,7 +60,7 @@ def irradiance(
 ) -> Irradiance:
     """Compute the irradiance of distant light that the mesh does not block, and of light that faces reflect.
 
-    An open point under a radiance of 1 gets pi; a small bright sun takes many rays. Faces with a reflectance (see `Mesh`)
+    An open point under a radiance of 1 gets pi. Faces with a reflectance (see `Mesh`)
     reflect as for `irradiation`, with rays of their own on the CPU, and without a `tolerance`.
 
     Args:
@@ -73,9 +73,9 @@ def irradiance(
         up: (3,) vector of any length towards row 0 of a picture. Default: (0.0, 0.0, 1.0).
         refine: Longest edge of the parts of faces that each reflect evenly, a float in mesh units, see `irradiation`.
             Default: None, 8,192 parts more than there are sides.
-        sampling: Directions of the rays. "cosine": from the cosine lobe. "picture": from the picture, by luminance; best for
-            a small sun or lamps. "both": rays of each, weighted by the balance heuristic, with a share of the rays that
-            follows from the picture. Default: None, "both" for a picture, "cosine" for a wp.func.
+        sampling: Distribution of the rays: "cosine" for the cosine lobe, "picture" for the luminance of the picture, or
+            "both" for rays of each, weighted by the balance heuristic. The share of each with "both" follows from the
+            picture: all are of the cosine lobe for an even sky. Default: None, "both" for a picture, "cosine" for a wp.func.
         sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
         seed: Random seed, an integer of 64 bits. Default: 0.
         first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
@@ -110,9 +110,7 @@ def irradiance(
         check_choice(sampling, "sampling", _SAMPLINGS)
     if isinstance(radiance, wp.Function):
         if sampling not in (None, "cosine"):
-            raise ValueError(
-                f"sampling: got {quote(sampling)} for a radiance given as a function, want cosine, or a picture"
-            )
+            raise ValueError(f"sampling: got {quote(sampling)} for a radiance that is a function, want 'cosine'")
         with naming_function("radiance"):
             integrand = integrand_of(radiance, argument="radiance", device=plan.options.memory.device)
             summed = RaySum(integrand, unit=pi, result=Irradiance)
