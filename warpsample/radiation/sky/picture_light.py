@@ -11,7 +11,7 @@ import numpy as np
 from warpsample.distributions.lights.environment_map import EnvironmentMap
 from warpsample.distributions.lights.picture import weigh_colours
 from warpsample.distributions.lights.pixel_table import solid_angles
-from warpsample.estimate.pictures import by_cosine, by_picture, sampled_by
+from warpsample.radiation.sky.sampled_picture import by_cosine, by_picture, sampled_by
 from warpsample.estimate.plan import RaySum
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.split import SplitSum
@@ -20,7 +20,7 @@ from warpsample.host.shared_values import find_or_make
 
 Sampling = Literal["cosine", "picture", "both"]
 
-_MOST, _LEAST = 0.75, 0.1  # share of the rays from the picture with "both"
+_MOST, _LEAST = 0.875, 0.1  # share of the rays from the picture with "both"
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,10 +61,10 @@ class Picture:
 
     @cached_property
     def share(self) -> float:
-        """Fraction of the rays that "both" draws from the picture: 0 for an even or cloudy sky, 3/4 for a small sun.
+        """Fraction of the rays that "both" draws from the picture: 0 for an even or cloudy sky, 7/8 for a small sun.
 
         It follows from the picture alone, so that the estimate stays unbiased. With q the part of the mean square of the
-        luminance that is not the square of the mean, it rises from 0 at q = 1/2 to 3/4 at q = 1: below, few rays from the
+        luminance that is not the square of the mean, it rises from 0 at q = 1/2 to 7/8 at q = 1: below, few rays from the
         picture would add more noise than they remove.
         """
         if self.lobe is None:
