@@ -107,5 +107,7 @@ def test_texts_and_errors_name_the_second_roughness():
     assert ws.GGX(0.3) != ws.GGX(0.3, 0.3)
     with pytest.raises(ValueError, match="^alpha_y: got 0.0, want a number from 1e-06 to 1"):
         ws.VisibleGGX(0.3, alpha_y=0.0)
-    with pytest.raises(NotImplementedError, match=r"GGX\(alpha=0.3, alpha_y=0.1\): there is no cdf of the angle"):
+    with pytest.raises(
+        NotImplementedError, match=r"GGX\(alpha=0.3, alpha_y=0.1\): this distribution has no cdf of the angle"
+    ):
         ws.GGX(0.3, 0.1).cdf(0.1)

@@ -113,7 +113,8 @@ def test_chances_are_0_below_all_angles_and_1_above(case):
 
 def test_cdf_that_is_not_closed_says_so():
     with pytest.raises(
-        NotImplementedError, match=r"VisibleGGX\(alpha=0.5.*: there is no cdf of the angle, as the density depends on"
+        NotImplementedError,
+        match=r"VisibleGGX\(alpha=0.5.*: this distribution has no cdf of the angle, because its density also depends on",
     ):
         ws.VisibleGGX(0.5).cdf(0.1)
 
@@ -203,12 +204,12 @@ def test_bad_warp_arrays_are_named():
         (
             lambda: ws.OffsetDisk().invert([[0.0, 1.0]]),
             NotImplementedError,
-            r"OffsetDisk\(\): there is no inverse, as sample maps several u to one w",
+            r"OffsetDisk\(\): this distribution has no inverse, because several points u map to one direction",
         ),
         (
             lambda: ws.OffsetSphere(0.5).invert([[0.0, 0.0, 1.0]]),
             NotImplementedError,
-            r"OffsetSphere\(rho=0.5\): there is no inverse",
+            r"OffsetSphere\(rho=0.5\): this distribution has no inverse",
         ),
         (lambda: as_distribution("cosin"), ValueError, "distribution: got 'cosin', want one of beckmann, cosine_hemisphere"),
         (lambda: as_distribution(3), TypeError, "distribution: got 3, want a name or an instance"),

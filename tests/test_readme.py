@@ -140,9 +140,11 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bake in.glb -o light.exr --texture 512 --quantity irradiance --environment sky.hdr --uv 1",
         "warpsample bake low.glb -o out.glb --texture 1024 --quantity normals --high high.ply --cage 0.02",
         "python viz/gallery.py",  # test_gallery.py, without the benchmarks
+        'warpsample view statue.ply --distribution "visible_ggx(alpha=@roughness)"',  # test_own_lobes.py
         "python viz/shirley_overlay.py --screenshot shirley_overlay.png",  # these: test_plotting.py
         "python viz/offset_family.py --screenshot offset_family.png",
         "python viz/sequences.py --screenshot sequences.png",
+        "python viz/own_lobes.py --screenshot own_lobes.png",  # test_own_lobes_picture.py
         "python viz/occlusion.py --screenshot occlusion.png",
         "python viz/baked_texture.py --screenshot baked_texture.png",
         "python viz/sun_and_sky.py --screenshot sun_and_sky.png",

@@ -76,6 +76,13 @@ SHOTS = (
         "viz/sequences.py --screenshot FILE",
     ),
     Shot(
+        "own_lobes",
+        "A lobe for each point",
+        "Points of a surface with varying roughness and brush lines reflect the camera, each in a lobe of its own. One lobe "
+        "is enlarged; the maps compare the density of its directions with the density of the lobe.",
+        "viz/own_lobes.py --screenshot FILE",
+    ),
+    Shot(
         "occlusion",
         "Ambient occlusion",
         "Ambient occlusion at the bunny's vertices, its standard error, and the number of rays that were cast.",

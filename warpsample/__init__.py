@@ -53,6 +53,7 @@ _LOBES = (
     "OffsetSphere",
     "PowerCosine",
     "Reflection",
+    "RoughDielectric",
     "SphericalRectangle",
     "SphericalTriangle",
     "UniformCone",

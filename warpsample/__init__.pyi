@@ -26,6 +26,7 @@ from warpsample.distributions.scattering.linearly_transformed_cosine import (
     LinearlyTransformedCosine as LinearlyTransformedCosine,
 )
 from warpsample.distributions.scattering.reflection import Reflection as Reflection
+from warpsample.distributions.scattering.rough_dielectric import RoughDielectric as RoughDielectric
 from warpsample.distributions.uniform_cone import UniformCone as UniformCone
 from warpsample.distributions.uniform_disk import UniformDisk as UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere as UniformHemisphere

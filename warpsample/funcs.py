@@ -6,6 +6,9 @@
 - `normal_to_reflection(m, view)` reflects the view at a normal m, and `reflection_to_normal(w, view)` returns the normal.
   The density of w is that of the normals times `normal_per_reflection(w, view)`. For visible normals,
   `X_per_cosine(m, ...)` / 4 is the density of w without cancellation.
+- `normal_to_refraction(m, view, eta)`, `refraction_to_normal(w, view, eta)` and `normal_per_refraction(w, view, eta)` do
+  the same for refraction. `fresnel_dielectric(cosine, eta)` is the share of light that is reflected. To choose between
+  reflection and refraction, `third_uniform(u)` is a third uniform number, a hash of u.
 - `sobol`, `fibonacci`, `r2`, `stratified`, `independent` and `philox` return a point of the unit square, a pure function of
   (seed: uint64, point: uint64, sample: uint32, count: uint32).
 - `any_hit(tree, origin, direction, max_distance)` tests if a ray hits the mesh. `nearest_hit` returns (distance, face), and
@@ -90,6 +93,13 @@ from warpsample.distributions.offset_sphere import (
     square_to_offset_sphere_pdf,
 )
 from warpsample.distributions.power_cosine import power_cosine_to_square, square_to_power_cosine, square_to_power_cosine_pdf
+from warpsample.distributions.scattering.dielectric import (
+    fresnel_dielectric,
+    normal_per_refraction,
+    normal_to_refraction,
+    refraction_to_normal,
+    third_uniform,
+)
 from warpsample.distributions.scattering.henyey_greenstein import (
     henyey_greenstein_to_square,
     square_to_henyey_greenstein,
@@ -155,13 +165,16 @@ __all__ = [
     "fibonacci",
     "frame_about",
     "frame_along",
+    "fresnel_dielectric",
     "ggx_to_square",
     "henyey_greenstein_to_square",
     "independent",
     "linearly_transformed_cosine_to_square",
     "nearest_hit",
     "normal_per_reflection",
+    "normal_per_refraction",
     "normal_to_reflection",
+    "normal_to_refraction",
     "offset_ball_to_square",
     "offset_circle_to_square",
     "offset_origin",
@@ -170,6 +183,7 @@ __all__ = [
     "power_cosine_to_square",
     "r2",
     "reflection_to_normal",
+    "refraction_to_normal",
     "sobol",
     "spherical_rectangle_to_square",
     "spherical_triangle_to_square",
@@ -226,6 +240,7 @@ __all__ = [
     "square_to_von_mises_fisher",
     "square_to_von_mises_fisher_pdf",
     "stratified",
+    "third_uniform",
     "to_local",
     "to_world",
     "transmitted",

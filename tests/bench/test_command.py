@@ -83,7 +83,7 @@ def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
     (tmp_path / "README.md").write_text(f"Before.\n{blocks}![A picture](../../viz/bench_directions.png)\nAfter.\n")
     (tmp_path / readme.SECOND_PAGE).write_text(f"Before.\n{blocks}After.\n")
     assert run_command(monkeypatch, "all", "--write") == 2
-    assert "--write: got an installed package, want a checkout" in capsys.readouterr().err
+    assert "--write: got an installed package, want a Git checkout" in capsys.readouterr().err
     (tmp_path / "results").mkdir()
     (tmp_path / "viz").mkdir()
     (tmp_path / "viz" / "gallery.py").touch()

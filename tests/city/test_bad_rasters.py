@@ -57,8 +57,8 @@ def array_of(values=HEIGHTS, **coordinates):
             ValueError,
             "source: got coordinates of NAVD88 height, want a map with two horizontal axes",
         ),
-        ((HEIGHTS, UTM, "EPSG:32633+5715"), ValueError, "source: got depths, by WGS 84 / UTM zone 33N [+] MSL depth"),
-        ((HEIGHTS, UTM, "nothing"), ValueError, "source: got 'nothing' for its CRS, want one that pyproj knows"),
+        ((HEIGHTS, UTM, "EPSG:32633+5715"), ValueError, "source: got depths .CRS WGS 84 / UTM zone 33N [+] MSL depth"),
+        ((HEIGHTS, UTM, "nothing"), ValueError, "source: got 'nothing' for its CRS, want a CRS that pyproj knows"),
         ("text.vrt", ValueError, r"source: got 'text\.vrt' with the nodata value 'x', want a number$"),
         ((HEIGHTS[0], UTM, None), ValueError, r"source: got an array of shape \(4,\), want \(rows, columns\)"),
         ((np.stack([HEIGHTS, HEIGHTS]), UTM, None), ValueError, r"shape \(2, 3, 4\), want \(rows, columns\)"),
@@ -68,12 +68,12 @@ def array_of(values=HEIGHTS, **coordinates):
         (
             (np.empty((0, 5)), UTM, None),
             ValueError,
-            r"source: got an array of shape \(0, 5\), want .*, one of each at least",
+            r"source: got an array of shape \(0, 5\), want .*, at least one of each",
         ),
         ((HEIGHTS, None, None), TypeError, "source: got None for its transform, want an affine"),
         ((HEIGHTS, (1.0, 0.0, 0.0), None), TypeError, r"source: got \(1\.0, 0\.0, 0\.0\) for its transform"),
-        ((HEIGHTS, Affine(1.0, 2.0, 0.0, 2.0, 4.0, 0.0), None), ValueError, "want one whose cells have an area"),
-        ((HEIGHTS, Affine(np.nan, 0.0, 0.0, 0.0, -1.0, 0.0), None), ValueError, "want one whose cells have an area"),
+        ((HEIGHTS, Affine(1.0, 2.0, 0.0, 2.0, 4.0, 0.0), None), ValueError, "want a transform whose cells have an area"),
+        ((HEIGHTS, Affine(np.nan, 0.0, 0.0, 0.0, -1.0, 0.0), None), ValueError, "want a transform whose cells have an area"),
         ((HEIGHTS, (1.0, 0.0, "x", 0.0, 1.0, 0.0), None), TypeError, r"source: got \(1\.0, 0\.0, 'x', .* for its transform"),
         (
             (HEIGHTS, Affine(1.0, 0.0, 2e15, 0.0, -1.0, 0.0), None),
@@ -81,7 +81,7 @@ def array_of(values=HEIGHTS, **coordinates):
             r"up to 2e\+15 of cells 1 long, want",
         ),
         (xr.DataArray(HEIGHTS, dims=("lat", "lon")), ValueError, r"dimensions \('lat', 'lon'\), want y and x"),
-        (xr.DataArray(np.zeros((2, 3, 4)), dims=("time", "y", "x")), ValueError, "want y and x alone: one band"),
+        (xr.DataArray(np.zeros((2, 3, 4)), dims=("time", "y", "x")), ValueError, "want y and x alone; select one band"),
         (array_of(x=[0.0, 1.0, 2.0, 4.0], y=[2.0, 1.0, 0.0]), ValueError, "coordinates 'x' that are not evenly spaced"),
         (array_of(x=list("abcd"), y=[2.0, 1.0, 0.0]), TypeError, "coordinates 'x' of dtype <U1, want real numbers"),
         (
@@ -140,7 +140,7 @@ def test_a_model_and_a_receiver_that_are_none_are_refused():
         rasters.surface((HEIGHTS, UTM, None)).points("tilted")
     with pytest.raises(ValueError, match="source: got 1 x 4 cells without a block of 2 x 2 cells with heights"):
         rasters.surface((HEIGHTS[:1], UTM, None), model="tin")
-    with pytest.raises(ValueError, match=r"values: got shape \(3,\), want \(12,\), a number for each cell"):
+    with pytest.raises(ValueError, match=r"values: got shape \(3,\), want \(12,\), one value for each cell"):
         rasters.surface((HEIGHTS, UTM, None)).to_raster(np.zeros(3), np.arange(12))
 
 

@@ -194,7 +194,7 @@ def test_bad_crowns_are_named(canopy, options, message):
 )
 def test_what_is_said_of_crowns_without_any_is_refused(options, got):
     argument = next(iter(options))
-    with pytest.raises(ValueError, match=f"^{argument}: got {got} without canopy, want canopy, too$"):
+    with pytest.raises(ValueError, match=f"^{argument}: got {got} without canopy, want canopy, the raster of"):
         rasters.surface((np.zeros((3, 3)), NORTH_UP, None), **options)
 
 

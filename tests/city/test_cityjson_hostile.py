@@ -42,7 +42,7 @@ DAMAGED = {
         r"transform.scale: got \[0.0, 1.0, 1.0\]",
     ),
     "a scale of two": (cases.house(transform=cases.TRANSFORM | {"scale": [1, 1]}), "transform.scale: got .*, want lists of"),
-    "no objects": (cases.house(CityObjects={}), "it has no surfaces$"),
+    "no objects": (cases.house(CityObjects={}), "it has no objects with surfaces$"),
     "a list of objects": (cases.house(CityObjects=[]), r"CityObjects: got \[\], want an object$"),
     "an object that is none": (cases.house(CityObjects={"a": 3}), "CityObjects.a: got 3, want an object$"),
     "vertices that are none": (cases.house(vertices=7), "vertices: got 7, want a list$"),
@@ -147,11 +147,11 @@ def test_what_is_damaged_is_refused_in_a_sentence(tmp_path, name):
     ("text", "why"),
     [
         ("", "it is empty$"),
-        ("   \n ", "it has no surfaces$"),
+        ("   \n ", "it has no objects with surfaces$"),
         ("[]", r"its JSON is \[\], want an object$"),
         ("hello", "Expecting value"),
         ('{"type":"CityJSON","type":"CityJSON"}', "its JSON has an object with two members 'type'$"),
-        ('{"type":"CityJSON","version":"2.0","x":NaN}', "its JSON has the number NaN, want finite ones$"),
+        ('{"type":"CityJSON","version":"2.0","x":NaN}', "its JSON has the number NaN, want finite numbers$"),
         ("[" * 100_000, "its JSON is nested too deeply$"),
         ('{"a":' * 100_000, "its JSON is nested too deeply$"),
         ('{"type":"CityJSONFeature"}', "its type is 'CityJSONFeature', want 'CityJSON'$"),
@@ -169,7 +169,7 @@ def test_what_is_no_cityjson_is_refused_in_a_sentence(tmp_path, text, why):
     with refused(path, why):
         ws.load_city(path)
     path.write_bytes(b'{"type":"\xff\xfe"}')
-    with refused(path, "its JSON is no UTF-8$"):
+    with refused(path, "its JSON is not encoded in UTF-8$"):
         ws.load_city(path)
 
 

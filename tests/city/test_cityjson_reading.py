@@ -113,9 +113,9 @@ def test_one_level_of_detail_of_each_object(tmp_path):
     for lod in (1.2, "1.2"):
         assert set(load(tmp_path, document, lod=lod).surfaces.lod) == {1.2}
     assert set(load(tmp_path, document, lod=0).surfaces.object) == {"house"}
-    with pytest.raises(ValueError, match=r"^lod: got 3, want a level of detail that .* has surfaces of: 0, 1\.2, 2\.2$"):
+    with pytest.raises(ValueError, match=r"^lod: got 3, want a level of detail with surfaces in .*: 0, 1\.2, 2\.2$"):
         load(tmp_path, document, lod=3)
-    with pytest.raises(ValueError, match=r"^lod: got none, want a level of detail that .* has surfaces of: 0$"):
+    with pytest.raises(ValueError, match=r"^lod: got none, want a level of detail with surfaces in .*: 0$"):
         load(tmp_path, cases.house(foot))
     for lod in ("high", True, -1, float("nan"), "1.", [2]):
         with pytest.raises(ValueError, match=r"^lod: got .*, want a level of detail, such as 2\.2$"):

@@ -242,7 +242,7 @@ def test_terrain_far_from_the_city_is_refused(tmp_path):
     """Of a city in feet without a system and terrain in metres: rays would start metres off the walls."""
     with (
         pytest.warns(match="the city is taken to be in metres on the same map"),
-        pytest.raises(ValueError, match=r"^context: got one that is 698 km away from the city, want terrain around it"),
+        pytest.raises(ValueError, match=r"^context: got terrain that is 698 km away from the city, want terrain around it"),
     ):
         load(tmp_path, house(None, FOOT, FOOT), context=raster("EPSG:32118", 1.0))
     near = np.add(raster("EPSG:32118", 1.0).mesh.vertices, (20_000.0, 0.0, 0.0))
@@ -256,7 +256,7 @@ def test_terrain_of_another_map_or_without_one_is_refused(tmp_path):
     ):
         load(tmp_path, house(BOTH_IN_FEET), context=raster("EPSG:26918", 1.0))
     with pytest.raises(
-        ValueError, match=r"^context: got a raster without a CRS beside a city in 'EPSG:2263\+6360', want one"
+        ValueError, match=r"^context: got a raster without a CRS for a city in 'EPSG:2263\+6360', want a raster"
     ):
         load(tmp_path, house(BOTH_IN_FEET), context=raster(None, 1.0))
     assert load(tmp_path, house("EPSG:32118", 1.0, 1.0), context=raster(None, 1.0)).mesh.faces.any()

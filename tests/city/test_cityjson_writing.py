@@ -175,15 +175,15 @@ def test_bad_arguments_of_writing(tmp_path):
         (tmp_path / "no" / "b.json", good, "path: got .*, whose folder does not exist"),
         (3, good, "path: got 3, want the path of a CityJSON file"),
         (tmp_path / "b.jsonl", good, "path: got .*, want a file that ends in .json, as the input does"),
-        (tmp_path / "b.json", [1.0], r"results: got \[1.0\], want a dict from names of attributes to numbers"),
-        (tmp_path / "b.json", {"": np.zeros(3)}, "results: got .*, want a dict from names"),
+        (tmp_path / "b.json", [1.0], r"results: got \[1.0\], want a dict of attribute names and arrays"),
+        (tmp_path / "b.json", {"": np.zeros(3)}, "results: got .*, want a dict of attribute names"),
         (
             tmp_path / "b.json",
             {"ws_x": np.zeros(4)},
             r"results\['ws_x'\]: got shape \(4,\), want \(3,\), one for each surface",
         ),
         (tmp_path / "b.json", {"ws_x": ["a"] * 3}, r"results\['ws_x'\]: got dtype <U1, want real numbers"),
-        (tmp_path / "b.json", {"ws_x_error": np.zeros(3)}, "results: got 'ws_x_error' without 'ws_x', want values"),
+        (tmp_path / "b.json", {"ws_x_error": np.zeros(3)}, "results: got 'ws_x_error' without 'ws_x', want the values"),
     ):
         with pytest.raises((TypeError, ValueError), match=f"^{message}"):
             city.write(path, results)

@@ -125,14 +125,24 @@ def sun_hours_of():
 
 def test_wrong_options_are_named_before_anything_is_read():
     for call, given, kind, message in (
-        (rasters.sky_view_factor, {"up": (0, 0, 1)}, TypeError, "up: got it for sky_view_factor, want one of"),
+        (
+            rasters.sky_view_factor,
+            {"up": (0, 0, 1)},
+            TypeError,
+            "up: got an argument that sky_view_factor does not take, want one of",
+        ),
         (
             rasters.sky_view_factor,
             {"rays": 3},
             TypeError,
-            "rays: got it for sky_view_factor, want one of source, count",
+            "rays: got an argument that sky_view_factor does not take, want one of source, count",
         ),
-        (rasters.visible_sky, {"receiver": "surface"}, TypeError, "receiver: got it for visible_sky, want one of"),
+        (
+            rasters.visible_sky,
+            {"receiver": "surface"},
+            TypeError,
+            "receiver: got an argument that visible_sky does not take, want one of",
+        ),
         (rasters.sky_view_factor, {"model": "mesh"}, ValueError, "model: got 'mesh', want one of joined, block, tin"),
         (rasters.sky_view_factor, {"receiver": "tilted"}, ValueError, "receiver: got 'tilted', want one of horizontal"),
     ):

@@ -110,8 +110,8 @@ def test_files_give_the_same_interval(sky, tmp_path):
     ("dataset", "level", "error", "message"),
     [
         (np.zeros(3), 0.95, TypeError, "^dataset: got a NumPy array, want an xarray.Dataset"),
-        (xr.Dataset({"value": 1.0}), 0.95, ValueError, "^dataset: got one of value, want value and half_width"),
-        (xr.Dataset(), 0.95, ValueError, "^dataset: got one of nothing, want value and half_width"),
+        (xr.Dataset({"value": 1.0}), 0.95, ValueError, "^dataset: got a dataset of value, want value and half_width"),
+        (xr.Dataset(), 0.95, ValueError, "^dataset: got a dataset of nothing, want value and half_width"),
         (xr.Dataset({"value": 1.0, "half_width": 1.0}), 1.0, ValueError, "^level: got 1"),
         (xr.Dataset({"value": 1.0, "half_width": 1.0}), "wide", TypeError, "^level: got 'wide'"),
     ],

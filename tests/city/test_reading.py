@@ -259,19 +259,19 @@ def test_heights_of_an_unknown_unit_on_a_map_in_feet_are_taken_as_feet_with_a_wa
 def test_a_map_that_mirrors_the_ground_has_no_north(crs, x, y):
     """Or morning and evening change places: on Krovak's own map x is south, and y is west."""
     mirrored = rasters.surface((HEIGHTS, Affine(1.0, 0.0, x, 0.0, -1.0, y), crs))
-    with pytest.raises(ValueError, match="on which east is to the left of north, want one that does not mirror the ground"):
+    with pytest.raises(ValueError, match="on which east is to the left of north, want a map that does not mirror"):
         _ = mirrored.north
 
 
 def test_a_map_that_pyproj_cannot_leave_has_no_north():
     petrels = rasters.surface((HEIGHTS, Affine(1.0, 0.0, 2e5, 0.0, -1.0, 2e6), "EPSG:2985"))
-    with pytest.raises(ValueError, match="which is nowhere on Earth by Petrels"):
+    with pytest.raises(ValueError, match="which is not on Earth in Petrels"):
         _ = petrels.north
 
 
 def test_a_raster_outside_of_its_crs_has_no_north():
     far = rasters.surface((HEIGHTS, Affine(1.0, 0.0, 9e9, 0.0, -1.0, 9e9), "EPSG:32633"))
-    with pytest.raises(ValueError, match="which is nowhere on Earth by WGS 84 / UTM zone 33N"):
+    with pytest.raises(ValueError, match="which is not on Earth in WGS 84 / UTM zone 33N"):
         _ = far.north
 
 

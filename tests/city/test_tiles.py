@@ -226,9 +226,9 @@ def test_crowns_beyond_the_margin_are_seen_from_a_clearing():
     [
         ({"tile": 0}, "tile: got 0, want a whole number of at least 1|tile: got 0, want a whole number from 1"),
         ({"tile": 8, "margin": 0}, "margin: got 0"),
-        ({"margin": 8}, "margin: got 8 without tile, want tile, too"),
+        ({"margin": 8}, "margin: got 8 without tile, want tile, the number of cells"),
         ({"far": "missing.tif"}, "far: got 'missing.tif', which is missing"),
-        ({"transmittance": [0.5] * 12}, "transmittance: got 12 shares for the sky view factor, want one share"),
+        ({"transmittance": [0.5] * 12}, "transmittance: got 12 fractions for the sky view factor, want one fraction"),
         ({"trunk": 0.5}, "trunk: got 0.5 without canopy, want canopy"),
         ({"transmittance": 0.5}, "transmittance: got 0.5 without canopy, want canopy"),
         ({"model": "mesh"}, "model: got 'mesh'"),
@@ -262,7 +262,9 @@ def test_calls_take_trees_and_tiles():
     assert found.far_error.attrs["long_name"] == "error due to pooled distant terrain of the sky view factor"
     without_crowns = ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32)
     assert (right.value < without_crowns.value).mean() > 0.5
-    with pytest.raises(TypeError, match="^crowns: got it for sky_view_factor, want one of .*canopy, trunk"):
+    with pytest.raises(
+        TypeError, match="^crowns: got an argument that sky_view_factor does not take, want one of .*canopy, trunk"
+    ):
         ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32, crowns=canopy)
 
 

@@ -82,7 +82,7 @@ def test_what_can_only_be_in_degrees_is_refused(tmp_path, x, y, side, relief):
     path = grid_file(tmp_path / "dsm.asc", x, y, side, heights)
     for source in (path, (heights, Affine(side, 0.0, x, 0.0, -side, y), None)):
         with pytest.raises(
-            ValueError, match="^source: got no CRS, heights that differ by .*, as in degrees; want lengths: "
+            ValueError, match="^source: got no CRS, cells of .*, as in degrees, and heights .*; want lengths; "
         ):
             ws.rasters.sky_view_factor(source, 4)
 
@@ -147,7 +147,7 @@ def highland(cells):
     ],
 )
 def test_degrees_are_found_in_any_part_and_by_any_cells(heights, side):
-    with pytest.raises(ValueError, match="^source: got no CRS, heights that differ by .*, as in degrees; want lengths: "):
+    with pytest.raises(ValueError, match="^source: got no CRS, cells of .*, as in degrees, and heights .*; want lengths; "):
         check_lengths(Affine(side, 0.0, 8.5, 0.0, -side, 47.4), heights.shape, lambda *part: heights[part])
 
 

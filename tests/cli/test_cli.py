@@ -121,7 +121,7 @@ def test_every_command_has_the_same_two_options_for_its_points(call, cube, tmp_p
     assert status == 2
     assert all(word in err for word in ("--at", "faces", "vertices"))
     status, _, err = call(command, cube, "-o", output, "--at", "faces", "--points", 9)
-    assert (status, err) == (2, "error: --points: got 9 together with --at faces, want one of the two\n")
+    assert (status, err) == (2, "error: --points: got 9 together with --at faces, want only one of the two\n")
     monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10**9))
     monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=10**15))
     status, _, err = call(command, cube, "-o", output, "--points", 2**31 - 1)

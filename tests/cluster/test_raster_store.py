@@ -346,14 +346,14 @@ def test_what_is_not_our_working_folder_stays(dsm, folder, computed):
     hidden = folder / ".sky.tif.tiles"
     hidden.mkdir()
     (hidden / "thesis.txt").write_text("own")
-    with pytest.raises(ValueError, match="which holds other files, want another name"):
+    with pytest.raises(ValueError, match="which holds other files, want another output name"):
         bake(dsm, folder / "sky.tif", resume=True)
     assert [path.name for path in hidden.iterdir()] == ["thesis.txt"]
     shutil.rmtree(hidden)
     counted.most = 3
     with pytest.raises(KeyboardInterrupt):
         bake(dsm, folder / "sky.tif")
-    with pytest.raises(ValueError, match="sky.tif.tiles' of seed 0, want one of seed 1"):
+    with pytest.raises(ValueError, match="sky.tif.tiles' of seed 0, want tiles of seed 1"):
         bake(dsm, folder / "sky.tif", resume=True, seed=1)
 
 
@@ -387,7 +387,7 @@ def test_two_runs_do_not_write_one_geotiff(dsm, folder):
     [
         (["-o", "sky.exr"], "--output: got 'sky.exr' for rasters, want a file that ends in one of .tif .tiff .png .zarr"),
         (["-o", "sky.tif", "--points", "5"], "--points: got 5 for dsm.tif; it applies only to meshes and CityJSON"),
-        (["-o", "sky.tif", "--margin", "5"], "--margin: got 5 without tile, want tile, too"),
+        (["-o", "sky.tif", "--margin", "5"], "--margin: got 5 without tile, want tile, the number"),
         (["-o", "sky.tif", "--canopy", "none.tif"], "--canopy: got 'none.tif', which is missing"),
         (["-o", "sky.tif", "--tile", "0"], "--tile: got 0, want a whole number from 1 to 2147483647"),
         (["-o", "sky.tif", "--processes", "0"], "--processes: got 0, want a whole number from 1 to 1024"),

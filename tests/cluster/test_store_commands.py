@@ -88,7 +88,8 @@ def test_the_command_says_what_it_did_and_goes_on(call, path, monkeypatch):
     assert "\n  80 of the 130 points were complete before\n" in out
     status, out, err = call(*command, "--seed", 1, "--resume")
     assert (status, out) == (2, "")
-    assert err == f"error: --output: got '{path}' of seed 0, want one of seed 1\n"
+    remedy = "repeat the arguments of that run, or use a new name"
+    assert err == f"error: --output: got '{path}' of seed 0, want a store of seed 1; {remedy}\n"
 
 
 @pytest.mark.parametrize(

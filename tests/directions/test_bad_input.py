@@ -64,7 +64,7 @@ READ_ONLY.setflags(write=False)
             "out: got an array that is not C-cont",
         ),
         (GOOD, {"out": READ_ONLY}, ValueError, "out: got an array that is read-only"),
-        (GOOD, {"out": [0.0]}, TypeError, "out: got a value of type list, want a NumPy array, as the normals are"),
+        (GOOD, {"out": [0.0]}, TypeError, "out: got a value of type list, want a NumPy array, the type of the normals"),
         (GOOD, {"device": "tpu"}, ValueError, "device: got 'tpu', want one of cpu"),
     ],
 )
@@ -74,7 +74,9 @@ def test_bad_input_is_named_before_any_work(normals, arguments, error, message):
 
 
 def test_out_may_not_overlap_the_normals(normals):
-    with pytest.raises(ValueError, match=r"^out: got an array that overlaps the normals, want one with other memory"):
+    with pytest.raises(
+        ValueError, match=r"^out: got an array that overlaps the normals, want an array with memory of its own"
+    ):
         ws.sample_directions(normals, 1, out=normals[:, None])
 
 

@@ -175,7 +175,7 @@ def test_bad_rows_of_sample_pdf_and_invert_are_zero(alpha, view):
         (lambda: ws.GGX(np.array(["a"])), "alpha: got dtype"),
         (lambda: ws.GGX(np.ma.masked_array([0.3])), "alpha: got a masked array"),
         (lambda: ws.GGX(0.0), "alpha: got 0.0, want a number from"),
-        (lambda: ws.UniformCone(np.full(2, 0.5), np.full(2, 0.5)), "cos_angle: got it together with one_minus_cos"),
+        (lambda: ws.UniformCone(np.full(2, 0.5), np.full(2, 0.5)), "cos_angle: got both cos_angle and one_minus_cos"),
     ],
 )
 def test_wrong_arrays_are_errors_that_name_the_parameter(make, message):

@@ -213,7 +213,9 @@ def test_the_last_definition_of_a_function_and_a_struct_counts():
 
     data = Data()
     data.a, data.b = 20.0, 7.0
-    message = "^data: got a .*Data of another definition, want the .*Data that integrand takes; define the struct, the fun"
+    message = (
+        "^data: got a struct .*Data of another definition, want the .*Data that integrand takes; define the struct, the fun"
+    )
     with pytest.raises(TypeError, match=message):
         ws.integrate(UP, shade, 2, data=data)
 
@@ -284,9 +286,9 @@ def says_nothing(w: wp.vec3, lobe: funcs.Lobe):
         (of_another_struct, Sky(), TypeError, "^data: got Sky, want Albedo, which integrand takes$"),
         (of_another_struct, None, TypeError, "^data: got None, want Albedo, which integrand takes$"),
         (of_a_number, None, TypeError, r"^integrand: got a function of \(w: vec3, lobe: float"),
-        (gives_a_matrix, None, TypeError, "^integrand: got a function that gives mat"),
-        (says_nothing, None, TypeError, "^integrand: got a function that does not say what it returns"),
-        (who, Albedo(), ValueError, "^data: got Albedo whose array by_id is not set, want one, or one of no elements$"),
+        (gives_a_matrix, None, TypeError, "^integrand: got a function that returns mat"),
+        (says_nothing, None, TypeError, "^integrand: got a function without a return type"),
+        (who, Albedo(), ValueError, "^data: got Albedo whose array by_id is not set, want an array, which may be empty$"),
         (
             gives_another,
             None,

@@ -161,7 +161,7 @@ def test_points_far_away_and_invalid_points(bunny):
         ({"count": 1}, "count: got 1, want a whole number from 2"),
         ({"count": 2.5}, "count: got 2.5"),
         ({"max_distance": -1.0}, "max_distance: got -1.0"),
-        ({"falloff": 1.0}, "max_distance: got None, want a finite one above 0"),
+        ({"falloff": 1.0}, "max_distance: got None, want a finite distance above 0"),
         ({"falloff": -1.0, "max_distance": 1.0}, "falloff: got -1.0"),
         ({"sequence": "halton"}, "sequence: got 'halton'"),
         ({"seed": -1}, "seed: got -1"),

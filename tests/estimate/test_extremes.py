@@ -168,7 +168,7 @@ def test_coordinates_beyond_what_distances_can_tell_are_refused(coordinate, dtyp
 def test_meshes_too_small_for_distances_are_refused_where_distances_are_asked_for():
     tiny = ws.Mesh(np.eye(3) * 1e-40, [[0, 1, 2]])
     assert abs(ws.sample_surface(tiny, 10).position.sum() / 1e-39 - 1.0) <= 1e-12
-    with pytest.raises(ValueError, match="mesh: got one of half size 5e-41, want at least 1e-30; scale it up"):
+    with pytest.raises(ValueError, match="mesh: got a mesh of half size 5e-41, want at least 1e-30; scale the mesh up"):
         ws.trace(tiny, [0.0, 0.0, 0.0], [[1.0, 0.0, 0.0]])
 
 

@@ -82,7 +82,7 @@ def test_it_is_without_bias_and_its_bars_are_right():
 def test_it_changes_the_count_and_nothing_else(bunny, points):
     """All points take one count, at most that of the call; neither `skip` nor a chunk of memory sways it."""
     fixed = ws.ambient_occlusion(bunny, points, 512)
-    with pytest.warns(UserWarning, match="tolerance: got 1e-09, which 512 rays of each point do not reach"):
+    with pytest.warns(UserWarning, match="tolerance: got 1e-09, which is not reached with 512 rays per point"):
         tight = ws.ambient_occlusion(bunny, points, 512, tolerance=1e-9)
     assert np.array_equal(tight.value, fixed.value)
     assert tight.skipped.unneeded_rays == 0

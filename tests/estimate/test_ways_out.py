@@ -24,7 +24,7 @@ def test_an_estimate_is_a_dataset():
     assert set(data.coords) == {"x", "y", "z", "face"}
     own = ws.SurfacePoints(POINTS.position, POINTS.normal, id=np.arange(24) + 7)
     assert np.array_equal(found.to_xarray(own)["id"], np.arange(24) + 7)
-    with pytest.raises(ValueError, match="points: got 3, want the 24 of the numbers"):
+    with pytest.raises(ValueError, match="points: got 3 points, want the 24 points of this result"):
         found.to_xarray(POINTS.take(slice(0, 3)))
     with pytest.raises(TypeError, match="points: got .*, want SurfacePoints"):
         found.to_xarray(MESH)

@@ -187,13 +187,15 @@ def test_what_is_valid_may_not_be_refused():
 @pytest.mark.parametrize("function", [ws.sky_view_factor, ws.bent_normals, partial(ws.irradiance, radiance=[[1.0]])])
 def test_unknown_options_name_the_function_that_was_called(function):
     name = getattr(function, "func", function).__name__
-    with pytest.raises(TypeError, match=rf"^falloff: got it for {name}, want one of mesh, points,"):
+    with pytest.raises(TypeError, match=rf"^falloff: got an argument that {name} does not take, want one of mesh, points,"):
         function(MESH, POINTS, falloff=1.0)
 
 
 @pytest.mark.parametrize("name", ["sample_directions", "ambient_occlusion", "sky_view_factor"])
 def test_the_accessor_names_unknown_options(name):
-    said = rf"^tolerence: got it for {name}, want|^{name}\(\) got an unexpected keyword argument 'tolerence'"
+    said = (
+        rf"^tolerence: got an argument that {name} does not take|^{name}\(\) got an unexpected keyword argument 'tolerence'"
+    )
     with pytest.raises(TypeError, match=said):
         getattr(PLANE.warpsample, name)(2, tolerence=0.1)
 

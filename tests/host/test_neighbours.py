@@ -135,7 +135,7 @@ def test_out_may_not_be_the_normals(foreign):
 
 
 def test_an_out_that_gives_copies_would_stay_as_it_is_and_is_refused():
-    with pytest.raises(TypeError, match=r"^out: got a value of type Copies, want a NumPy array, as the normals are"):
+    with pytest.raises(TypeError, match=r"^out: got a value of type Copies, want a NumPy array, the type of the normals"):
         ws.sample_directions(NORMALS, COUNT, out=Copies(np.zeros((40, COUNT, 3), np.float32)))
     as_normals = ws.sample_directions(Copies(NORMALS), COUNT)
     assert as_normals.vectors.tobytes() == ws.sample_directions(NORMALS, COUNT).vectors.tobytes()
@@ -164,7 +164,7 @@ def test_a_tensor_that_numpy_makes_nothing_of_is_named(make, reason):
     for argument, call in calls.items():
         with pytest.raises(TypeError) as raised:
             call()
-        said = rf"{argument}: got .*, which NumPy makes no array of \(.*{reason}.*\), want .*"
+        said = rf"{argument}: got .*, which NumPy cannot convert to an array \(.*{reason}.*\), want .*"
         assert re.fullmatch(said, str(raised.value))
 
 

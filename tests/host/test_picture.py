@@ -89,8 +89,8 @@ def test_hdr_of_runs_that_do_not_fit_is_refused(pixels, tmp_path):
     line = bytes([2, 2, 0, WIDTH])
     for content, why in [
         (line + bytes([128 + 34, 7]) + bytes(999), "a run is longer than the rest of its line"),
-        (bytes([2, 2, 0, 34]) + bytes(999), "a line has 34 pixels, not 33"),
-        (bytes([1, 1, 1, 9]) * WIDTH * HEIGHT, "its runs are of the old kind, pixel by pixel"),
+        (bytes([2, 2, 0, 34]) + bytes(999), "a line has 34 pixels instead of 33"),
+        (bytes([1, 1, 1, 9]) * WIDTH * HEIGHT, "it uses the old run-length encoding, want the new one"),
     ]:
         path.write_bytes(header() + content)
         with refused(path, why):

@@ -114,8 +114,8 @@ def test_both_sides_of_a_sheet_have_points_of_their_own():
     [
         ({"spacing": "green"}, ValueError, "spacing: got 'green', want one of random, blue"),
         ({"spacing": "blue"}, TypeError, "count: got None, want a whole number"),
-        ({"radius": 0.1}, ValueError, "radius: got 0.1 with spacing='random', want spacing='blue'"),
-        ({"radius": 0.1, "spacing": "blue", "count": 3}, ValueError, "radius: got 0.1 with count=3, want one of the two"),
+        ({"radius": 0.1}, ValueError, "radius: got 0.1 with spacing='random', want no radius, or spacing='blue'"),
+        ({"radius": 0.1, "spacing": "blue", "count": 3}, ValueError, "radius: got 0.1 with count=3, want only one"),
         ({"radius": 0.0, "spacing": "blue"}, ValueError, "radius: got 0.0, want a number from"),
         ({"radius": 1e-6, "spacing": "blue"}, MemoryError, "points to choose from need .* take fewer, or a larger radius"),
         ({"count": 3, "first_point": 1, "spacing": "blue"}, ValueError, "first_point: got 1 with spacing='blue', want 0"),

@@ -145,7 +145,7 @@ def test_no_point_falls_between_triangles_of_a_fan():
         ({"on": "roofs"}, ValueError, "on: got 'roofs', want one of ground, faces"),
         ({"faces": [0, 1]}, TypeError, r"faces: got dtype int64, want \(12,\) bool"),
         ({"faces": [True]}, ValueError, r"faces: got shape \(1,\), want \(12,\) bool"),
-        ({"faces": [False] * 12}, ValueError, "faces: got none that has an area"),
+        ({"faces": [False] * 12}, ValueError, "faces: got only faces without an area"),
         ({"up": (0, 0, 0)}, ValueError, "up: got"),
         ({"spacing": 1e-9}, MemoryError, "need .* GB and .* are free; widen the spacing"),
     ],

@@ -42,7 +42,7 @@ def test_shares_are_added_to_a_mesh_that_is_there():
 @pytest.mark.parametrize(
     ("optics", "message"),
     [
-        ({"transmittance": 1.5}, r"^transmittance: got 1\.5, want a number from 0 to 1, or \(12,\) of them"),
+        ({"transmittance": 1.5}, r"^transmittance: got 1\.5, want a number from 0 to 1, or \(12,\) numbers"),
         ({"reflectance": np.where(TAU == 1.0, -0.5, TAU)}, r"^reflectance: got -0\.5 in face 11, want a number from 0 to 1"),
         ({"transmittance": np.nan}, "^transmittance: got nan, want"),
         ({"transmittance": np.ones(11)}, r"^transmittance: got shape \(11,\), want"),
@@ -82,5 +82,5 @@ def test_shares_go_where_the_mesh_goes():
 
 
 def test_what_takes_no_transmission_refuses_it():
-    with pytest.raises(ValueError, match="^mesh: got one with a transmittance above 0, which reciprocal does not"):
+    with pytest.raises(ValueError, match="^mesh: got a mesh with a transmittance above 0, which reciprocal does not"):
         ws.view_factors(box(transmittance=0.5), reciprocal=True)

@@ -49,7 +49,7 @@ def test_ply_of_other_elements(tmp_path):
         path.write_bytes(head.replace(b"element vertex", extra + b"element vertex") + end + row + data)
         assert ws.load_mesh(path).report.area == 8.0
         path.write_bytes(head + extra.replace(b"extra", b"tristrips") + end + data + row)
-        with cases.refused(path, "it has triangle strips, want faces one by one"):
+        with cases.refused(path, "it has triangle strips, want separate faces"):
             ws.load_mesh(path)
         path.write_bytes(head.replace(b"list uchar int", b"list float int") + end + data)
         with cases.refused(path, "its header has the line 'property list float int vertex_indices'"):
@@ -75,9 +75,9 @@ def test_obj_indices_and_lines(tmp_path):
         ("f 1 2 -7", "a face has the vertex -1, but .*"),
         ("f 0 1 2", "line 18: a face has the vertex 0, but vertices count from 1"),
         ("f 1 2 3.5", "line 18: invalid literal .*"),
-        ("v 1 2", "line 18: a vertex has 2 numbers, not 3"),
+        ("v 1 2", "line 18: a vertex has 2 numbers instead of 3"),
         ("v 1 2 x", "line 18: could not convert .*"),
-        ("curv 1 2", "line 18: it begins with 'curv', which is not known"),
+        ("curv 1 2", "line 18: it begins with 'curv', which is not a known keyword"),
         ("f 1 2 3 \\\n", "line 17: it ends within a line|line 18: it ends within a line"),
     ]:
         path.write_text(whole + line, encoding="utf-8")

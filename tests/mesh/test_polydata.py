@@ -53,11 +53,11 @@ def test_numbers_go_where_they_are_of():
     points = ws.sample_surface(SQUARE, 3)
     assert ws.sky_view_factor(SQUARE, points, 32).to_polydata(points).n_points == 3
     for wrong in ({"on": points}, {"on": SQUARE, "at": "vertices"}):
-        with pytest.raises(ValueError, match="^on: got .* for 2 numbers"):
+        with pytest.raises(ValueError, match="^on: got .* for 2 values"):
             at_faces.to_polydata(**wrong)
     tetrahedron = ws.as_mesh(pv.Tetrahedron())
     both = ws.ambient_occlusion(tetrahedron, ws.face_centers(tetrahedron), 32)
-    with pytest.raises(ValueError, match="want as many of one kind"):
+    with pytest.raises(ValueError, match="want at= to choose one of the two"):
         both.to_polydata(tetrahedron)
     assert "value" in both.to_polydata(tetrahedron, at="faces").cell_data
 

@@ -112,14 +112,14 @@ def test_some_points_keep_what_belongs_to_them():
     ("arguments", "message"),
     [
         ((np.zeros(3), np.zeros(3)), r"position: got shape \(3,\), want \(P, 3\)"),
-        ((np.zeros((2, 3)), np.zeros((3, 3))), r"normal: got shape \(3, 3\), want \(2, 3\), a row for each position"),
+        ((np.zeros((2, 3)), np.zeros((3, 3))), r"normal: got shape \(3, 3\), want \(2, 3\), one row for each position"),
         ((np.zeros((2, 3)), np.zeros((2, 3)), [0]), r"face: got shape \(1,\), want \(2,\)"),
         (
             (np.zeros((2, 3)), np.zeros((2, 3)), [0, 0], np.zeros((2, 2))),
             r"barycentric: got shape \(2, 2\), want \(2, 3\)",
         ),
         ((np.zeros((2, 3)), np.zeros((2, 3)), None, None, [1]), r"id: got shape \(1,\), want \(2,\)"),
-        ((np.zeros((2, 3)), np.zeros((2, 3)), None, None, [1, -1]), "id: got -1, want whole numbers from 0 on"),
+        ((np.zeros((2, 3)), np.zeros((2, 3)), None, None, [1, -1]), "id: got -1, want whole numbers of at least 0"),
         ((np.zeros((2, 3)), np.zeros((2, 3)), None, None, None, [True]), r"raised: got shape \(1,\), want \(2,\)"),
     ],
 )
@@ -151,7 +151,7 @@ def test_no_rows_are_no_points_and_ids_that_round_are_refused_with_what_to_give(
         assert owned.take(none).position.shape == (0, 3)
         assert owned.take(none).id.shape == (0,)
     for ids in ([1, 2, 2**64], np.array([1, 2, 3], object), np.array([1.0, 2.0, 3.0])):
-        with pytest.raises(TypeError, match=r"^id: got dtype \w+, want .* as numpy.array\(id, numpy.uint64\) holds them"):
+        with pytest.raises(TypeError, match=r"^id: got dtype \w+, want .* such as numpy.array\(id, numpy.uint64\)"):
             ws.SurfacePoints(np.eye(3), np.eye(3), id=ids)
     with pytest.raises(TypeError, match="^id: got a masked array, want an array without a mask"):
         ws.SurfacePoints(np.eye(3), np.eye(3), id=np.ma.array([1, 2, 3], mask=[0, 1, 0]))

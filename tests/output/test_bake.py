@@ -78,7 +78,7 @@ def test_every_file_holds_the_numbers(call, torus, tmp_path, suffix, at, monkeyp
     )
     assert re.search(rf"{right.rays.sum():,} rays cast in \d+\.\d\d s", rest[1])
     assert re.fullmatch(r"  took \d+\.\d\d s, with reading, compiling and writing", rest[2])
-    assert f"{right.skipped.empty_rays:,} in empty strata" in rest[3]
+    assert f"{right.skipped.empty_rays:,} known to hit nothing" in rest[3]
     assert right.skipped.open_points == 0 or rest[4] == f"  {right.skipped.open_points:,} points needed no rays"
     assert set(tmp_path.iterdir()) == {torus, output}
 
@@ -101,7 +101,7 @@ def test_sky_at_points_and_light(call, torus, tmp_path):
     status, out, _ = call("bake", torus, "-o", output, "--quantity", "sky", "--up", 1, 0, 0, *where)
     assert status == 0
     assert "sky view factor of 100 points" in out
-    assert "without weight" in out
+    assert "of weight 0, such as below the horizon" in out
     found = read(output)
     mesh = ws.load_mesh(torus)
     right = ws.sky_view_factor(mesh, ws.sample_surface(mesh, 100), 64, up=(1, 0, 0))
@@ -121,7 +121,7 @@ def test_points_without_a_number_are_counted(call, tmp_path):
     path = tmp_path / "flawed.off"
     path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")
     _, out, _ = call("bake", path, "-o", tmp_path / "out.csv", "--at", "faces", "--samples", 64)
-    assert out.endswith("points without a number: 1 zero_normal\n")
+    assert out.endswith("points without a value: 1 zero_normal\n")
     assert read(tmp_path / "out.csv")["status"].tolist() == [0, 2]
 
 
@@ -162,7 +162,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
             "error: --environment: got a.hdr for ao; it applies only to irr",
         ),
         (["-o", "x.csv", "--samples", "1"], "error: --samples: got 1, want a whole number from 2"),
-        (["-o", "x.csv", "--falloff", "1"], "error: --max-distance: got None, want a finite one"),
+        (["-o", "x.csv", "--falloff", "1"], "error: --max-distance: got None, want a finite distance"),
         (
             ["-o", "x.csv", "--falloff", "1", "--quantity", "sky"],
             "error: --falloff: got 1.0 for sky; it applies only to ao",

@@ -63,7 +63,7 @@ def test_irradiation_of_faces(call, athens, yard, tmp_path, monkeypatch):
     assert third.startswith(f"  {right.rays.sum():,} rays cast in ")
     skipped = right.skipped
     assert re.fullmatch(r"  took \d+\.\d\d s, with reading, compiling and writing", fourth)
-    assert fifth == f"  sky patches without rays: {skipped.open_patches:,} open, {skipped.closed_patches:,} closed"
+    assert fifth == f"  sky patches known without rays: {skipped.open_patches:,} open, {skipped.closed_patches:,} covered"
 
 
 def test_irradiation_in_columns_and_by_default_of_the_year(call, yard, tmp_path):
@@ -146,7 +146,7 @@ def test_points_without_a_normal_have_no_sun_hours(call, athens, tmp_path):
     path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")
     given = ["--quantity", "sun-hours", "--weather", athens, "--period", "06-21T12", "06-21T13", "--at", "faces"]
     _, out, _ = call("bake", path, "-o", output, *given)
-    assert out.endswith("points without a number: 1 zero_normal\n")
+    assert out.endswith("points without a value: 1 zero_normal\n")
     table = np.genfromtxt(output, delimiter=",", names=True)
     assert (table["sun_hours_h"].tolist(), table["status"].tolist()) == ([1.0, 0.0], [0.0, 2.0])
 

@@ -140,7 +140,7 @@ def test_terrain_around_a_city_may_be_a_raster(call, tmp_path):
         (["a.json", "-o", "x.csv", "--lod", "high"], "--lod: got 'high', want a level of detail, such as 2.2"),
         (
             ["a.json", "-o", "x.csv", "--lod", "3"],
-            "--lod: got 3, want a level of detail that 'a.json' has surfaces of: 2.2",
+            "--lod: got 3, want a level of detail with surfaces in 'a.json': 2.2",
         ),
         (["a.json", "-o", "x.jsonl"], "--output: got 'x.jsonl' for 'a.json', want a file that ends in .json, too"),
         (

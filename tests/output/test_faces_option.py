@@ -39,10 +39,13 @@ def test_all_ways_to_tell_a_transmittance(tmp_path):
     [
         (
             "much",
-            "--transmittance: got 'much', want a number, NAME.npy of one for each face, or by part, as leaf=0.2,glass=0.8",
+            "--transmittance: got 'much', want a number, NAME.npy with one number for each face, or numbers by part",
         ),
-        ("1.5", "--transmittance: got 1.5, want a number from 0 to 1, or (6,) of them, one for each face"),
-        ("leaf=0.2,tree=0.5", "--transmittance: got 'tree=0.5', want the name of a part, of crown/leaf, crown/stem, pane"),
+        ("1.5", "--transmittance: got 1.5, want a number from 0 to 1, or (6,) numbers, one for each face"),
+        (
+            "leaf=0.2,tree=0.5",
+            "--transmittance: got 'tree=0.5', want NAME=NUMBER with the name of a part, one of crown/leaf, crown/stem, pane",
+        ),
         ("leaf=thin", "--transmittance: got 'leaf=thin', want a number"),
         ("none.npy", "--transmittance: got 'none.npy', which is missing"),
     ],

@@ -88,10 +88,10 @@ def test_bad_arguments(box):
     few = ws.SurfacePoints(points.position[:5], points.normal[:5])
     far = ws.SurfacePoints(points.position, points.normal, np.full(12, 99))
     for arguments, named, message in (
-        ((found, few), {}, r"found: got arrays of shape value \(12,\), .*, want a row for each of the 5 points$"),
+        ((found, few), {}, r"found: got arrays of shape value \(12,\), .*, want one row for each of the 5 points$"),
         ((found, far, mesh), {}, "points: got the face 99, want faces of the mesh, which has 12$"),
         ((found, points.position), {}, "points: got a NumPy array, want SurfacePoints$"),
-        ((3.0, points), {}, "found: got 3.0, want the result of a call over points$"),
+        ((3.0, points), {}, "found: got 3.0, want the result of a call at points, such as sky_view_factor$"),
         ((found, points), {"first_point": -1}, "first_point: got -1, want"),
         ((found, points, "mesh.ply"), {}, "mesh: got 'mesh.ply', want a mesh"),
     ):

@@ -87,7 +87,10 @@ def test_a_surface_without_area_is_a_sentence(call, athens, tmp_path):
     mesh.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")
     groups.write_text("a\nb\n")
     err = call("shading", mesh, groups, "-o", tmp_path / "x.csv", "--weather", athens)[2]
-    assert err == f"error: groups: got {str(groups)!r} with the name 'b' of no area, want some of each\n"
+    assert (
+        err
+        == f"error: groups: got {str(groups)!r} with the surface 'b', whose triangles have no area, want an area above 0\n"
+    )
 
 
 @pytest.mark.parametrize(

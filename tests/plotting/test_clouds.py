@@ -13,6 +13,7 @@ import warpsample as ws
 from warpsample.cli import commands
 from warpsample.viewer import clouds, controls, lobes, start
 from warpsample.viewer.choice import Choice
+from warpsample.viewer.counts import count_directions
 
 COSINE = ws.CosineHemisphere()
 
@@ -20,7 +21,13 @@ COSINE = ws.CosineHemisphere()
 def judged(distribution, claim, draws=60_000, seed=5):
     """The two histograms of independent local directions of one distribution held against another."""
     u = ws.sample_square("independent", 1, draws, seed=seed)[0]
-    return clouds.histograms(distribution.sample(u), lobes.lobe_of(claim), independent=True)
+    counts = count_directions(distribution.sample(u), lobes.probabilities_of(claim), independent=True)
+    return counts.theta, counts.azimuth
+
+
+def counted(choice, points):
+    """The counts of the directions that the viewer draws at some points."""
+    return clouds.count_clouds(choice, clouds.all_clouds(choice, points, 1.0))
 
 
 def test_cosine_clouds_are_uniform_spheres_resting_on_the_surface(points):
@@ -40,7 +47,7 @@ def mostly_slow(names):
 
 
 def test_the_cosine_lobe_is_drawn_as_a_sphere_of_diameter_one():
-    surface = lobes.lobe_of(COSINE).surface
+    surface = lobes.shape_of(COSINE).surface
     assert np.abs(np.linalg.norm(surface - [0.0, 0.0, 0.5], axis=-1) - 0.5).max() <= 1e-6
     assert np.ptp(surface[..., 2]) == pytest.approx(1.0, abs=1e-6)
 
@@ -49,10 +56,10 @@ def test_the_cosine_lobe_is_drawn_as_a_sphere_of_diameter_one():
 def test_right_directions_agree_and_wrong_ones_do_not(name, plausible):
     """Those of the menu's entry with its own density; and with that of the next value of its slider, or the next entry."""
     right = controls.make_distribution(name)
-    lobe = lobes.lobe_of(right)
+    lobe = lobes.probabilities_of(right)
     assert (lobe.theta.sum(), lobe.azimuth.sum()) == (pytest.approx(1.0), pytest.approx(1.0))
     # The chart's line has the mass of what it shows.
-    assert trapezoid(lobe.line, lobe.angles) == pytest.approx(lobe.theta[:-1].sum(), abs=0.02)
+    assert trapezoid(lobe.line, lobe.angles) == pytest.approx(lobe.theta[0, :-1].sum(), abs=0.02)
     for histogram in judged(right, right):
         plausible(histogram.test.p_value)
         assert histogram.verdict().startswith("agrees with the density\nχ² = ")
@@ -72,7 +79,7 @@ def test_every_sequence_tells_right_from_wrong(sequence, points):
     """By chi-square where points are independent; where they are evenly spread, without a p-value that says nothing."""
     few = ws.SurfacePoints(points.position[:100], points.normal[:100])
     independent = ws.sequences.get(sequence).random
-    right = clouds.all_clouds(Choice(ws.OffsetSphere(), COSINE, sequence), few, 1.0)
+    right = counted(Choice(ws.OffsetSphere(), COSINE, sequence), few)
     for seen in (right.theta, right.azimuth):
         assert not seen.is_wrong
         assert seen.verdict().startswith("agrees")
@@ -82,7 +89,7 @@ def test_every_sequence_tells_right_from_wrong(sequence, points):
         # Stratified points have 0.65 times those of independent ones: the largest of 45 is above 3 once in 10^4.
         assert right.theta.test.largest_residual < 3.0
     for wrong in (ws.OffsetSphere(0.9), ws.OffsetSphere(0.98), ws.OffsetSphere(1.02), ws.OffsetBall(), ws.PowerCosine(1.1)):
-        seen = clouds.all_clouds(Choice(wrong, COSINE, sequence), few, 1.0).theta
+        seen = counted(Choice(wrong, COSINE, sequence), few).theta
         assert seen.is_wrong
         assert seen.verdict().startswith("does NOT agree")
         assert seen.test.largest_residual > 4.0
@@ -97,26 +104,27 @@ def test_the_first_picture_is_judged_on_independent_points():
 @pytest.mark.slow
 def test_azimuth_is_judged_about_the_tangent_that_the_kernels_take(points):
     """Visible normals lean towards their view: with another frame they would not."""
-    leaning = controls.with_view(ws.VisibleGGX(0.5), 70.0)
-    seen = clouds.all_clouds(Choice(leaning, sequence="independent", samples=100), points, 1.0)
+    leaning = ws.VisibleGGX(0.5, (0.94, 0.0, 0.34))
+    seen = counted(Choice(leaning, sequence="independent", samples=100), points)
     assert seen.azimuth.test.p_value >= ALPHA
     turned = replace(leaning, view=(leaning.view[1], leaning.view[0], leaning.view[2]))
-    assert clouds.all_clouds(Choice(leaning, turned, "independent", 100), points, 1.0).azimuth.test.p_value < ALPHA
+    assert counted(Choice(leaning, turned, "independent", 100), points).azimuth.test.p_value < ALPHA
 
 
 @pytest.mark.slow
 def test_what_is_outside_the_density_is_counted_and_drawn_apart(points):
-    seen = clouds.all_clouds(Choice(ws.UniformSphere(), COSINE, "sobol", 256), points, 1.0)
+    choice = Choice(ws.UniformSphere(), COSINE, "sobol", 256)
+    seen = clouds.all_clouds(choice, points, 1.0)
     # Half of every 256 points of Sobol's, but for those that rounding puts across the horizon.
     assert seen.outside == pytest.approx(0.5 * 256 * len(points), rel=1e-3)
     away = np.linalg.norm(seen.position - np.repeat(points.position, 256, axis=0), axis=1)[seen.pdf == 0.0]
     assert np.abs(away - clouds.OUTSIDE).max() <= 1e-5
-    assert seen.theta.test.p_value == 0.0
+    assert clouds.count_clouds(choice, seen).theta.test.p_value == 0.0
 
 
 def test_few_directions_are_not_judged(points):
     few = ws.SurfacePoints(points.position[:1], points.normal[:1])
-    seen = clouds.all_clouds(Choice(COSINE, samples=8), few, 1.0)
+    seen = counted(Choice(COSINE, samples=8), few)
     assert seen.theta.test is None
     assert seen.theta.verdict() == "cannot be judged\ntoo few directions"
 
@@ -125,7 +133,7 @@ def test_what_is_too_narrow_to_be_seen_is_refused():
     with pytest.raises(
         ValueError, match=r"^distribution: got Beckmann\(alpha=1e-06\), a lobe of 0.0001 degrees, want one of at least 0.01"
     ):
-        lobes.lobe_of(ws.Beckmann(1e-6))
+        lobes.shape_of(ws.Beckmann(1e-6))
 
 
 @pytest.mark.slow
@@ -134,7 +142,7 @@ def test_every_slider_goes_from_end_to_end():
     for name in controls.spatial_names():
         kind = type(controls.make_distribution(name))
         for value in kind.shown or ():
-            lobe = lobes.lobe_of(controls.with_scalar(controls.make_distribution(name), exp(log(value))))
+            lobe = lobes.shape_of(controls.with_scalar(controls.make_distribution(name), exp(log(value))))
             assert np.isfinite(lobe.surface).all()
             assert 0.5 < np.linalg.norm(lobe.surface, axis=-1).max() <= 1.0 + 1e-6
 
@@ -159,5 +167,5 @@ def test_offset_sets_are_compared_with_the_cosine_lobe_and_others_with_themselve
 def test_the_start_agrees_and_another_radius_does_not(points):
     """What the README promises: a sphere of radius 1 gives the cosine lobe, another radius does not."""
     for distribution, agrees in ((None, True), ("offset_sphere(rho=1.3)", False), ("offset_sphere(rho=0.8)", False)):
-        seen = clouds.all_clouds(start.choice(distribution, None, "independent", 64, 0), points, 1.0).theta
+        seen = counted(start.choice(distribution, None, "independent", 64, 0), points).theta
         assert seen.verdict().startswith("agrees with the cosine lobe" if agrees else "does NOT agree with the cosine lobe")

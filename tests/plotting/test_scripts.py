@@ -243,7 +243,17 @@ def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it_and_the_slider_tur
 
 @pytest.mark.parametrize(
     "name",
-    [*PNG_SCRIPTS, "baked_texture", "light_between", "maps", "occlusion", "sun_and_sky", "view_factors", "baked_store"],
+    [
+        *PNG_SCRIPTS,
+        "baked_texture",
+        "light_between",
+        "maps",
+        "occlusion",
+        "own_lobes",
+        "sun_and_sky",
+        "view_factors",
+        "baked_store",
+    ],
 )
 def test_scripts_say_what_is_wrong(name, script, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(rendering, "has_screen", lambda: False)

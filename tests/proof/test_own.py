@@ -75,7 +75,7 @@ def test_a_class_goes_by_its_name(alone):
     [
         (3, TypeError, "kind: got 3, want a subclass of warpsample.distributions.Distribution"),
         (subclass("ggx"), ValueError, "kind: got MyGGX with name = 'ggx', the name of GGX, want another name"),
-        (subclass("my ggx"), ValueError, "kind: got MyGGX with name = 'my ggx', want letters"),
+        (subclass("my ggx"), ValueError, "kind: got MyGGX with name = 'my ggx', want a name of letters"),
         (subclass(density=None), TypeError, "kind: got MyGGX with density = None, want a string"),
         (subclass(measure="per turn"), ValueError, "kind: got MyGGX with measure = 'per turn', want one of per steradian, "),
         (subclass(maps=None), TypeError, "kind: got MyGGX with maps = None, want Maps"),

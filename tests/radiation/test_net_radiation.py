@@ -40,17 +40,21 @@ def test_surfaces_go_by_their_names():
     assert np.array_equal(frame["flux"], v.net_radiation(kelvin, 0.9).flux.ravel())
     assert list(v.net_radiation(300.0, 0.9).to_frame()) == ["names", "flux", "power", "leaving"]
     for wrong in ({"inner": 300.0}, {**kelvin, "roof": 300.0}):
-        with pytest.raises(ValueError, match=r"temperature: got a dictionary of \[.*\], want \['inner', 'outer'\]"):
+        with pytest.raises(
+            ValueError, match=r"temperature: got a dictionary with the names \[.*\], want all of \['inner', 'outer'\]"
+        ):
             v.net_radiation(wrong, 0.9)
-    with pytest.raises(ValueError, match=r"temperature: got rows of shapes \[\(2,\), \(3,\)\], want numbers, or \(k,\)"):
+    with pytest.raises(
+        ValueError, match=r"temperature: got arrays of different shapes, \(2,\), \(3,\), want one number for each"
+    ):
         v.net_radiation({"inner": [300.0] * 2, "outer": [300.0] * 3}, 0.9)
-    with pytest.raises(ValueError, match="emissivity: got a dictionary where surfaces have no names, want numbers"):
+    with pytest.raises(ValueError, match="emissivity: got a dictionary, but the surfaces have no names, want numbers"):
         replace(v, names=None).net_radiation(300.0, {"inner": 0.8, "outer": 0.4})
 
 
 def test_degrees_celsius_are_reported():
     v = factors([[0.0, 1.0], [1.0, 0.0]], [1.0, 1.0])
-    with pytest.warns(UserWarning, match="temperature: got at most 25 kelvin; where these are degrees Celsius, add 273.15"):
+    with pytest.warns(UserWarning, match="temperature: got at most 25 kelvin; if these are degrees Celsius, add 273.15"):
         v.net_radiation([20.0, 25.0], 0.9)
     v.net_radiation([0.0, 77.0], 0.9)
 
@@ -89,10 +93,10 @@ def test_equal_temperatures_exchange_nothing_and_each_hour_is_one_column():
 def test_arguments_without_sense_are_reported():
     v = factors([[0.0, 1.0], [1.0, 0.0]], [1.0, 1.0])
     for given, match in (
-        ({"temperature": [1.0]}, r"temperature: got shape \(1,\), want \(2,\) or \(2, k\)"),
+        ({"temperature": [1.0]}, r"temperature: got shape \(1,\), want \(2,\), a number for each surface, or \(2, k\)"),
         ({"temperature": -1.0}, "temperature: got -1.0, want finite numbers from 0"),
         ({"emissivity": 0.0}, "emissivity: got 0.0, want finite numbers above 0 to 1"),
-        ({"emissivity": [0.5] * 3}, r"emissivity: got shape \(3,\), want one number or \(2,\)"),
+        ({"emissivity": [0.5] * 3}, r"emissivity: got shape \(3,\), want one number, or \(2,\), a number"),
         ({"outside": [1.0, 2.0]}, r"outside: got shape \(2,\), want one number"),
     ):
         with pytest.raises(ValueError, match=match):

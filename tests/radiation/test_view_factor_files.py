@@ -117,7 +117,7 @@ def test_files_that_cannot_be_written_or_read(tmp_path):
     np.savez(tmp_path / "other.npz", data=np.ones(3))
     (tmp_path / "broken.npz").write_bytes(b"PK nothing")
     np.savez(tmp_path / "pickled.npz", data=np.array([{}], object))
-    for name, said in (("other", "has no"), ("broken", "cannot be read"), ("pickled", "cannot be read")):
+    for name, said in (("other", "it lacks"), ("broken", "cannot be read"), ("pickled", "cannot be read")):
         with pytest.raises(ValueError, match=said):
             ws.ViewFactors.load(tmp_path / f"{name}.npz")
     with pytest.raises(FileNotFoundError, match="missing"):

@@ -43,9 +43,7 @@ def test_a_pane_dims_what_arrives_and_swallows_the_rest():
     np.testing.assert_allclose(dim.standard_error[0, 1], 0.25 * clear.standard_error[0, 1], rtol=0.5)
     J = dim.radiosity([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
     np.testing.assert_allclose(J, [1.0, dim.matrix[1, 0], 0.0])
-    with pytest.raises(
-        ValueError, match="^mesh: got view factors of a mesh with a transmittance, whose panes would radiate"
-    ):
+    with pytest.raises(ValueError, match="^mesh: got view factors of a mesh with a transmittance, want opaque faces"):
         dim.net_radiation(300.0, 0.9)
 
 

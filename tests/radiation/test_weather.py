@@ -126,8 +126,8 @@ FLAWS = {
     "blank": (cell(4000, 15, ""), "diffuse horizontal radiation .* first nan in line 4000"),
     "infinite": (cell(4000, 15, "inf"), "diffuse horizontal radiation .* first inf in line 4000"),
     "words": (cell(4000, 15, "bright"), "could not convert string to float: 'bright'"),
-    "a year of words": (cell(4000, 0, "now"), "line 4000 is for the year 'now', want one from 1800 to 2199"),
-    "a year of two digits": (cell(4000, 0, "99"), "line 4000 is for the year '99', want one from 1800 to 2199"),
+    "a year of words": (cell(4000, 0, "now"), "line 4000 is for the year 'now', want a year from 1800 to 2199"),
+    "a year of two digits": (cell(4000, 0, "99"), "line 4000 is for the year '99', want a year from 1800 to 2199"),
 }
 
 
@@ -140,8 +140,8 @@ def test_a_flawed_file_is_a_sentence(tmp_path, flaw):
 
 
 PLACES = {
-    "latitude": ({"latitude": 91.0}, "line 1 has the latitude 91, want one from -90 to 90"),
-    "zone": ({"zone": 120.0}, "line 1 has the time zone 120, want one from -14 to 14"),
+    "latitude": ({"latitude": 91.0}, "line 1 has the latitude 91, want a number from -90 to 90"),
+    "zone": ({"zone": 120.0}, "line 1 has the time zone 120, want a number from -14 to 14"),
     "nan": ({"longitude": float("nan")}, "line 1 has the longitude nan"),
     "west": ({"longitude": -118.0, "zone": 8.0}, r"\d+% of the direct radiation is at night"),
     "words": ({"altitude": "high"}, "could not convert string to float: 'high'"),

@@ -315,7 +315,7 @@ def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
         (["--texture", 64, "--supersample", 0], "--supersample: got 0, want"),
         (["--texture", 64, "--gutter", "some"], "--gutter: got 'some', want 'all' or a whole number"),
         (["--texture", 64, "--strength", 2], "--strength: got 2.0, want a number from 0 to 1"),
-        (["--texture", 64, "--uv", "1"], "--uv: got 1, want a set of texture coordinates that all faces of 'brick' have"),
+        (["--texture", 64, "--uv", "1"], "--uv: got 1, want a set of texture coordinates for all faces of 'brick'"),
         (["--texture", "64x32", "--uv", "new"], "--texture: got 64x32 for new texture coordinates, want a square"),
         (
             ["--texture", 64, "--quantity", "mean-distance"],
@@ -349,8 +349,8 @@ def sparse(number):
         (lambda tree: tree["extensionsUsed"].append("KHR_meshopt_compression"), [], "it uses KHR_meshopt_compression"),
         (lambda tree: tree["materials"][0].update(occlusionTexture=3), [], r"materials\[0\].occlusionTexture: got 3, want"),
         (lambda tree: tree["materials"][1].update(alphaMode=3), [], r"materials\[1\].alphaMode: got 3, want a text"),
-        (sparse(0), [], "it has sparse data"),
-        (sparse(9), ["--uv", "new"], "it has sparse data"),
+        (sparse(0), [], "it has sparse accessors"),
+        (sparse(9), ["--uv", "new"], "it has sparse accessors"),
         (
             lambda tree: tree["meshes"][1]["primitives"][0].update(material=9),
             [],

@@ -60,7 +60,7 @@ def test_what_the_cage_does_not_reach_is_counted_and_filled(call, tmp_path, ball
     x, z = places(3.0)
     missed = int(np.count_nonzero(x**2 + z**2 > 3.0))  # no texel's centre is nearer than 0.01 to the circle
     assert (status, f"  {missed:,} points without a hit on the finer mesh within the cage, filled" in out) == (0, True)
-    assert "points without a number" not in out
+    assert "points without a value" not in out
     with np.load(tmp_path / "out.npz") as found:
         assert found["value"][..., 1].min() > 0.99
 

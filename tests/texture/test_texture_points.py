@@ -149,7 +149,7 @@ def test_a_texel_of_one_sample_has_the_error_of_its_point():
     image = t.image_error(errors, gutter=0)
     assert np.array_equal(image.ravel()[t.texel], errors.astype(np.float32))
     more = ws.texture_points(mesh, uv, 16, samples=4)
-    with pytest.raises(TypeError, match="errors: got .*, want the Estimate with its values: errors of 4 samples"):
+    with pytest.raises(TypeError, match="errors: got .*, want the whole Estimate, because errors of 4 samples"):
         more.image_error(np.ones(len(more)))
 
 

@@ -136,7 +136,7 @@ def measure_scene(scene: str, raster: Path | None, repeats: int) -> list[CellSky
 
 RECORD = Benchmark(
     name="city",
-    summary="Error and time of the visible sky in the cells of rasters: warpsample, RVT and xarray-spatial.",
+    summary="Measure error and time of the visible sky in the cells of rasters: warpsample, RVT and xarray-spatial.",
     measure=measure,
     parts={"rows": CellSky},
     views=[TableView("rows", "Visible sky", "tool", "bias rmse worst microseconds", split="scene cells")],

@@ -119,7 +119,7 @@ def _select_few_threads(rows: list[PlannedHours]) -> list[PlannedHours]:
 
 RECORD = Benchmark(
     name="cluster",
-    summary="Processes against threads over Dask, the cost of a chunk, and a plan for 10^9 points.",
+    summary="Compare processes with threads over Dask, measure the cost of a chunk, and plan a run of 10^9 points.",
     measure=measure,
     parts={"ways": WayTime, "overheads": Overhead, "hours": PlannedHours},
     views=[

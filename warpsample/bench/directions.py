@@ -152,7 +152,7 @@ _SAME = {"lines": "sequence workers", "across": "samples", "page_rows": _select_
 
 RECORD = Benchmark(
     name="directions",
-    summary="Directions per second of every map, sequence and count, beside NumPy's fill of the same array.",
+    summary="Measure directions per second of every sequence and count, beside NumPy's fill of the same array.",
     measure=measure,
     parts={"rows": DirectionSpeed},
     views=[

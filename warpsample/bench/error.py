@@ -120,7 +120,7 @@ def _measure_integrand(integrand: KnownIntegral, randomisations: int, largest: i
 
 RECORD = Benchmark(
     name="error",
-    summary="RMSE against run time of every sequence, on seven integrands of known mean, with 4 samples or more.",
+    summary="Measure the root mean square error against run time of every sequence, on seven integrands of known mean.",
     measure=measure,
     parts={"points": ErrorPoint, "times": TimeToTarget},
     views=[TableView("times", "µs of one estimate", "integrand", "time", across="sequence", split="rmse")],

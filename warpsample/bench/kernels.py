@@ -142,7 +142,7 @@ _OCCLUSION = f"Ambient occlusion with {RAYS} rays per point, one thread"
 
 RECORD = Benchmark(
     name="kernels",
-    summary="Cost of a user-defined integrand and a user-defined kernel with rays, beside the built-in calls.",
+    summary="Measure the cost of a user-defined integrand and a user-defined kernel, beside the built-in calls.",
     measure=measure,
     parts={"rows": WayCost},
     views=[

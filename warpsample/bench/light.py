@@ -131,7 +131,7 @@ _CELLS = "took rmse rate times_ours apart"
 
 RECORD = Benchmark(
     name="light",
-    summary="Light reflected or transmitted by faces: warpsample, Mitsuba and Radiance's rtrace.",
+    summary="Compare light reflected or transmitted by faces: warpsample, Mitsuba and Radiance's rtrace.",
     measure=measure,
     parts={"rows": LightTime},
     views=[TableView("rows", "Irradiance of a city", "tool", _CELLS, split="task faces points")],

@@ -105,7 +105,7 @@ _CELLS = "library threads million_per_second ours worst_deviation"
 
 RECORD = Benchmark(
     name="peers",
-    summary="Directions of the cosine lobe by warpsample, NumPy, Warp's built-ins and Mitsuba.",
+    summary="Compare directions of the cosine lobe by warpsample, NumPy, Warp's built-ins and Mitsuba.",
     measure=measure,
     parts={"rows": PeerSpeed},
     views=[TableView("rows", "Directions of the cosine lobe, 64 at each normal", "tool", _CELLS)],

@@ -255,7 +255,7 @@ _BY_SCENE = {"lines": "tool", "split": "scene workers", "page_rows": select_all_
 
 RECORD = Benchmark(
     name="radiation",
-    summary="Sky matrices and sun positions by warpsample, Radiance's rcontrib and Mitsuba; a year's irradiation.",
+    summary="Compare sky matrices and sun positions by warpsample, Radiance's rcontrib and Mitsuba.",
     measure=measure,
     parts={"sky": SkyTime, "sun": SunTime, "year": YearTime},
     views=[

@@ -164,7 +164,7 @@ _CELLS = [
 
 RECORD = Benchmark(
     name="rays",
-    summary="Rays per second and build times of warpsample, wp.Mesh, Embree and Open3D on five meshes.",
+    summary="Compare rays per second and build times of warpsample, wp.Mesh, Embree and Open3D on five meshes.",
     measure=measure,
     parts={"rows": RaySpeed, "builds": BuildTime, "missing": MissingTool},
     views=[

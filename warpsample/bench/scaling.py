@@ -100,7 +100,7 @@ def _select_for_page(rows: list[ScaledCost]) -> list[ScaledCost]:
 
 RECORD = Benchmark(
     name="scaling",
-    summary="Cost per direction and peak memory against points, samples and workers.",
+    summary="Measure the cost per direction and the peak memory against points, samples and threads.",
     measure=measure,
     parts={"rows": ScaledCost},
     views=[

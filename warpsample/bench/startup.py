@@ -87,7 +87,7 @@ def _run(script: str, folder: str) -> list[float]:
 
 RECORD = Benchmark(
     name="startup",
-    summary="Seconds until a new process has its first results, with a cold and a warm kernel cache.",
+    summary="Measure the seconds until a new process has its first results, with compiled kernels and without.",
     measure=measure,
     parts={"waits": Wait},
     views=[TableView("waits", "Seconds of each step in a new process", "step", "took", across="cache")],

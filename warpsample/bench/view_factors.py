@@ -181,7 +181,7 @@ _CELLS = "rays took traces rmse times_ours due peak_megabytes"
 
 RECORD = Benchmark(
     name="view-factors",
-    summary="All view factors of a mesh by warpsample, pyViewFactor, and NumPy with embreex, beside tracing alone.",
+    summary="Compare the view factors of a mesh by warpsample, pyViewFactor, and NumPy with embreex.",
     measure=measure,
     parts={"rows": FactorTime},
     views=[

@@ -169,7 +169,7 @@ _SPLIT = "scene target points"
 
 RECORD = Benchmark(
     name="visibility",
-    summary="Time of ambient occlusion to an RMSE: warpsample with and without skipping, Mitsuba and embreex.",
+    summary="Compare the time of ambient occlusion at equal error: warpsample, Mitsuba and embreex.",
     measure=measure,
     parts={"rows": TimeToError, "many": Many},
     views=[

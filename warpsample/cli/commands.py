@@ -23,6 +23,7 @@ from warpsample.cli.terminal import (
 )
 from warpsample.cli.verify import verify_command
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.points.arrays import read_array
 from warpsample.texture.occlusion_picture import read_occlusion
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
@@ -32,6 +33,9 @@ _SPATIAL = (name for name in distributions.names() if distributions.get(name).wi
 DISTRIBUTION_HELP = (
     f"Distribution of the directions, with or without parameters, such as 'beckmann(alpha=0.1)': {', '.join(_SPATIAL)}."
 )
+AT_HELP = "'ggx(alpha=@roughness)' takes the parameter of each point from this array."
+ARRAYS_HELP = "File with the arrays that --distribution names: .ply, .vtp or .npz, with one row for each"
+ARRAYS_DEFAULT = "Values at vertices are interpolated to the points. Default: the mesh file."
 
 
 def _print_version(is_requested: bool) -> None:
@@ -84,18 +88,12 @@ def directions_command(
     samples: Annotated[int, typer.Option(help="Number of directions per point.")] = 64,
     distribution: Annotated[
         str,
-        typer.Option(
-            help=f"{DISTRIBUTION_HELP} 'ggx(alpha=@roughness)' takes a parameter of each point from the array of that name."
-        ),
+        typer.Option(help=f"{DISTRIBUTION_HELP} {AT_HELP}"),
     ] = "cosine_hemisphere",
-    arrays: Annotated[
-        Path | None,
-        option(
-            "File with the arrays that --distribution names: .ply, .vtp or .npz, with one row for each vertex, face or"
-            " point. Numbers of vertices are interpolated. Default: the mesh file."
-        ),
-    ] = None,
-    sequence: Annotated[str, typer.Option(help=f"Sampling sequence: {', '.join(sequences.names())}.")] = "sobol",
+    arrays: Annotated[Path | None, option(f"{ARRAYS_HELP} vertex, face or point. {ARRAYS_DEFAULT}")] = None,
+    sequence: Annotated[
+        str, typer.Option(help=f"Sequence of random or evenly spread sample points: {', '.join(sequences.names())}.")
+    ] = "sobol",
     seed: Annotated[int, typer.Option(help="Seed of the random points and directions.")] = 0,
     workers: Workers = None,
 ) -> None:
@@ -126,7 +124,13 @@ def view(
         ),
     ] = None,
     samples: Annotated[int, typer.Option(help="Number of directions per point.", min=1)] = 1024,
-    distribution: Annotated[str | None, option(f"{DISTRIBUTION_HELP} Default: offset_sphere(rho=1.0).")] = None,
+    distribution: Annotated[
+        str | None,
+        option(
+            f"{DISTRIBUTION_HELP} {AT_HELP} Default: offset_sphere(rho=1.0). The camera is the viewer of lobes that"
+            " depend on a view, unless the view is given."
+        ),
+    ] = None,
     density: Annotated[
         str | None,
         option(
@@ -134,7 +138,10 @@ def view(
             " offset_ball, the distribution itself for others."
         ),
     ] = None,
-    sequence: Annotated[str, typer.Option(help=f"Sampling sequence: {', '.join(sequences.names())}.")] = "independent",
+    arrays: Annotated[Path | None, option(f"{ARRAYS_HELP} vertex or face. {ARRAYS_DEFAULT}")] = None,
+    sequence: Annotated[
+        str, typer.Option(help=f"Sequence of random or evenly spread sample points: {', '.join(sequences.names())}.")
+    ] = "independent",
     seed: Annotated[int, typer.Option(help="Seed of the random points and directions.")] = 0,
     up: Annotated[Literal["x", "y", "z"], typer.Option(help="Axis of the mesh that points up in the picture.")] = "y",
     screenshot: Annotated[
@@ -144,8 +151,8 @@ def view(
 ) -> None:
     """Show clouds of directions at points of a mesh, and compare the directions with a density.
 
-    The window starts with points on a sphere plus the normal, normalised, compared with the cosine lobe. They agree for a
-    sphere of radius rho = 1; turn rho away from 1, and the charts report that they do not agree.
+    The window starts with directions normalize(n + rho s), for the normal n and random points s of the unit sphere, and
+    compares them with the cosine lobe. They agree for rho = 1. Change rho, and the charts report that they do not agree.
 
     For a .glb or .gltf with baked occlusion the window shows the occlusion instead, unless --points, --distribution or
     --density is given.
@@ -157,11 +164,13 @@ def view(
 
     rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh, *list_linked_files(mesh))
     chosen = any(each is not None for each in (points, distribution, density))
-    choice = start.choice(distribution, density, sequence, samples, seed)
+    path = mesh or start.bunny()
+    choice = start.choice(
+        distribution, density, sequence, samples, seed, arrays=lambda name: read_array(arrays or path, name, "--arrays")
+    )
     rendering.check_size(size, start.LEAST_SIZE)
     with working("testing whether pictures can be drawn on this machine"):
         rendering.check_rendering()
-    path = mesh or start.bunny()
     with working(f"reading {path}"):
         surface, occlusion = load_mesh(path), read_occlusion(path)
     if occlusion is not None and not chosen:

@@ -14,7 +14,11 @@ def view_factors_command(
     *,
     count: Annotated[int, typer.Option(help="Number of rays per face.")] = 4096,
     groups: Annotated[
-        Path | None, option("Text or .npy file with the surface number of each face; or part, for the named parts.")
+        Path | None,
+        option(
+            "Text or .npy file with the surface number of each face, or part for the named parts. Default: each face "
+            "is a surface."
+        ),
     ] = None,
     reciprocal: Annotated[
         bool,
@@ -24,7 +28,7 @@ def view_factors_command(
     ] = False,
     up: Annotated[
         tuple[float, float, float] | None,
-        option("Direction of the zenith, such as 0 0 1; splits the outside into sky and ground."),
+        option("Direction of the zenith, such as 0 0 1. It divides the outside into sky and ground. Default: no division."),
     ] = None,
     seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
     workers: Workers = None,
@@ -41,7 +45,7 @@ def shading_command(
     mesh: MeshFile,
     groups: Annotated[
         Path,
-        typer.Argument(help="Text file; line N is the EnergyPlus surface name of triangle N.", show_default=False),
+        typer.Argument(help="Text file with one line per triangle: the name of its EnergyPlus surface.", show_default=False),
     ],
     output: Annotated[Path, output_file(".csv")],
     *,

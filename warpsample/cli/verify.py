@@ -24,19 +24,23 @@ def verify_command(
         Path | None, option("Python file that registers user-defined distributions, such as my_lobe.py.")
     ] = None,
     thorough: Annotated[
-        bool, typer.Option("--thorough", help="Test all 2^24 random numbers instead of every fourth.")
+        bool,
+        typer.Option(
+            "--thorough",
+            help="Test all 2^24 values of each random number instead of every fourth value. Takes three times as long.",
+        ),
     ] = False,
     power: Annotated[
-        bool, typer.Option("--power", help="Test the tests instead: do they find planted defects (deliberate errors)?")
+        bool, typer.Option("--power", help="Test the tests instead: check that they reject each deliberately wrong sampler.")
     ] = False,
     plant: Annotated[
-        str | None, option("Also test a sampler with this planted defect (deliberate error); --power lists the names.")
+        str | None, option("Also test this deliberately wrong sampler, such as 'ball for sphere'. --power lists the names.")
     ] = None,
     markdown: Annotated[
-        bool, typer.Option("--markdown", help="Print the results as the Markdown table in the README.")
+        bool, typer.Option("--markdown", help="Print the results as the Markdown table of the distributions.")
     ] = False,
 ) -> None:
-    """Test every sampler against its density and other laws, and print tables and advice. Exit status 1 if a test fails.
+    """Test every sampler against its density and a second implementation, and print tables. Exit status 1 if a test fails.
 
     Ctrl-C prints the tables of the tests completed by then.
     """

@@ -104,5 +104,5 @@ def _connect(client: Any, address: str) -> Any:
     except (OSError, ValueError, TypeError) as error:
         reason = str(error).splitlines()[0]
         raise ConnectionError(
-            f"cluster: got {address!r}, where no scheduler answers, want that of a running one: {reason}"
+            f"cluster: got {address!r}, where no scheduler answers, want the address of a running Dask scheduler: {reason}"
         ) from None

@@ -46,7 +46,10 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
         raise ValueError(f"--output: got {output.name!r} for points, want .vtp, .npz or .csv")
     shape = load_mesh(mesh)
     if digest_of(shape.vertices, shape.faces) != about.get(SHAPE, about["mesh"]):
-        raise ValueError(f"mesh: got {str(mesh)!r}, which is not the mesh of {str(store)!r}")
+        raise ValueError(
+            f"mesh: got {str(mesh)!r}, which is not the mesh of {str(store)!r}; pass the mesh file from which the store "
+            "was computed"
+        )
     if output.suffix == ".glb":
         check_glb(run, shape)
     arrays = _read_arrays(store, _list_arrays(store, quantity))

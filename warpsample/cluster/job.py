@@ -88,7 +88,7 @@ class Job:
         if self.count > MOST_CHUNKS:
             raise ValueError(
                 f"chunk: got {self.chunk:,} of {self.total:,} points, which makes {self.count:,} chunks, want at least "
-                f"{-(-self.total // MOST_CHUNKS):,}: at most {MOST_CHUNKS:,} chunks"
+                f"{-(-self.total // MOST_CHUNKS):,} points per chunk, for at most {MOST_CHUNKS:,} chunks"
             )
 
     @property
@@ -118,7 +118,7 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
     for unwanted in _OF_THE_CLIENT:
         if not isinstance(value := taken.pop(unwanted, None), bool | None) or value:
             raise ValueError(
-                f"{unwanted}: got a value for a call over Dask, want none: Dask allocates arrays and shows bars"
+                f"{unwanted}: got a value for a call over Dask, want none; Dask allocates the arrays and shows the progress"
             )
     shared = _pop_large_arguments(taken, on)
     at, seed = _AT.get(name, "points"), check_seed(taken.get("seed", 0))

@@ -68,7 +68,7 @@ def _raise_closed() -> None:
         RuntimeError: always.
     """
     raise RuntimeError(
-        "this dataset's mesh was sent to a Dask Client that is closed: make the dataset again, with the Client that "
+        "this dataset's mesh was sent to a Dask Client that is closed; make the dataset again with the Client that "
         "computes it, or without a Client"
     )
 

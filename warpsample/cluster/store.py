@@ -46,7 +46,7 @@ def check_store(path: Any, argument: str) -> Path:
         if found.is_symlink():
             raise ValueError(f"{argument}: got {str(path)!r}, which is a link to itself")
         if found.exists() and not (found / "zarr.json").is_file():
-            raise ValueError(f"{argument}: got {str(path)!r}, which exists and is not a Zarr store, want a new name")
+            raise ValueError(f"{argument}: got {str(path)!r}, which exists and is not a Zarr store, want another name")
         if not found.parent.is_dir():
             raise ValueError(f"{argument}: got {str(path)!r}, whose folder does not exist")
     except OSError as error:
@@ -117,13 +117,19 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
         old, new = kept.get(name), json.loads(json.dumps(about.get(name)))
         if old != new and name == STREAMS_OF:
             raise ValueError(
-                f"{argument}: got {str(path)!r} of version {old} of the random streams, want version {new}, whose "
-                "seeds give other numbers: compute it again under a new name"
+                f"{argument}: got {str(path)!r} with random numbers of version {old}, want version {new}, which gives "
+                "other numbers; compute the store again under a new name"
             )
         if old != new and isinstance(old, dict) and isinstance(new, dict):
-            raise ValueError(f"{argument}: got {str(path)!r} of another run; {difference(name, old, new)}")
+            raise ValueError(
+                f"{argument}: got {str(path)!r} of another run; {difference(name, old, new)}; repeat the arguments of "
+                "that run, or use a new name"
+            )
         if old != new:
-            raise ValueError(f"{argument}: got {str(path)!r} of {name} {quote(old)}, want one of {name} {quote(new)}")
+            raise ValueError(
+                f"{argument}: got {str(path)!r} of {name} {quote(old)}, want a store of {name} {quote(new)}; repeat the "
+                "arguments of that run, or use a new name"
+            )
 
 
 def make_store(path: Path, metadata: Callable[[], dict[str, bytes]]) -> None:

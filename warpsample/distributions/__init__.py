@@ -208,9 +208,10 @@ def _parse_value(node: ast.expr, arrays: Arrays | None) -> Any:
     if isinstance(node, ast.Call):
         return as_distribution(ast.unparse(node), arrays)
     try:
-        return _find_array(ast.literal_eval(node), arrays)
+        value = ast.literal_eval(node)
     except ValueError:
         raise TypeError("parameters must be plain numbers, strings or tuples") from None
+    return _find_array(value, arrays)  # whose errors name the array
 
 
 def _find_array(value: Any, arrays: Arrays | None) -> Any:

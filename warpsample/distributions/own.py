@@ -50,7 +50,7 @@ def check_kind(kind: Any) -> type[Distribution]:
         if not isinstance(getattr(kind, name, None), str):
             raise TypeError(f"kind: got {title} with {name} = {quote(getattr(kind, name, None))}, want a string")
     if not kind.name.isidentifier():
-        raise ValueError(f"kind: got {title} with name = {kind.name!r}, want letters, digits and underscores")
+        raise ValueError(f"kind: got {title} with name = {kind.name!r}, want a name of letters, digits and underscores")
     if kind.measure not in _MEASURES:
         raise ValueError(f"kind: got {title} with measure = {kind.measure!r}, want one of {', '.join(_MEASURES)}")
     _check_maps(kind)

@@ -123,7 +123,7 @@ def read_parameter(kind: Any, i: int) -> wp.Function:
 
         @wp.func
         def read(p: Parameters):
-            """Return an address, see `split_address`."""
+            """Return the parameter, a memory address, from three numbers; see `split_address`."""
             high = (wp.uint64(number_at(p, i + 2)) << _SHIFT) | wp.uint64(number_at(p, i + 1))
             return (high << _SHIFT) | wp.uint64(number_at(p, i))
 

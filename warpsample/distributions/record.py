@@ -79,8 +79,8 @@ class Distribution(Parameterised):
     variates: ClassVar[int] = 2
     symmetric: ClassVar[bool] = True
     stretch: ClassVar[tuple[tuple[float, ...], ...] | None] = None
-    jumps: ClassVar[tuple[float, ...]] = ()
     mirror: ClassVar[tuple[float, ...] | None] = None
+    jumps: ClassVar[tuple[float, ...]] = ()
     polar: ClassVar[bool] = True
     in_world: ClassVar[bool] = False
     source: ClassVar[str]
@@ -134,7 +134,9 @@ class Distribution(Parameterised):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """Return the cumulative distribution function at float64 angles that are already clipped to the valid range."""
-        raise NotImplementedError(f"{self!r}: there is no cdf of the angle, as the density depends on the azimuth, too")
+        raise NotImplementedError(
+            f"{self!r}: this distribution has no cdf of the angle, because its density also depends on the azimuth"
+        )
 
     def seam(self, u: np.ndarray) -> np.ndarray:
         """Return a mask of unit-square points that `invert` cannot recover precisely, by default those mapped to the pole.
@@ -211,7 +213,8 @@ class Distribution(Parameterised):
         """
         if self.maps.invert is None:
             raise NotImplementedError(
-                f"{self!r}: there is no inverse, as sample maps several u to one w, or Maps has no invert"
+                f"{self!r}: this distribution has no inverse, because several points u map to one direction, or because "
+                "Maps has no invert"
             )
         return self._apply(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 

@@ -93,7 +93,7 @@ class UniformCone(Distribution):
     def _set_rows(self) -> None:
         """Check the attribute that is an array with a row per point, and compute the other attribute from it."""
         if self.cos_angle is not None and self.one_minus_cos is not None:
-            raise TypeError("cos_angle: got it together with one_minus_cos, want only one of the two")
+            raise TypeError("cos_angle: got both cos_angle and one_minus_cos, want only one of the two")
         name = "cos_angle" if self.one_minus_cos is None else "one_minus_cos"
         rows = as_rows(getattr(self, name), name, 0)
         if rows is None:

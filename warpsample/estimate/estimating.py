@@ -31,7 +31,8 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
         main = runner.result(options.seed, count)
         if count == plan.count and error_of(main, has_value(main.status)) > _MISSED * plan.tolerance:
             warnings.warn(
-                f"tolerance: got {plan.tolerance:g}, which {count:,} rays of each point do not reach, the most by count",
+                f"tolerance: got {plan.tolerance:g}, which is not reached with {count:,} rays per point; "
+                "allow more rays with a larger count (--samples)",
                 stacklevel=4,
             )
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays

@@ -131,11 +131,14 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand", d
             got, wants = "None" if data is None else _name(struct), _name(given[2])
             if got == wants:
                 wants = f"the {wants} that {argument} takes; define the struct, the function and the data again"
-                raise TypeError(f"data: got a {got} of another definition, want {wants}")
+                raise TypeError(f"data: got a struct {got} of another definition, want {wants}")
             raise TypeError(f"data: got {got}, want {wants}, which {argument} takes")
-        raise TypeError(f"{argument}: got a function of ({shown}), want {WANTED}; here of ({most})")
+        raise TypeError(f"{argument}: got a function of ({shown}), want {WANTED}; here ({most})")
     if data is not None and len(given) < len(known):
-        raise TypeError(f"data: got {_name(struct)} for a function that takes none, want a function that does, or None")
+        raise TypeError(
+            f"data: got {_name(struct)} for a function that takes none, want a function with a third argument for the "
+            "data, or None"
+        )
     if data is not None:
         _check_arrays_are_set(data, names_in(function))
     colour = _returns_colour(function, argument)
@@ -168,7 +171,9 @@ def _check_arrays_are_set(data: Any, names: set[str]) -> None:
     """Raise ValueError if an array field in `names` is not set: a kernel would read from address 0."""
     for name, array in _arrays_in(data):
         if array is None and name.rpartition(".")[2] in names:
-            raise ValueError(f"data: got {_name(data._cls)} whose array {name} is not set, want one, or one of no elements")
+            raise ValueError(
+                f"data: got {_name(data._cls)} whose array {name} is not set, want an array, which may be empty"
+            )
 
 
 def _arrays_in(data: Any, within: str = "") -> Iterator[tuple[str, Any]]:
@@ -203,11 +208,11 @@ def _returns_colour(function: wp.Function, argument: str) -> bool:
             kind = type(function(wp.vec3(0.0, 0.0, 1.0)))
         except Exception as error:  # any error of the user's code; and parts of Warp, as wp.where, work in kernels alone
             raise TypeError(
-                f"{argument}: got a function that does not say what it returns and cannot be called with a direction "
+                f"{argument}: got a function without a return type that cannot be called with a direction "
                 f"({error}), want {WANTED}"
             ) from error
     if kind not in (wp.vec3, *NUMBERS):
-        raise TypeError(f"{argument}: got a function that gives {_name(kind)}, want {WANTED}")
+        raise TypeError(f"{argument}: got a function that returns {_name(kind)}, want {WANTED}")
     return kind is wp.vec3
 
 

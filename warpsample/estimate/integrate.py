@@ -85,7 +85,7 @@ def integrate(
     plan = plan_of(at, count, distribution=distribution, tangents=True, **options)
     summed = RaySum(integrand_of(integrand, data, device=plan.options.memory.device), reach=reach_of(max_distance))
     if mesh is None and max_distance is not None:
-        raise ValueError(f"max_distance: got {quote(max_distance)} without a mesh, want it with one")
+        raise ValueError(f"max_distance: got {quote(max_distance)} without a mesh, want a mesh, too, or no max_distance")
     first = _first_of(plan)
     with naming_function("integrand"):
         found = estimate(first, summed)
@@ -98,7 +98,7 @@ def _without_mesh(points: Any) -> PlacedPoints:
     if not isinstance(points, SurfacePoints):
         given = Triples.of(points, "points", "(P, 3)")
         if len(given.shape) != 1:
-            raise ValueError(f"points: got shape {(*given.shape, 3)}, want (P, 3)")
+            raise ValueError(f"points: got shape {(*given.shape, 3)}, want (P, 3), one row for each of P points")
         normals = as_directions(given.owner)
         points = SurfacePoints(np.zeros(normals.shape, np.float32), normals)
     return PlacedPoints(points, None)

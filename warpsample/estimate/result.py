@@ -150,7 +150,9 @@ class PointResult(Summary):
             made, sizes = mesh.to_polydata(), {"vertices": len(mesh.vertices), "faces": len(mesh.faces)}
         fit = [name for name, size in sizes.items() if size == len(self.status) and at in (None, name)]
         if len(fit) != 1:
-            raise ValueError(f"on: got {sizes} for {len(self.status)} numbers, want as many of one kind; at={at!r}")
+            shown = " and ".join(f"{size:,} {name}" for name, size in sizes.items())
+            wants = "at= to choose one of the two" if fit else f"the same number of {at or ' or '.join(sizes)}"
+            raise ValueError(f"on: got {shown} for {len(self.status)} values, want {wants}")
         data = made.cell_data if fit == ["faces"] else made.point_data
         for name, array in self._arrays().items():
             data[name] = array
@@ -181,7 +183,7 @@ class PointResult(Summary):
         if not isinstance(points, SurfacePoints):
             raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
         if len(points) != len(self.status):
-            raise ValueError(f"points: got {len(points)}, want the {len(self.status)} of the numbers")
+            raise ValueError(f"points: got {len(points)} points, want the {len(self.status)} points of this result")
         try:
             from xarray import Dataset
         except ModuleNotFoundError:

@@ -80,7 +80,10 @@ def ambient_occlusion(
     if falloff is not None:
         falloff = check_number(falloff, "falloff", 0.0, 1000.0)
         if not 0.0 < reach < inf:
-            raise ValueError(f"max_distance: got {max_distance}, want a finite one above 0, to which falloff is relative")
+            raise ValueError(
+                f"max_distance: got {max_distance}, want a finite distance above 0, because falloff is relative to "
+                "max_distance"
+            )
     return estimate(plan, RaySum(OPEN, reach=reach, falloff=falloff, result=Share))
 
 

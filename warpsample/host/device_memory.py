@@ -35,7 +35,8 @@ def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array
     except RuntimeError as error:
         size = prod(shape) * wp.types.type_size_in_bytes(dtype)
         raise MemoryError(
-            f"arrays of the call need {size:,} bytes more than {device} has free; free some of it first"
+            f"arrays of the call need {size:,} bytes more than {device} has free; free memory there, or compute fewer "
+            "points at once"
         ) from error
 
 
@@ -68,7 +69,7 @@ class Memory:
         default = given.device if of_warp else cpu()
         target = check_device(device, default)
         if of_warp and target != default:
-            raise ValueError(f"device: got {target}, want {default}, where the {argument} are")
+            raise ValueError(f"device: got {target}, want {default}, the device of the {argument}")
         return cls(target, of_warp or at_home(target))
 
     def fits(self, size: int) -> bool:

@@ -159,7 +159,7 @@ def read_arrays(path: Path) -> dict[str, np.ndarray]:
         ValueError, BadZipFile: the file is damaged, or too short for the arrays that its headers declare.
     """
     if not zipfile.is_zipfile(path):
-        raise ValueError("it is no .npz")
+        raise ValueError("it is not an .npz file")
     most, arrays = _DEFLATED * path.stat().st_size, {}
     with zipfile.ZipFile(path) as archive:
         for name in archive.namelist():

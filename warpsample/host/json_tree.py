@@ -104,7 +104,7 @@ def parsed(content: bytes) -> Part:
     except RecursionError:
         raise ValueError("its JSON is nested too deeply") from None
     except UnicodeDecodeError:
-        raise ValueError("its JSON is no UTF-8") from None
+        raise ValueError("its JSON is not encoded in UTF-8") from None
     if not isinstance(found, dict):
         raise ValueError(f"its JSON is {quote(found)}, want an object")
     return Part(found)
@@ -133,7 +133,7 @@ def _object(members: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _refuse_constant(name: str) -> float:
-    raise ValueError(f"its JSON has the number {name}, want finite ones")
+    raise ValueError(f"its JSON has the number {name}, want finite numbers")
 
 
 def _of_kind(value: Any, path: str, kind: type, wants: str) -> Any:

@@ -57,7 +57,8 @@ def _from_cuda(value: Any, argument: str) -> Any:
     except Exception as error:  # of the value's own code, or of Warp
         known = ", ".join(map(str, wp.get_devices()))
         raise TypeError(
-            f"{argument}: got {describe_type(value)} on a CUDA device, which Warp makes no array of ({_reason(error)}), "
+            f"{argument}: got {describe_type(value)} on a CUDA device, which Warp cannot convert to an array "
+            f"({_reason(error)}), "
             f"want an array without gradients on one of {known}"
         ) from error
 
@@ -92,7 +93,7 @@ def as_array(value: Any, argument: str, wants: str = "an array") -> Any:
 def _to_array(value: Any, argument: str, wants: str) -> Any:
     """Convert a value as `as_array` does, if it is no array of NumPy or Warp."""
     if _has_mask(value):
-        raise TypeError(f"{argument}: got a masked array, want {wants} without a mask, as numpy.ma.filled gives")
+        raise TypeError(f"{argument}: got a masked array, want {wants} without a mask; numpy.ma.filled removes the mask")
     value = from_cuda(value, argument)
     if isinstance(value, wp.array):
         return value
@@ -102,7 +103,7 @@ def _to_array(value: Any, argument: str, wants: str) -> Any:
         return np.from_dlpack(value) if only_dlpack else np.asarray(value)
     except Exception as error:  # of the value's own code
         raise TypeError(
-            f"{argument}: got {quote(value)}, which NumPy makes no array of ({_reason(error)}), want {wants}"
+            f"{argument}: got {quote(value)}, which NumPy cannot convert to an array ({_reason(error)}), want {wants}"
         ) from error
 
 

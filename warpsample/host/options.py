@@ -98,7 +98,10 @@ def with_options(keywords: type, defaults: Mapping[str, Any] = DEFAULTS) -> Call
         def call(*arguments: Any, **options: Any) -> Any:
             for name in options:
                 if name not in signature.parameters:
-                    raise TypeError(f"{name}: got it for {function.__name__}, want one of {', '.join(signature.parameters)}")
+                    raise TypeError(
+                        f"{name}: got an argument that {function.__name__} does not take, want one of "
+                        f"{', '.join(signature.parameters)}"
+                    )
             return function(*arguments, **options)
 
         call.__signature__ = signature  # type: ignore[attr-defined]

@@ -77,7 +77,7 @@ def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:
     if not (_SHORTEST <= width <= _LONGEST and start[:2] == b"\2\2" and start[2] < 128):
         return _plain_line(data[at : at + 4 * width], width), at + 4 * width
     if start[2:] != width.to_bytes(2, "big"):
-        raise ValueError(f"a line has {int.from_bytes(start[2:], 'big'):,} pixels, not {width:,}")
+        raise ValueError(f"a line has {int.from_bytes(start[2:], 'big'):,} pixels instead of {width:,}")
     planes, at = bytearray(), at + 4
     for channel in range(1, 5):
         while len(planes) < channel * width and at < len(data):
@@ -96,5 +96,5 @@ def _plain_line(data: bytes, width: int) -> np.ndarray:
         raise ValueError("it ends within a line")
     line = np.frombuffer(data, np.uint8).reshape(width, 4)
     if (line[:, :3] == 1).all(axis=1).any():
-        raise ValueError("its runs are of the old kind, pixel by pixel")
+        raise ValueError("it uses the old run-length encoding, want the new one, line by line")
     return line

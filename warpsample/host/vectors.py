@@ -97,7 +97,7 @@ def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
         )
     if not array.is_contiguous:
         raise ValueError(
-            f"{argument}: got a wp.array that is not contiguous, want a contiguous one (see wp.array.contiguous)"
+            f"{argument}: got a wp.array that is not contiguous, want a contiguous array; wp.array.contiguous() makes one"
         )
     return Vectors(array, array.shape if of_vectors else array.shape[:-1], width, array.device)
 
@@ -132,7 +132,9 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
     if isinstance(out, wp.array) and isinstance(like.owner, wp.array):
         vectors = _warp_vectors(out, 3, "out")
         if vectors.device != like.device:
-            raise ValueError(f"out: got an array on {vectors.device}, want one on {like.device}, where the normals are")
+            raise ValueError(
+                f"out: got an array on {vectors.device}, want an array on {like.device}, the device of the normals"
+            )
     elif isinstance(out, np.ndarray) and isinstance(like.owner, np.ndarray):
         as_ndarray(out, "out", want)
         if out.dtype != _FLOATS[0]:
@@ -142,10 +144,10 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
             raise ValueError(f"out: got an array that is {flaw}, want {want}")
         vectors = Vectors(out, out.shape[:-1], out.shape[-1] if out.ndim else 0, like.device)
     else:
-        raise TypeError(f"out: got {describe_type(out)}, want {describe_type(like.owner)}, as the normals are")
+        raise TypeError(f"out: got {describe_type(out)}, want {describe_type(like.owner)}, the type of the normals")
     if (*vectors.shape, vectors.width) != (*shape, 3):
         raise ValueError(f"out: got shape {(*vectors.shape, vectors.width)}, want {want}")
     first, other = vectors.address, like.address
     if first < other + 12 * like.count and other < first + 12 * prod(shape):
-        raise ValueError("out: got an array that overlaps the normals, want one with other memory")
+        raise ValueError("out: got an array that overlaps the normals, want an array with memory of its own")
     return vectors

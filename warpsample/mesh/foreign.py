@@ -55,7 +55,7 @@ def _scene(parts: Iterator[Placed], value: Any, argument: str) -> Named:
     """Join all parts of a scene into one mesh; raise a ValueError if no part has a face."""
     held = [part for part in parts if len(part[1])]
     if not held:
-        raise ValueError(f"{argument}: got {describe_type(value)} without a face: {quote(value)}, want one with surfaces")
+        raise ValueError(f"{argument}: got {describe_type(value)} without a face: {quote(value)}, want a mesh with faces")
     return joined_parts(held)
 
 

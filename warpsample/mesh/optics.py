@@ -20,7 +20,7 @@ def check_share(value: Any, argument: str, faces: int) -> np.ndarray | None:
     """
     if value is None:
         return None
-    wants = f"a number from 0 to 1, or ({faces},) of them, one for each face"
+    wants = f"a number from 0 to 1, or ({faces},) numbers, one for each face"
     share = as_real(value, argument, wants)
     if share.shape not in ((), (faces,)):
         raise ValueError(f"{argument}: got shape {share.shape}, want {wants}")

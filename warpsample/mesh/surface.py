@@ -64,7 +64,7 @@ class SurfacePoints(Summary):
         """Check the types and shapes of the arrays, and set missing faces to -1."""
         position, normal = as_real(self.position, "position"), as_real(self.normal, "normal")
         if position.ndim != 2 or position.shape[1] != 3:
-            raise ValueError(f"position: got shape {position.shape}, want (P, 3)")
+            raise ValueError(f"position: got shape {position.shape}, want (P, 3), one row for each of P points")
         points = len(position)
         face = np.full(points, -1, np.int32) if self.face is None else _check_face(self.face)
         barycentric = None if self.barycentric is None else as_real(self.barycentric, "barycentric")
@@ -76,7 +76,7 @@ class SurfacePoints(Summary):
         shapes = {"normal": (points, 3), "barycentric": (points, 3)} | dict.fromkeys(("face", "id", "raised"), (points,))
         for name, array in arrays.items():
             if array is not None and array.shape != shapes.get(name, array.shape):
-                raise ValueError(f"{name}: got shape {array.shape}, want {shapes[name]}, a row for each position")
+                raise ValueError(f"{name}: got shape {array.shape}, want {shapes[name]}, one row for each position")
             object.__setattr__(self, name, array)
 
     def __len__(self) -> int:
@@ -274,7 +274,7 @@ def _check_rows(value: Any, points: int) -> np.ndarray:
     if rows.ndim != 1 or (rows.dtype == bool and len(rows) != points):
         raise ValueError(f"rows: got shape {rows.shape}, want (N,) whole numbers, or ({points},) bool")
     if rows.dtype != bool and rows.size and not (rows.min() >= 0 and rows.max() < points):
-        raise ValueError(f"rows: got numbers from {rows.min()} to {rows.max()}, want those of {points} points, from 0 on")
+        raise ValueError(f"rows: got numbers from {rows.min()} to {rows.max()}, want row numbers from 0 to {points - 1}")
     return rows
 
 
@@ -282,11 +282,11 @@ def _check_id(value: Any) -> np.ndarray:
     id = as_ndarray(value, "id")
     if id.dtype.kind not in "iu" and id.size:
         raise TypeError(
-            f"id: got {f'dtype {id.dtype}' if id.ndim else quote(value)}, want whole numbers of 64 bits, as "
-            "numpy.array(id, numpy.uint64) holds them"
+            f"id: got {f'dtype {id.dtype}' if id.ndim else quote(value)}, want 64-bit whole numbers, such as "
+            "numpy.array(id, numpy.uint64)"
         )
     if id.size and id.min() < 0:
-        raise ValueError(f"id: got {id.min()}, want whole numbers from 0 on")
+        raise ValueError(f"id: got {id.min()}, want whole numbers of at least 0")
     return np.ascontiguousarray(id, np.uint64)
 
 

@@ -105,18 +105,20 @@ def _describe_skips(found: Any) -> Iterator[str]:
     """Yield sentences with the numbers of skipped rays and of points without a value."""
     skipped = getattr(found, "skipped", None)
     if isinstance(skipped, SkySkipped):
-        yield from _describe("sky patches without rays: ", {"open": skipped.open_patches, "closed": skipped.closed_patches})
+        yield from _describe(
+            "sky patches known without rays: ", {"open": skipped.open_patches, "covered": skipped.closed_patches}
+        )
     if isinstance(skipped, Skipped):
         counts = {
-            "in empty strata": skipped.empty_rays,
-            "without weight": skipped.weightless_rays,
+            "known to hit nothing": skipped.empty_rays,
+            "of weight 0, such as below the horizon": skipped.weightless_rays,
             "not needed for the tolerance": skipped.unneeded_rays,
         }
         yield from _describe("rays skipped: ", counts)
     if skipped is not None and skipped.open_points:
         yield f"{skipped.open_points:,} {'point' if skipped.open_points == 1 else 'points'} needed no rays"
     bad = {PointStatus(code).name.lower(): int(n) for code, n in enumerate(np.bincount(found.status)) if code}
-    yield from _describe("points without a number: ", bad)
+    yield from _describe("points without a value: ", bad)
 
 
 def _describe(what: str, counts: dict[str, int]) -> Iterator[str]:

@@ -118,7 +118,7 @@ def _other_city(run: BakeRun) -> bool:
 _PAIRS: tuple[tuple[Callable[[BakeRun, Quantity], bool], Callable[[BakeRun, Quantity], str]], ...] = (
     (
         lambda run, _: run.points is not None and run.at is not None,
-        lambda run, _: f"--points: got {run.points} together with --at {run.at}, want one of the two",
+        lambda run, _: f"--points: got {run.points} together with --at {run.at}, want only one of the two",
     ),
     (
         lambda run, _: run.at == "vertices" and is_by_parts(run),
@@ -151,7 +151,7 @@ _PAIRS: tuple[tuple[Callable[[BakeRun, Quantity], bool], Callable[[BakeRun, Quan
             and run.mesh.suffix.lower() not in (".glb", ".gltf")
         ),
         lambda run, _: (
-            f"--output: got {run.output.name!r} for {run.mesh.name!r}, want .png, .exr or .npz: only glTF becomes a "
+            f"--output: got {run.output.name!r} for {run.mesh.name!r}, want .png, .exr or .npz; only a glTF input becomes a "
             f"{run.output.suffix}"
         ),
     ),

@@ -81,15 +81,23 @@ OPTIONS: dict[str, Option] = {
     "quantity": Option(str, COMPUTE, ""),
     "samples": _of_quantities(int, COMPUTE, "Number of rays per point"),
     "tolerance": _of_quantities(
-        float, COMPUTE, "Target standard error (root mean square over the points), such as 0.01; --samples limits the rays"
+        float,
+        COMPUTE,
+        "Standard error to reach (root mean square over the points), such as 0.01. --samples is then the largest number of "
+        "rays per point",
     ),
     "max_distance": _of_quantities(
-        float, COMPUTE, "Length of the rays, in units of the mesh; geometry further away is ignored"
+        float, COMPUTE, "Length of the rays, in units of the mesh; geometry further away is ignored. Default: no limit"
     ),
     "falloff": _of_quantities(
-        float, COMPUTE, "Exponent f: a hit at distance d occludes by (1 - d / max-distance)^f. Needs --max-distance"
+        float,
+        COMPUTE,
+        "Exponent that makes distant hits occlude less, such as 1: a hit at distance d occludes by "
+        "(1 - d / max-distance)^falloff. Needs --max-distance. Default: every hit occludes fully",
     ),
-    "sequence": _of_quantities(str, COMPUTE, f"Sampling sequence: {', '.join(sequences.names())}"),
+    "sequence": _of_quantities(
+        str, COMPUTE, f"Sequence of random or evenly spread sample points: {', '.join(sequences.names())}"
+    ),
     "seed": Option(int, COMPUTE, "Seed of the random points and rays. Default: 0."),
     "points": Option(
         int,
@@ -116,13 +124,17 @@ OPTIONS: dict[str, Option] = {
         LIGHT,
         "First and last day of the period, such as 06-01 08-31, or with hours, 03-21T09 03-21T15. Default: the whole year",
     ),
-    "environment": _of_quantities(Path, LIGHT, "Equirectangular image of the light: .hdr or .npy"),
+    "environment": _of_quantities(
+        Path, LIGHT, "Image of the light from all directions, in equirectangular projection: .hdr or .npy"
+    ),
     "sampling": _of_quantities(
         Literal["cosine", "picture", "both"],
         LIGHT,
         "Directions of the rays: of the cosine lobe, by the luminance of the image, or of both. Default: both",
     ),
-    "patches": _of_quantities(str, LIGHT, "Division of the sky into patches: tregenza, reinhart2 or reinhart4"),
+    "patches": _of_quantities(
+        str, LIGHT, "Division of the sky into patches: tregenza (145), reinhart2 (577) or reinhart4 (2,305)"
+    ),
     "up": _of_quantities(
         tuple[float, float, float],
         LIGHT,
@@ -140,7 +152,10 @@ OPTIONS: dict[str, Option] = {
         needs="refine",
     ),
     "refine": _of_quantities(
-        float, LIGHT, "Longest edge of the parts into which faces are divided for reflected light, in units of the mesh"
+        float,
+        LIGHT,
+        "Longest edge of the parts into which faces are divided for reflected light, in units of the mesh. Default: the "
+        "longest edges are cut, into 8,192 more parts",
     ),
     "transmittance": Option(
         str,
@@ -181,7 +196,7 @@ OPTIONS: dict[str, Option] = {
     "tile": Option(
         int,
         _RASTER_PANEL,
-        "Number of cells along each side of a tile. Default: one tile for the whole raster.",
+        "Compute in tiles with this number of cells along each side, such as 1024. Default: one tile for the whole raster.",
         _on(RASTER),
     ),
     "margin": Option(
@@ -190,7 +205,9 @@ OPTIONS: dict[str, Option] = {
         "Width in cells of the full-resolution border around a tile. Default: 256. Needs --tile.",
         _on(RASTER),
     ),
-    "far": Option(Path, _RASTER_PANEL, "Raster of heights of the terrain around the first raster.", _on(RASTER)),
+    "far": Option(
+        Path, _RASTER_PANEL, "Raster with the heights of the terrain around the source raster, on the same map.", _on(RASTER)
+    ),
     "texture": Option(
         str, _TEXTURE_PANEL, "Write a texture of this size in texels, such as 1024 (square) or 1024x512.", _on(TEXTURE)
     ),
@@ -204,17 +221,22 @@ OPTIONS: dict[str, Option] = {
     "supersample": Option(
         int,
         _TEXTURE_PANEL,
-        "Number of points per texel, which share the rays of the texel and are averaged. Default: 1.",
+        "Number of points per texel over which the value is averaged, such as 4. The points share the rays of --samples. "
+        "Default: 1.",
         _on(TEXTURE),
     ),
     "normals": Option(
         Literal["face", "smooth", "lifted"],
         _TEXTURE_PANEL,
-        "Normals at texels; lifted also moves the points to the smooth surface. Default: face; smooth for normals.",
+        "Normals at texels: face, smooth (interpolated), or lifted (smooth, with the points moved to the smooth surface). "
+        "Default: face, or smooth for --quantity normals.",
         _on(TEXTURE),
     ),
     "gutter": Option(
-        str, _TEXTURE_PANEL, "Number of empty texels to fill around each chart, or all. Default: all.", _on(TEXTURE)
+        str,
+        _TEXTURE_PANEL,
+        "Number of empty texels to fill around each piece of the surface in the image, or all. Default: all.",
+        _on(TEXTURE),
     ),
     "strength": Option(
         float, _TEXTURE_PANEL, "Strength of the occlusion in the material, 0 to 1. Default: 1.", _on(TEXTURE, only=_GLTF)
@@ -228,8 +250,8 @@ OPTIONS: dict[str, Option] = {
     "strict": Option(
         bool,
         _TEXTURE_PANEL,
-        "Fail on texture coordinates that overlap, leave the image or have no area, on texels too small for float32, and "
-        "on --instances mean for a mesh in several places.",
+        "Stop with an error for texture coordinates that overlap, leave the image or have no area, for texels too small "
+        "for float32, and for --instances mean with a mesh in several places.",
         _on(TEXTURE),
     ),
     "high": Option(
@@ -247,33 +269,41 @@ OPTIONS: dict[str, Option] = {
     "inside": Option(
         Literal["fill", "keep"],
         _TEXTURE_PANEL,
-        "Texels inside closed bodies, such as a floor under a wall: fill copies values from the visible part of the chart, "
-        "keep uses the computed values. Default: fill.",
+        "Value of texels inside closed bodies, such as a floor under a wall: fill copies the nearest visible texel, keep "
+        "uses the computed value. Default: fill.",
         _on(TEXTURE),
     ),
     "instances": Option(
         Literal["split", "mean"],
         _TEXTURE_PANEL,
-        "Meshes in several places: split copies mesh, material and texture for a place whose values differ by more than "
-        "the errors; mean averages all places. Default: split.",
+        "Texture of a mesh that the file places several times: split makes a copy for each place whose values differ by "
+        "more than their errors, mean averages all places. Default: split.",
         _on(TEXTURE, only=_GLTF),
     ),
-    "chunk": Option(int, _STORE_PANEL, "Number of points per task and per chunk of the store.", _on(MESH, only=(STORE,))),
+    "chunk": Option(
+        int, _STORE_PANEL, "Number of points per task and per file of the store. Default: 65536.", _on(MESH, only=(STORE,))
+    ),
     "cluster": Option(
         str, _STORE_PANEL, "Address of a running Dask scheduler, such as tcp://host:8786.", _on(MESH, only=(STORE,))
     ),
     "processes": Option(
-        int, _STORE_PANEL, "Number of processes, each with one thread.", _on(MESH, only=(STORE,)) | _on(RASTER)
+        int,
+        _STORE_PANEL,
+        "Number of processes, each with one thread, such as 2. Default: the threads of one process.",
+        _on(MESH, only=(STORE,)) | _on(RASTER),
     ),
     "resume": Option(
-        bool, _STORE_PANEL, "Continue an interrupted run with the same arguments.", _on(MESH, only=(STORE,)) | _on(RASTER)
+        bool,
+        _STORE_PANEL,
+        "Continue an interrupted run with the same arguments, and compute only the missing parts.",
+        _on(MESH, only=(STORE,)) | _on(RASTER),
     ),
     "workers": Option(int, RUN, "Number of threads. Default: the environment variable WARPSAMPLE_WORKERS, or one per core."),
     "device": _of_quantities(str, RUN, "Device that computes, such as cuda:0. Default: the CPU"),
     "report": Option(
         Path,
         RUN,
-        "Also write an .html report with picture, histogram, means by part and arguments.",
+        "Also write a report to this .html file, with picture, histogram, means by part and arguments.",
         _on(MESH, CITY, RASTER, but=(STORE, ".mtx")),
     ),
 }

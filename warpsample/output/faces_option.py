@@ -8,7 +8,7 @@ from warpsample.host.arguments import check_file, naming_file
 from warpsample.host.files import read_array
 from warpsample.mesh.mesh import Mesh, as_mesh
 
-_WANTS = "a number, NAME.npy of one for each face, or by part, as leaf=0.2,glass=0.8"
+_WANTS = "a number, NAME.npy with one number for each face, or numbers by part, such as leaf=0.2,glass=0.8"
 
 
 def with_optics(mesh: Mesh, **options: str | None) -> Mesh:
@@ -48,7 +48,7 @@ def _by_parts(mesh: Mesh, text: str, option: str) -> np.ndarray:
         named = [i for i, part in enumerate(mesh.parts) if name in (part, *part.split("/"))]
         if not name or not named:
             known = ", ".join(sorted(set(mesh.parts)))
-            raise ValueError(f"{option}: got {pair!r}, want the name of a part, of {known[:200]}")
+            raise ValueError(f"{option}: got {pair!r}, want NAME=NUMBER with the name of a part, one of {known[:200]}")
         shares[named] = _number(share, pair, option)
     return shares[mesh.part]
 

@@ -41,7 +41,7 @@ def to_frame(found: Any, points: SurfacePoints, mesh: Any = None, *, first_point
     if not isinstance(points, SurfacePoints):
         raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
     if not is_dataclass(found) or isinstance(found, type):
-        raise TypeError(f"found: got {quote(found)}, want the result of a call over points")
+        raise TypeError(f"found: got {quote(found)}, want the result of a call at points, such as sky_view_factor")
     first = check_first_point(first_point, len(points), points.id)
     columns = {"id": np.uint64(first) + np.arange(len(points), dtype=np.uint64) if points.id is None else points.id}
     columns |= {} if mesh is None else _of_faces(points.face, as_mesh(mesh))
@@ -70,7 +70,7 @@ def _numbers(found: Any, count: int) -> dict[str, np.ndarray]:
     of_points = {name: array for name, array in arrays.items() if array.shape[:1] == (count,)}
     if not of_points:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
-        raise ValueError(f"found: got arrays of shape {shapes or 'none'}, want a row for each of the {count} points")
+        raise ValueError(f"found: got arrays of shape {shapes or 'none'}, want one row for each of the {count} points")
     columns = {name: array for name, array in of_points.items() if array.ndim == 1}
     for name, array in of_points.items():
         if array.ndim == 2:

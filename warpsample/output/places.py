@@ -29,7 +29,7 @@ def check_places(points: int | None, at: str | None) -> None:
         MemoryError: the points do not fit into memory.
     """
     if points is not None and at is not None:
-        raise ValueError(f"--points: got {points} together with --at {at}, want one of the two")
+        raise ValueError(f"--points: got {points} together with --at {at}, want only one of the two")
     check_points(points)
 
 

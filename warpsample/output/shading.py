@@ -105,7 +105,10 @@ def _groups(path: Path, mesh: Mesh) -> tuple[list[str], np.ndarray]:
     group = np.array([number[line] for line in lines])
     empty = np.flatnonzero(np.bincount(group, mesh.face_areas, len(names)) <= 0.0)
     if len(empty):
-        raise ValueError(f"groups: got {str(path)!r} with the name {quote(names[empty[0]])} of no area, want some of each")
+        raise ValueError(
+            f"groups: got {str(path)!r} with the surface {quote(names[empty[0]])}, whose triangles have no area, want "
+            "an area above 0"
+        )
     return names, group
 
 

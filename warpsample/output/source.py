@@ -109,7 +109,10 @@ def _place_points(run: BakeRun, mesh: Mesh, city: City | None) -> SurfacePoints:
     if not is_by_parts(run):
         return points_on(mesh, run.points, run.at, run.options["seed"])
     if mesh.part is None:
-        raise ValueError(f"--by: got {run.by} for {str(run.mesh)!r}, whose faces have no named parts")
+        raise ValueError(
+            f"--by: got {run.by} for {str(run.mesh)!r}, whose faces have no named parts; name the parts in the mesh "
+            "file, or leave out --by"
+        )
     areas = np.where(mesh.part >= 0, mesh.face_areas, 0.0) if city is None else city.receiving
     if run.at == "faces":
         return face_centers(mesh).take(areas > 0.0)

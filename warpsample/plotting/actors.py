@@ -120,12 +120,14 @@ class Sheet:
 class Pin:
     """Pin in a PyVista scene: a line with a round head that marks a point."""
 
-    def __init__(self, plotter: "pyvista.Plotter", colour: str):
+    def __init__(self, plotter: "pyvista.Plotter", colour: str, width: float = 4.0):
+        """Add a pin of a colour, with a width of the line in pixels."""
         import pyvista as pv
 
         style = {"color": colour, "pickable": False, "reset_camera": False}
-        self._shaft = plotter.add_mesh(pv.Line(), line_width=4, **style)
-        self._head = plotter.add_mesh(pv.PolyData(np.zeros((1, 3))), point_size=13, render_points_as_spheres=True, **style)
+        self._shaft = plotter.add_mesh(pv.Line(), line_width=width, **style)
+        style |= {"point_size": 3.25 * width, "render_points_as_spheres": True}
+        self._head = plotter.add_mesh(pv.PolyData(np.zeros((1, 3))), **style)
 
     def show(self, start: np.ndarray, end: np.ndarray) -> None:
         """Move the pin: its foot to `start`, (3,), and its head to `end`, (3,)."""
@@ -133,6 +135,11 @@ class Pin:
 
         self._shaft.mapper.dataset = pv.Line(start, end)
         self._head.mapper.dataset = pv.PolyData(end[None])
+
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide the pin."""
+        self._shaft.SetVisibility(visible)
+        self._head.SetVisibility(visible)
 
 
 class MeshPicker:

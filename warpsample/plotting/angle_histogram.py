@@ -41,15 +41,32 @@ class AngleHistogram:
     @property
     def is_wrong(self) -> bool:
         """True if the directions certainly do not follow the compared density."""
-        return self.test is not None and self.test.p_value < _SURE
+        return is_certainly_wrong(self.test)
 
     def verdict(self) -> str:
         """Return the result of the comparison with the density in two lines of text: a verdict, and the test's numbers."""
-        if self.test is None:
-            return "cannot be judged\ntoo few directions"
-        agreement = f"{'does NOT agree' if self.is_wrong else 'agrees'} with {self.claim}"
-        if not self.independent:
-            return f"{agreement}\nevenly spread: residuals up to {self.test.largest_residual:.1f} σ"
-        chance = "p < 10⁻⁶" if self.is_wrong else f"p = {self.test.p_value:.3f}"
-        note = " (too even)" if self.test.p_value > 1.0 - _SURE else ""
-        return f"{agreement}\nχ² = {self.test.chi_square:,.1f}, dof = {self.test.dof}, {chance}{note}"
+        return describe_test(self.test, self.independent, self.claim)
+
+
+def is_certainly_wrong(test: HistogramTest | None) -> bool:
+    """Return whether a test rejects its density with certainty."""
+    return test is not None and test.p_value < _SURE
+
+
+def describe_test(test: HistogramTest | None, independent: bool, claim: str) -> str:
+    """Describe a chi-square test of directions against a density in two lines of text: a verdict, and the test's numbers.
+
+    Args:
+        test: the test; None if there are too few directions.
+        independent: whether the directions are independent of each other.
+        claim: name of the density.
+    """
+    if test is None:
+        return "cannot be judged\ntoo few directions"
+    wrong = is_certainly_wrong(test)
+    agreement = f"{'does NOT agree' if wrong else 'agrees'} with {claim}"
+    if not independent:
+        return f"{agreement}\nevenly spread: residuals up to {test.largest_residual:.1f} σ"
+    chance = "p < 10⁻⁶" if wrong else f"p = {test.p_value:.3f}"
+    note = " (too even)" if test.p_value > 1.0 - _SURE else ""
+    return f"{agreement}\nχ² = {test.chi_square:,.1f}, dof = {test.dof}, {chance}{note}"

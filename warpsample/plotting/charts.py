@@ -1,4 +1,4 @@
-"""Charts of the viewer: histograms of angles with densities and residuals, and the projected disk.
+"""Charts of the viewer: histograms of angles with densities and residuals, a map of both angles, and the projected disk.
 
 All charts are on one sheet. Parts that do not change between two drawings are drawn once, so that a knob responds fast.
 """
@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from warpsample.plotting.angle_histogram import AngleHistogram
-from warpsample.plotting.style import BARS, DOTS, INK, LOBE
+from warpsample.plotting.cell_map import CellMap
+from warpsample.plotting.map_chart import MapChart
+from warpsample.plotting.style import BARS, DOTS, INK, LOBE, round_up
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_STEPS = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 _TEXT, _SMALL = 11, 10
 _WIDTH = 7.4  # width of the sheet in inches, for which the text is sized
 _MOST_SIGMA = 6.0
@@ -21,47 +22,66 @@ _MOST_WRONG = 3.0  # times the density: taller bars are cut
 _MOST_STILLS = 64  # cached sheets of 3 MB
 _BAND = 2.0  # standard deviations
 
+_WIDE = {
+    "theta": ((0.1, 0.685, 0.88, 0.25), (0.1, 0.575, 0.88, 0.085)),
+    "azimuth": ((0.1, 0.185, 0.37, 0.235), (0.1, 0.075, 0.37, 0.085)),
+    "disk": (0.56, 0.085, 0.42, 0.335),
+}
+"""Places of the charts on a sheet without a map: left, bottom, width and height of axes, as shares of the sheet."""
+_WITH_MAP = {
+    "theta": ((0.1, 0.805, 0.365, 0.12), (0.1, 0.7, 0.365, 0.085)),
+    "azimuth": ((0.575, 0.805, 0.405, 0.12), (0.575, 0.7, 0.405, 0.085)),
+    "disk": (0.64, 0.06, 0.34, 0.27),
+}
+"""Places of the charts on a sheet with a map."""
+
 
 class LobeCharts:
-    """Sheet with charts of the viewer: histograms of theta and azimuth, and the projected disk.
+    """Sheet with charts of the viewer: histograms of theta and azimuth, the projected disk, and for some lobes a map.
 
-    `size` is the width and height of the sheet in pixels.
+    `size` is the width and height of the sheet in pixels. `map` is the chart of both angles, or None.
 
     Fixed parts are drawn once (blitting): matplotlib takes 2 to 6 ms for a text, and a knob would respond half as fast.
     """
 
-    def __init__(self, size: tuple[int, int]):
-        """Create empty charts on a sheet of the given width and height in pixels."""
+    def __init__(self, size: tuple[int, int], with_map: bool = False):
+        """Create empty charts on a sheet of the given width and height in pixels, with a map of both angles or without."""
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
 
         self.size = size
         self.figure: Figure = Figure(figsize=(_WIDTH, _WIDTH * size[1] / size[0]), dpi=size[0] / _WIDTH)
         self._canvas = FigureCanvasAgg(self.figure)
-        self.theta: HistogramChart = HistogramChart(
-            self.figure, above=(0.1, 0.685, 0.88, 0.25), below=(0.1, 0.575, 0.88, 0.085), name="θ", label="from the normal"
+        places = _WITH_MAP if with_map else _WIDE
+        names = (("theta", "θ", "from the normal"), ("azimuth", "φ", "about the normal"))
+        self.theta, self.azimuth = (
+            HistogramChart(self.figure, above=places[key][0], below=places[key][1], name=name, label=label)
+            for key, name, label in names
         )
-        self.azimuth: HistogramChart = HistogramChart(
-            self.figure, above=(0.1, 0.185, 0.37, 0.235), below=(0.1, 0.075, 0.37, 0.085), name="φ", label="about the normal"
-        )
-        style = {"frameon": False, "fontsize": _TEXT, "handlelength": 1.2}
+        style = {"frameon": False, "fontsize": _TEXT, "handlelength": 1.2, "ncols": 2 if with_map else 1}
         self.figure.legend(handles=self.theta.handles, loc="upper right", bbox_to_anchor=(0.99, 1.005), **style)
-        self.disk: DiskChart = DiskChart(self.figure, (0.56, 0.085, 0.42, 0.335))
-        self._parts = (self.theta, self.azimuth, self.disk)
+        self.disk: DiskChart = DiskChart(self.figure, places["disk"])
+        self.map: MapChart | None = MapChart(self.figure) if with_map else None
+        self._parts = (self.theta, self.azimuth, self.disk, *([self.map] if self.map else []))
         self._frames: tuple[Any, ...] = ()
         self._stills: dict[tuple[Any, ...], Any] = {}
 
-    def draw(self, theta: AngleHistogram, azimuth: AngleHistogram, disk: np.ndarray) -> np.ndarray:
+    def draw(
+        self, theta: AngleHistogram, azimuth: AngleHistogram, disk: np.ndarray, cells: CellMap | None = None
+    ) -> np.ndarray:
         """Draw the charts with new data, and return the pixels of the sheet, (H, W, 3) uint8.
 
         Args:
             theta: angles to the normal, 0 to 180 degrees.
             azimuth: angles about the normal, 0 to 360 degrees.
             disk: (N, 2) components of unit directions along the tangent and the bitangent.
+            cells: both angles together, for a sheet with a map.
         """
         self.theta.show(theta)
         self.azimuth.show(azimuth)
         self.disk.show(disk)
+        if self.map is not None and cells is not None:
+            self.map.show(cells)
         self._draw_still()
         for part in self._parts:
             for axes, artist in part.moving:
@@ -158,7 +178,7 @@ class HistogramChart:
         residuals.set_data(np.clip(seen.residuals, -_MOST_SIGMA, _MOST_SIGMA), seen.edges)
         self._set_range(float(seen.edges[0]), float(seen.edges[-1]))
         tallest = float(seen.expected.max(initial=1e-9))
-        top = _round_up(1.15 * min(max(tallest, float(seen.observed.max())), _MOST_WRONG * tallest))
+        top = round_up(1.15 * min(max(tallest, float(seen.observed.max())), _MOST_WRONG * tallest))
         if self._above.get_ylim() != (0.0, top):
             self._above.set_ylim(0.0, top)
 
@@ -201,9 +221,3 @@ class DiskChart:
         points, _, words = (artist for _, artist in self.moving)
         points.set_data(disk[:, 0], disk[:, 1])
         words.set_text(f"{len(disk):,} directions of the\npinned point, seen along n")
-
-
-def _round_up(x: float) -> float:
-    """Round x up to one of _STEPS times a power of ten."""
-    scale = 10.0 ** np.floor(np.log10(x))
-    return float(next(step * scale for step in _STEPS if step * scale >= x * (1 - 1e-9)))

@@ -177,7 +177,7 @@ def check_size(size: tuple[int, int], least: tuple[int, int] = (600, 600)) -> No
     """
     received = f"--size: got {size[0]} x {size[1]}"
     if size[0] < least[0] or size[1] < least[1]:
-        raise ValueError(f"{received}, want at least {least[0]} x {least[1]}, in which text can be read")
+        raise ValueError(f"{received}, want at least {least[0]} x {least[1]}, so that text can be read")
     if max(size) > _MOST_SIDE or size[0] * size[1] > _MOST_PIXELS:
         raise ValueError(f"{received}, want at most {_MOST_SIDE:,} of each and {_MOST_PIXELS:,} pixels in all")
     check_memory(_BYTES_PER_PIXEL * size[0] * size[1], f"{received}, whose pixels", "take a smaller picture")

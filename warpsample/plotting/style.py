@@ -1,6 +1,7 @@
-"""Colours, colour maps and font of all pictures."""
+"""Colours, colour maps, font and round limits of axes, for all pictures."""
 
 from functools import lru_cache
+from math import floor, log10
 from pathlib import Path
 
 SURFACE = "#d8d4cc"
@@ -21,6 +22,19 @@ ERROR = "YlGnBu"
 """Colour map of standard errors: 0 is pale yellow."""
 AMOUNT = "YlOrRd"
 """Colour map of counts and fractions that are 0 at most places: 0 is pale yellow."""
+
+COUNTS = "viridis"
+"""Colour map of densities: 0 is dark blue."""
+DIFFERENCE = "RdBu_r"
+"""Colour map of residuals: 0 is white, positive is red."""
+
+_STEPS = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+
+
+def round_up(x: float) -> float:
+    """Round x > 0 up to one of few steps times a power of ten, so that limits of axes change seldom."""
+    scale = 10.0 ** floor(log10(x))
+    return float(next(step * scale for step in _STEPS if step * scale >= x * (1 - 1e-9)))
 
 
 @lru_cache

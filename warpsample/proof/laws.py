@@ -144,7 +144,7 @@ def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
     observed = observed if chart.azimuths > 1.0 else observed.reshape(-1, 1)
     masses = cell_masses(sampler, edges, observed.shape[1])
     if not abs(masses.sum() - 1.0) <= 1e-3:
-        raise ValueError(f"pdf: its integral converges to {masses.sum():.5f}, want 1")
+        raise ValueError(f"pdf: got an integral of {masses.sum():.5f}, want 1")
     expected = len(w) * masses
     lost = len(w) - observed.sum()  # NaN, or outside the chart
     # Cells too empty for the test are added and compared with a Poisson distribution: outside the support one hit fails.

@@ -49,10 +49,10 @@ _SUMMARIES = {
 def show_one(verdicts: list[Verdict], console: Any) -> None:
     """Print test results as one table, with a row for each test and distribution: the case closest to failing."""
     table = _make_table()
-    for heading in ("law", "of", "cases", "measured", "limit"):
-        table.add_column(heading, justify="left" if heading in ("law", "of") else "right")
-    table.add_column("")
-    table.add_column("at", overflow="fold")
+    for heading in ("test", "sampler", "cases", "worst", "limit"):
+        table.add_column(heading, justify="left" if heading in ("test", "sampler") else "right")
+    table.add_column("result")
+    table.add_column("worst case", overflow="fold")
     for law in dict.fromkeys(v.law for v in verdicts):
         for group in _group_verdicts(v for v in verdicts if v.law == law):
             limit = "p ≥ " if group[0].statistical else "≤ "
@@ -71,10 +71,10 @@ def show(verdicts: list[Verdict], console: Any) -> None:
         table = _make_table()
         statistical = any(v.statistical for v in verdicts if v.law == law)
         figures = ("smallest p-value", "at least") if statistical else ("worst", "at most")
-        for heading in ("of", "cases", *figures):
-            table.add_column(heading, justify="left" if heading == "of" else "right")
-        table.add_column("")
-        table.add_column("at", overflow="fold")
+        for heading in ("sampler", "cases", *figures):
+            table.add_column(heading, justify="left" if heading == "sampler" else "right")
+        table.add_column("result")
+        table.add_column("worst case", overflow="fold")
         for group in _group_verdicts(v for v in verdicts if v.law == law):
             table.add_row(*_format_row(group))
         if table.row_count:
@@ -88,7 +88,7 @@ def summarize(verdicts: list[Verdict]) -> str:
     failed = sum(not v.passed for v in verdicts)
     statistics = sum(v.statistical for v in verdicts)
     return (
-        f"{len(verdicts):,} verdicts, {failed} broken. {statistics} are statistical tests that reject below p = {LEVEL:g}, "
+        f"{len(verdicts):,} verdicts, {failed} broken. {statistics} are statistical tests that fail below p = {LEVEL:g}, "
         f"so a correct build fails by chance in at most {FAMILY_WISE:g} of all runs."
     )
 
@@ -103,9 +103,9 @@ def _make_table(title: str | None = None) -> Any:
 
 def power_table(caught: dict[str, list[Verdict]]) -> Any:
     """Return a rich table with a row for each deliberately wrong sampler: the tests that reject it."""
-    table = _make_table("Planted defects, and the laws that catch them")
-    table.add_column("defect")
-    table.add_column("caught by")
+    table = _make_table("Deliberately wrong samplers, and the tests that reject them")
+    table.add_column("wrong sampler")
+    table.add_column("rejected by")
     for name, verdicts in caught.items():
         broken = [v.law for v in verdicts if not v.passed]
         table.add_row(name, ", ".join(broken) or "[red]nothing[/]")

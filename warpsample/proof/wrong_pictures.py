@@ -20,7 +20,7 @@ _BY_PIXEL = EnvironmentMap(_RIGHT.picture / _angle_of_pixels())
 
 
 def _even_in_angle(u: np.ndarray) -> np.ndarray:
-    """Sample directions that are even in the angle to +z within a row, in place of the solid angle."""
+    """Sample wrong directions: within a row, uniform in the angle to +z in place of the solid angle."""
     w = _RIGHT.sample(u).astype(np.float64)
     theta = np.arctan2(np.hypot(w[..., 0], w[..., 1]), w[..., 2])
     row = np.minimum(np.floor(theta * _HEIGHT / np.pi), _HEIGHT - 1)
@@ -32,14 +32,14 @@ def _even_in_angle(u: np.ndarray) -> np.ndarray:
 
 
 def _half_a_pixel_on(u: np.ndarray) -> np.ndarray:
-    """Sample directions that are half a pixel away in azimuth."""
+    """Sample wrong directions: the azimuth is off by half a pixel."""
     w, half = _RIGHT.sample(u).astype(np.float64), np.pi / _WIDTH
     turn = np.array([[np.cos(half), -np.sin(half), 0.0], [np.sin(half), np.cos(half), 0.0], [0.0, 0.0, 1.0]])
     return (w @ turn.T).astype(_F)
 
 
 def _clockwise(u: np.ndarray) -> np.ndarray:
-    """Sample directions whose columns go round the wrong way."""
+    """Sample wrong directions: columns of the picture advance clockwise in place of counter-clockwise."""
     return _RIGHT.sample(u) * _F([1.0, -1.0, 1.0])
 
 

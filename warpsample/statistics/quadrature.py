@@ -38,7 +38,10 @@ def cell_masses(
         if change <= _TOLERANCE:
             return after
         before, nodes = after, 2 * nodes
-    raise ValueError(f"pdf: its integral still moves by {change:.1e} of itself at {_FINEST} nodes a cell")
+    raise ValueError(
+        f"pdf: got an integral that still changes by a relative {change:.1e} at {_FINEST} nodes per cell, want one that "
+        "converges"
+    )
 
 
 def _integrate_cells(

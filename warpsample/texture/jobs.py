@@ -218,5 +218,7 @@ def square_side(size: tuple[int, int]) -> int:
         ValueError: width and height differ.
     """
     if size[0] != size[1]:
-        raise ValueError(f"--texture: got {size[0]}x{size[1]} for new texture coordinates, want a square")
+        raise ValueError(
+            f"--texture: got {size[0]}x{size[1]} for new texture coordinates, want a square, such as {max(size)}"
+        )
     return size[0]

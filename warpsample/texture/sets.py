@@ -120,7 +120,9 @@ class Texels:
         if self.how.uv != "auto":
             number = int(self.how.uv)
             if not self._has(number, rows):
-                raise ValueError(f"--uv: got {number}, want a set of texture coordinates that all faces of {name!r} have")
+                raise ValueError(
+                    f"--uv: got {number}, want a set of texture coordinates for all faces of {name!r}; --uv new makes a set"
+                )
             found = self.points_by_set(number, rows)
             if not len(found):
                 raise ValueError(

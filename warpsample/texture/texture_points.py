@@ -158,7 +158,8 @@ class TexturePoints(Summary):
             made = self._texel_rows.errors(values, flat, self.size[0])
         else:
             raise TypeError(
-                f"errors: got {quote(errors)}, want the Estimate with its values: errors of {self.samples} samples need them"
+                f"errors: got {quote(errors)}, want the whole Estimate, because errors of {self.samples} samples per "
+                "texel need its values, too"
             )
         return self._image(made, own, gutter)
 
@@ -167,7 +168,7 @@ class TexturePoints(Summary):
         return TexelRows(self.id, self.samples, self.size[0] * self.size[1])
 
     def _rows(self, values: Any, argument: str) -> np.ndarray:
-        wants = f"({len(self)},) or ({len(self)}, C) real numbers, a row for each point"
+        wants = f"({len(self)},) or ({len(self)}, C) real numbers, one row for each point"
         rows = as_real(values, argument, wants)
         if rows.ndim not in (1, 2) or len(rows) != len(self) or 0 in rows.shape[1:]:
             raise ValueError(f"{argument}: got shape {rows.shape}, want {wants}")

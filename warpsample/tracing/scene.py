@@ -64,7 +64,9 @@ class Scene:
         self.centre: Any = 0.5 * near[0] + 0.5 * near[1]
         reach = np.maximum(upper - self.centre, self.centre - lower)
         if 0.0 < reach.max() < SMALLEST:
-            raise ValueError(f"mesh: got one of half size {reach.max():.3g}, want at least {SMALLEST:g}; scale it up")
+            raise ValueError(
+                f"mesh: got a mesh of half size {reach.max():.3g}, want at least {SMALLEST:g}; scale the mesh up"
+            )
         self.scale: float = 2.0 ** -int(np.frexp(reach.max())[1])
         self.extent: Any = np.maximum(reach * self.scale, _LEAST_EXTENT)
         spread = (near[1] - self.centre) * self.scale
@@ -187,7 +189,7 @@ def _classify_faces(transmittance: np.ndarray) -> np.ndarray:
 def check_opaque(mesh: Mesh, what: str) -> None:
     """Raise ValueError if a mesh has transmittances above 0; the message names the call by `what`."""
     if mesh.transmits:
-        raise ValueError(f"mesh: got one with a transmittance above 0, which {what} does not support; want opaque faces")
+        raise ValueError(f"mesh: got a mesh with a transmittance above 0, which {what} does not support, want opaque faces")
 
 
 def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:

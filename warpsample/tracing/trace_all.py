@@ -73,7 +73,8 @@ def trace_all(
     if not given.directions.device.is_cpu:
         where = given.directions.device
         raise ValueError(
-            f"directions: got an array on {where}, want one in the CPU's memory: only the CPU's tracer finds all hits"
+            f"directions: got an array on {where}, want an array in CPU memory, because only the tracer of the CPU "
+            "finds all hits"
         )
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
     options = RayOptions.of(rays, tracer="wide", workers=workers)

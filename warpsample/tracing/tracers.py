@@ -74,7 +74,9 @@ def tracer_of(name: Any, device: wp.Device) -> Tracer:
     """
     check_choice(name, "tracer", ("auto", *TRACERS))
     if name == "wide" and not at_home(device):
-        raise ValueError(f"tracer: got 'wide' for rays on {device}, want 'warp' or 'auto': the wide tree needs the CPU")
+        raise ValueError(
+            f"tracer: got 'wide' for rays on {device}, want 'warp' or 'auto', because the 'wide' tracer needs the CPU"
+        )
     if name == "auto":
         return WIDE if at_home(device) else BUILTIN
     return TRACERS[name]

@@ -1,6 +1,9 @@
 """Settings of the viewer, and texts that describe distributions."""
 
 from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
 
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.offset_ball import OffsetBall
@@ -21,6 +24,7 @@ class Choice:
         sequence: name of the point sequence. The default is independent points, which the chi-square test requires.
         samples: number of directions at each point.
         seed: seed of the directions.
+        camera: whether the view of view-dependent lobes is the direction from each point to the camera.
     """
 
     distribution: Distribution
@@ -28,6 +32,7 @@ class Choice:
     sequence: str = "independent"
     samples: int = 1024
     seed: int = 0
+    camera: bool = True
 
     @property
     def claim(self) -> Distribution:
@@ -51,15 +56,24 @@ def default_density(distribution: Distribution) -> Distribution | None:
     return CosineHemisphere() if isinstance(distribution, OffsetSphere | OffsetBall) else None
 
 
-def format_distribution(distribution: Distribution) -> str:
-    """Return a distribution in the notation of the command line, with numbers of three digits: "ggx(alpha=0.1)"."""
-    names = distribution.parameters or [item.name for item in fields(distribution)]
-    values = (f"{name}={_format_value(getattr(distribution, name))}" for name in names)
-    return f"{distribution.name}({', '.join(values)})".replace("()", "")
+def format_distribution(distribution: Distribution, camera: bool = False) -> str:
+    """Return a distribution in the notation of the command line, with numbers of three digits: "ggx(alpha=0.1)".
+
+    Parameters by point are shown as ranges: "ggx(alpha=0.1 to 0.5)". With `camera`, the view is shown as "camera".
+    """
+    names = [item.name for item in fields(distribution)]
+    lobes = [name for name in names if isinstance(getattr(distribution, name), Distribution)]
+    values = {name: getattr(distribution, name) for name in ([*lobes, *distribution.parameters] or names)}
+    texts = (f"{name}={'camera' if camera and name == 'view' else _format_value(v, camera)}" for name, v in values.items())
+    return f"{distribution.name}({', '.join(texts)})".replace("()", "")
 
 
-def _format_value(value: float | str | tuple[float, ...]) -> str:
+def _format_value(value: Any, camera: bool = False) -> str:
     """Format a parameter of a distribution, with three digits per number."""
+    if isinstance(value, Distribution):
+        return format_distribution(value, camera)
+    if isinstance(value, np.ndarray):
+        return f"{np.nanmin(value):.3g} to {np.nanmax(value):.3g}" if value.ndim == 1 else "by point"
     if isinstance(value, str):
         return repr(value)
     return f"({', '.join(_format_value(v) for v in value)})" if isinstance(value, tuple) else f"{value:.3g}"

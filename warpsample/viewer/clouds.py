@@ -1,41 +1,47 @@
-"""Sampled directions as point clouds for the viewer, and histograms of their angles."""
+"""Sampled directions as point clouds for the viewer, and the counts of their angles."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from warpsample import sequences
 from warpsample.directions.sample import sample_directions
+from warpsample.distributions.record import Distribution
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.plotting.angle_histogram import AngleHistogram
 from warpsample.proof.twins import frames
-from warpsample.statistics.charts import SPHERE
-from warpsample.statistics.histogram import joined_test
 from warpsample.viewer.choice import Choice
-from warpsample.viewer.lobes import CELLS, SECTORS, LobeShape, lobe_of
+from warpsample.viewer.counts import Counts, count_directions
+from warpsample.viewer.lobes import peaks_of, probabilities_of, shape_of
+from warpsample.viewer.own_lobes import constant_lobes, usable_rows
 
 OUTSIDE = 0.5
 """Distance of drawn directions with a density of 0 from their point, as a share of the lobe's length."""
+MOST_COUNTED = 100
+"""Number of points whose directions are counted, if the lobes of points differ: the integrals take 4 ms for a point."""
 
 
 @dataclass(frozen=True, eq=False)
 class Clouds:
-    """Point clouds of sampled directions at all points of the mesh, and histograms of all their angles.
+    """Point clouds of sampled directions at all points of the mesh.
 
     A direction is drawn as a dot on the surface of the lobe at its point.
 
     Attributes:
         position: (N, 3) float32, drawn positions in the coordinates of the points.
         pdf: (N,) float32, compared density per steradian; 0 outside its support.
-        theta: histogram of the angles to the normals.
-        azimuth: histogram of the angles about the normals, from the tangent of each point.
+        color: (N,) numbers for the colours: `pdf`, or, if the lobes of points differ, `pdf` as a share of the largest
+            density at the point.
+        peak: number with the last colour.
+        rows: (p,) rows of the points with directions. Others have invalid parameters, such as a view from below.
+        local: (p, n, 3) float32 directions in the tangent frames of these points.
     """
 
     position: np.ndarray
     pdf: np.ndarray
-    theta: AngleHistogram
-    azimuth: AngleHistogram
+    color: np.ndarray
+    peak: float
+    rows: np.ndarray
+    local: np.ndarray
 
     @property
     def outside(self) -> int:
@@ -51,84 +57,76 @@ class NearCloud:
         position: (n, 3) float32, positions on the surface of the lobe, at most 1 from the origin.
         pdf: (n,) compared density per steradian.
         disk: (n, 2) components of the directions along the tangent and the bitangent.
+        lobe: distribution that the directions are compared with, with constant parameters.
     """
 
     position: np.ndarray
     pdf: np.ndarray
     disk: np.ndarray
+    lobe: Distribution
 
 
 def all_clouds(choice: Choice, points: SurfacePoints, scale: float) -> Clouds:
-    """Sample directions at all points of the mesh, and count the angles in histograms.
-
-    `scale` is the length of a lobe in the unit of the points.
-    """
-    lobe = lobe_of(choice.claim)
-    world, local, pdf = _sample_compared(choice, points, 0)
-    length = (np.float32(scale) * _lengths(pdf, lobe.peak))[..., None]
-    position = points.position[:, None].astype(np.float32) + length * world
-    independent = sequences.get(choice.sequence).random
-    theta, azimuth = histograms(local.reshape(-1, 3), lobe, independent, choice.claim_name)
-    return Clouds(position.reshape(-1, 3), pdf.ravel(), theta, azimuth)
-
-
-def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> NearCloud:
-    """Sample the directions at the selected point, which has the global id `first`."""
-    _, local, pdf = _sample_compared(choice, point, first)
-    length = _lengths(pdf[0], lobe_of(choice.claim).peak)[:, None]
-    return NearCloud(length * local[0], pdf[0], local[0, :, :2])
-
-
-def histograms(
-    local: np.ndarray, lobe: LobeShape, independent: bool, claim: str = "the density"
-) -> tuple[AngleHistogram, AngleHistogram]:
-    """Build histograms of the directions' polar angle and azimuth, and compare both with a density by chi-square tests.
+    """Sample directions at all points of the mesh.
 
     Args:
-        local: (N, 3) unit directions with the normal along +z.
-        lobe: compared lobe.
-        independent: whether the directions are independent of each other.
-        claim: name of the compared density.
+        choice: settings, whose parameters by point have a row for each point.
+        points: P points.
+        scale: length of a lobe in the unit of the points.
     """
-    cell = np.minimum((SPHERE.polar(local) * (CELLS / lobe.edges[-2])).astype(np.intp), CELLS)
-    sector = np.minimum((SPHERE.azimuth(local) * SECTORS).astype(np.intp), SECTORS - 1)
-    around = np.linspace(0.0, 2.0 * np.pi, SECTORS + 1)
-    middle = 0.5 * (around[1:] + around[:-1])
-    density = lobe.azimuth * SECTORS / (2.0 * np.pi)
-    theta, azimuth = np.bincount(cell, minlength=CELLS + 1), np.bincount(sector, minlength=SECTORS)
-    names = {"independent": independent, "claim": claim}
-    return (
-        _build_histogram(theta, lobe.theta, lobe.edges, angles=lobe.angles, line=lobe.line, **names),
-        _build_histogram(azimuth, lobe.azimuth, around, angles=middle, line=density, **names),
-    )
+    rows, world, local, pdf = _sample_compared(choice, points, 0)
+    if choice.claim.by_point:
+        share = pdf / peaks_of(choice.claim.take(rows), len(rows))[:, None]
+        color, peak = share, 1.0
+    else:
+        color, peak = pdf, shape_of(choice.claim).peak
+        share = pdf / np.float32(peak)
+    length = (np.float32(scale) * _lengths(share))[..., None]
+    position = points.position[rows, None].astype(np.float32) + length * world
+    return Clouds(position.reshape(-1, 3), pdf.ravel(), color.ravel(), peak, rows, local)
 
 
-def _build_histogram(
-    observed: np.ndarray, masses: np.ndarray, edges: np.ndarray, *, angles: np.ndarray, line: np.ndarray, **names: Any
-) -> AngleHistogram:
-    """Build the histogram of one angle, with a chi-square test against the expected counts.
+def count_clouds(choice: Choice, clouds: Clouds) -> Counts | None:
+    """Count the angles of the directions of clouds, and compare the counts with the densities; None without directions.
 
-    The test includes bins that are outside the chart.
+    If the lobes of points differ, the directions of the first MOST_COUNTED points are counted.
+
+    Raises:
+        ValueError: a lobe is too narrow, or its density cannot be integrated.
     """
-    total = observed.sum()
-    shown = min(len(masses), CELLS)
-    expected = total * masses
-    deviation = np.sqrt(np.maximum(expected * (1.0 - masses), 1e-9))
-    residuals = np.where(expected >= 1.0, (observed - expected) / deviation, 0.0)[:shown]
-    return AngleHistogram(
-        edges=np.degrees(edges[: shown + 1]),
-        observed=observed[:shown] / (total * np.diff(edges)[:shown]),
-        expected=masses[:shown] / np.diff(edges)[:shown],
-        angles=np.degrees(angles),
-        density=line,
-        residuals=residuals,
-        test=joined_test(observed, expected),
-        **names,
-    )
+    rows, local, claim = clouds.rows, clouds.local, choice.claim
+    if not len(rows):
+        return None
+    independent = sequences.get(choice.sequence).random
+    if claim.by_point:
+        rows, local = rows[:MOST_COUNTED], local[:MOST_COUNTED]
+        probabilities = probabilities_of(claim.take(rows), len(rows))
+    else:
+        probabilities = probabilities_of(claim)
+    return count_directions(local.reshape(-1, 3), probabilities, independent, choice.claim_name)
 
 
-def _sample_compared(choice: Choice, points: SurfacePoints, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Sample directions at points; return world and local directions, (P, n, 3) each, and their densities, (P, n)."""
+def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> NearCloud | None:
+    """Sample the directions at the selected point, which has the global id `first`.
+
+    Return None if the point has no directions, as for a view from below.
+    """
+    rows, _, local, pdf = _sample_compared(choice, point, first)
+    if not len(rows):
+        return None
+    lobe = constant_lobes(choice.claim)[0]
+    length = _lengths(pdf[0] / np.float32(shape_of(lobe).peak))[:, None]
+    return NearCloud(length * local[0], pdf[0], local[0, :, :2], lobe)
+
+
+def _sample_compared(
+    choice: Choice, points: SurfacePoints, first: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Sample directions at points, and compute the densities that the directions are compared with.
+
+    Returns:
+        (p,) rows of the points with directions; (p, n, 3) world directions; (p, n, 3) local ones; (p, n) compared densities.
+    """
     own = choice.claim == choice.distribution
     found = sample_directions(
         points.normal,
@@ -139,10 +137,13 @@ def _sample_compared(choice: Choice, points: SurfacePoints, first: int) -> tuple
         first_point=first,
         pdf=own,
     )
+    rows = np.arange(len(points))[usable_rows(choice.distribution, choice.claim)]
     unit = points.normal / np.linalg.norm(points.normal, axis=1, keepdims=True)
-    local = np.matmul(found.vectors, frames(unit.astype(np.float64)).astype(np.float32))
-    return found.vectors, local, found.pdf if own else choice.claim.pdf(local)
+    local = np.matmul(found.vectors, frames(unit.astype(np.float64)).astype(np.float32))[rows]
+    pdf = found.pdf[rows] if own else choice.claim.take(rows).pdf(local)
+    return rows, found.vectors[rows], local, pdf
 
 
-def _lengths(pdf: np.ndarray, peak: float) -> np.ndarray:
-    return np.where(pdf > 0.0, np.minimum(pdf / np.float32(peak), np.float32(1.0)), np.float32(OUTSIDE))
+def _lengths(share: np.ndarray) -> np.ndarray:
+    """Return the lengths of drawn directions, for densities as shares of the density with length 1."""
+    return np.where(share > 0.0, np.minimum(share, np.float32(1.0)), np.float32(OUTSIDE))

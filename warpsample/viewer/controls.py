@@ -1,12 +1,15 @@
 """Menus and sliders that change the settings of the viewer."""
 
 from collections.abc import Callable
-from dataclasses import replace
-from math import atan2, cos, degrees, exp, log, log2, radians, sin
+from dataclasses import MISSING, fields, replace
+from math import exp, log, log2
 from typing import TYPE_CHECKING, Any, get_args
+
+import numpy as np
 
 from warpsample import distributions, sequences
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere, Method
+from warpsample.distributions.microfacets.visible_ggx import VisibleGGX
 from warpsample.distributions.record import Distribution
 from warpsample.distributions.scattering.base import ScatteredLight
 from warpsample.viewer.choice import COSINE, OWN, Choice, default_density
@@ -15,33 +18,35 @@ from warpsample.viewer.widgets import ROW, Menu, Slider, fit_texts
 if TYPE_CHECKING:
     import pyvista
 
+NORMALS = VisibleGGX(0.3)
+"""Lobe of normals for the menu's distributions of scattered light."""
+
 _CLAIMS = {OWN: None, COSINE: CosineHemisphere()}
 _MOST_SAMPLES, _MOST_SEED = 4096, 99
 
 
 def spatial_names() -> list[str]:
-    """Return the names of the distributions of 3-D directions that can be drawn on a mesh with default parameters.
+    """Return the names of the distributions of 3-D directions that can be drawn on a mesh with default parameters."""
+    return [name for name in distributions.names() if _has_defaults(distributions.get(name))]
 
-    Lobes of other lobes have no default.
-    """
-    kinds = {name: distributions.get(name) for name in distributions.names()}
-    return [name for name, kind in kinds.items() if kind.width == 3 and not issubclass(kind, ScatteredLight)]
+
+def _has_defaults(kind: type[Distribution]) -> bool:
+    """Return whether `make_distribution` can build a distribution of a class: one about the normal, without an array."""
+    required = {item.name for item in fields(kind) if item.default is MISSING}
+    from_slider = set(kind.parameters[:1]) if kind.shown else set()
+    return kind.width == 3 and not kind.in_world and (issubclass(kind, ScatteredLight) or required <= from_slider)
 
 
 def make_distribution(name: str) -> Distribution:
     """Build the distribution that a menu entry names, with its first parameter in the middle of the slider's range.
 
-    The middle is the geometric mean of the ends.
+    The middle is the geometric mean of the ends. Scattered light has the normals `NORMALS`.
     """
     kind = distributions.get(name)
+    if issubclass(kind, ScatteredLight):
+        return kind(NORMALS, NORMALS.view)
     low, high = kind.shown or (1.0, 1.0)
-    distribution = kind(**{kind.parameters[0]: (low * high) ** 0.5}) if kind.shown else kind()
-    return with_view(distribution, 45.0) if "view" in kind.parameters else distribution
-
-
-def with_view(distribution: Distribution, angle: float) -> Distribution:
-    """Copy a distribution, with its view direction at `angle` degrees from the normal."""
-    return replace(distribution, view=(sin(radians(angle)), 0.0, cos(radians(angle))))
+    return kind(**{kind.parameters[0]: (low * high) ** 0.5}) if kind.shown else kind()
 
 
 def with_scalar(distribution: Distribution, value: float) -> Distribution:
@@ -69,7 +74,6 @@ class Controls:
         self.sliders = {}
         for name, high, words, change in (
             ("scalar", 1.0, str, self._set_scalar),
-            ("view", 89.0, "view at {:.0f}° from the normal".format, self._set_view),
             ("samples", log2(_MOST_SAMPLES), lambda v: f"{round(2**v):,} directions per point", self._set_samples),
             ("seed", float(_MOST_SEED), "seed: {:.0f}".format, lambda to: self._change(seed=round(to))),
         ):
@@ -86,14 +90,13 @@ class Controls:
         cosine = COSINE if isinstance(choice.density, CosineHemisphere) else ""  # neither, for one of the command line's
         self.menus["density"].set(OWN if choice.density is None else cosine)
         self.menus["sequence"].set(choice.sequence)
-        if kind.shown:
-            name, value = kind.parameters[0], getattr(distribution, kind.parameters[0])
+        value = getattr(distribution, kind.parameters[0]) if kind.shown else None
+        if kind.shown and not isinstance(value, np.ndarray):  # no slider sets a parameter of each point
+            name = kind.parameters[0]
             span = tuple(log(end) for end in kind.shown)
             self.sliders["scalar"].set(log(max(value, 1e-30)), span, lambda v: f"{name} = {exp(v):.3g}")
         else:
             self.sliders["scalar"].set(None)
-        view = getattr(distribution, "view", None)
-        self.sliders["view"].set(None if view is None else degrees(atan2((view[0] ** 2 + view[1] ** 2) ** 0.5, view[2])))
         self.sliders["samples"].set(log2(choice.samples))
         self.sliders["seed"].set(float(choice.seed))
 
@@ -109,15 +112,12 @@ class Controls:
 
     def _choose_distribution(self, name: str) -> None:
         distribution = make_distribution(name)
-        self.show(replace(self.choice, distribution=distribution, density=default_density(distribution)))
+        self.show(replace(self.choice, distribution=distribution, density=default_density(distribution), camera=True))
         self._changed(self.choice)
 
     def _set_scalar(self, value: float) -> None:
         low, high = type(self.choice.distribution).shown
         self._change(distribution=with_scalar(self.choice.distribution, min(max(exp(value), low), high)))
-
-    def _set_view(self, value: float) -> None:
-        self._change(distribution=with_view(self.choice.distribution, value))
 
     def _set_samples(self, value: float) -> None:
         self._change(samples=round(2**value))

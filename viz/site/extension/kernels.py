@@ -22,6 +22,8 @@ _ARGUMENTS = {
     "alpha_y": "0.3",
     "g": "0.5",
     "matrix": "wp.identity(n=3, dtype=wp.float32)",
+    "eta": "1.5",
+    "cosine": "0.5",
     "corners": "wp.identity(n=3, dtype=wp.float32)",
     "corner": "wp.vec3(-1.0, -1.0, 1.0)",
     "edge_x": "wp.vec3(2.0, 0.0, 0.0)",

@@ -32,7 +32,9 @@ def check_checkout(argument: str) -> None:
         ValueError: the package is installed without its pictures, or a page or folder cannot be written.
     """
     if not (PICTURES / "gallery.py").is_file():
-        raise ValueError(f"{argument}: got an installed package, want a checkout, whose README and pictures can be written")
+        raise ValueError(
+            f"{argument}: got an installed package, want a Git checkout, whose pages and pictures can be rewritten"
+        )
     for page in list_pages():
         check_output(page, argument)
     check_output_folder(RESULTS, argument)

@@ -238,7 +238,7 @@ _PARTS = "lookup noise overlap resolution shared to_target"
 
 RECORD = Benchmark(
     name="textures",
-    summary="Ambient occlusion in a texture by warpsample, Blender and Open3D: errors of texels and of lookups.",
+    summary="Compare ambient occlusion baked into a texture by warpsample, Blender and Open3D.",
     measure=measure,
     parts={"rows": BakedTexture},
     views=[

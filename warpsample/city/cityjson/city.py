@@ -215,13 +215,13 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
         content = path.read_bytes() if made is None else made
         found = gather(content, lod)
         if not found.lods:
-            raise ValueError("it has no surfaces")
+            raise ValueError("it has no objects with surfaces")
         points, outlines = np.concatenate(found.vertices), found.all_outlines
         found.units.check_lengths(points, outlines)
     if not found.geometries:
         there = ", ".join(f"{level:g}" for level in sorted(found.lods))
         got = "none" if lod is None else f"{lod:g}"
-        raise ValueError(f"lod: got {got}, want a level of detail that {str(path)!r} has surfaces of: {there}")
+        raise ValueError(f"lod: got {got}, want a level of detail with surfaces in {str(path)!r}: {there}")
     found.units.warn(path, points)
     return _build_city(found, points * found.units.metres, outlines, path, content, split=split, context=context)
 
@@ -238,13 +238,15 @@ def _check_target(path: Any, source: Path) -> Path:
 
 def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
     if not isinstance(results, Mapping) or not all(isinstance(name, str) and name for name in results):
-        raise TypeError(f"results: got {quote(results)}, want a dict from names of attributes to numbers")
+        raise TypeError(f"results: got {quote(results)}, want a dict of attribute names and arrays of numbers")
     columns = {name: as_real(column, f"results[{name!r}]") for name, column in results.items()}
     for name, column in columns.items():
         if column.shape != (count,):
             raise ValueError(f"results[{name!r}]: got shape {column.shape}, want ({count},), one for each surface")
         if name.removesuffix(ERROR) not in columns:
-            raise ValueError(f"results: got {name!r} without {name.removesuffix(ERROR)!r}, want values with their errors")
+            raise ValueError(
+                f"results: got {name!r} without {name.removesuffix(ERROR)!r}, want the values of these errors, too"
+            )
     return columns
 
 

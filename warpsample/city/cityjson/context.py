@@ -39,8 +39,8 @@ def _check_gap(city: np.ndarray, context: np.ndarray) -> None:
     distance = float(np.hypot(*np.maximum.reduce([*gaps, np.zeros(3)])[:2]))
     if distance > _FARTHEST:
         raise ValueError(
-            f"context: got one that is {distance / 1000.0:,.0f} km away from the city, want terrain around it; check that "
-            "both are in the same reference system and unit"
+            f"context: got terrain that is {distance / 1000.0:,.0f} km away from the city, want terrain around it; "
+            "check that both have the same reference system and unit"
         )
 
 
@@ -49,18 +49,18 @@ def _check_map(grid: Any, units: Units) -> None:
     if grid.crs is None:
         if (units.metres != 1.0).any():
             raise ValueError(
-                f"context: got a raster without a CRS beside a city in {quote(units.name)}, want one with a CRS"
+                f"context: got a raster without a CRS for a city in {quote(units.name)}, want a raster with a CRS"
             )
     elif units.crs is None:
-        message = f"context: got a raster in {grid.crs.name} beside a city without a known reference system"
+        message = f"context: got a raster in {grid.crs.name} for a city without a known reference system"
         warn(f"{message}; the city is taken to be in metres on the same map", stacklevel=6)
     else:
         rows, columns = grid.height.shape
         middle = grid.transform @ (columns / 2.0, rows / 2.0)
         if not imported("warpsample.city.rasters.reference").is_same_map(grid.crs, units.crs, *middle):
             raise ValueError(
-                f"context: got a raster in {grid.crs.name}, want {units.crs.name}, the city's map, in whichever unit; "
-                "reproject it first, as by gdalwarp"
+                f"context: got a raster in {grid.crs.name}, want {units.crs.name}, the map of the city, in any unit; "
+                "reproject the raster first, for example with gdalwarp"
             )
 
 

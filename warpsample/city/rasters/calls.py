@@ -297,7 +297,9 @@ def _check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
     known = [name for name in (*quantity.parameters, *TREES_AND_TILES) if name not in _SET_HERE]
     for name in options:
         if name not in known:
-            raise TypeError(f"{name}: got it for {quantity.title} of a raster, want one of {', '.join(known)}")
+            raise TypeError(
+                f"{name}: got an argument that {quantity.title} of a raster does not take, want one of {', '.join(known)}"
+            )
 
 
 def _attributes(quantity: Quantity, source: Any, attributes: Mapping[str, Any]) -> dict[str, Any]:

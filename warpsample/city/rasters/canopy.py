@@ -176,7 +176,7 @@ def _read_on_same_cells(ground: RasterReader, source: Any, argument: str) -> Ras
 def check_for_crowns(argument: str, value: Any, default: float) -> None:
     """Raise a ValueError if an option of tree crowns differs from its default although no raster of crowns is given."""
     if not isinstance(value, Real) or value != default:
-        raise ValueError(f"{argument}: got {quote(value)} without canopy, want canopy, too")
+        raise ValueError(f"{argument}: got {quote(value)} without canopy, want canopy, the raster of tree crowns, too")
 
 
 def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> None:

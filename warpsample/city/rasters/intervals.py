@@ -73,7 +73,7 @@ def interval(dataset: xr.Dataset, level: float = _LEVEL) -> xr.Dataset:
     if not isinstance(dataset, xr.Dataset):
         raise TypeError(f"dataset: got {describe_type(dataset)}, want an xarray.Dataset of warpsample.rasters")
     if not {"value", "half_width"} <= set(dataset):
-        raise ValueError(f"dataset: got one of {', '.join(map(str, dataset)) or 'nothing'}, want value and half_width")
+        raise ValueError(f"dataset: got a dataset of {', '.join(map(str, dataset)) or 'nothing'}, want value and half_width")
     level = check_number(level, "level", 0.01, 0.9999)
     one, wanted = (float(interval_of(np.float64(0.0), 1.0, _DEGREES, at).upper) for at in (_LEVEL, level))
     half = dataset.half_width * np.float32(wanted / one) + dataset.get("far_error", np.float32(0.0))

@@ -112,7 +112,7 @@ def check_dates(quantity: Quantity, transmittance: np.ndarray) -> None:
     """Raise a ValueError for a transmittance by month or day if the quantity does not depend on time."""
     if len(transmittance) != 1 and "weather" not in quantity.parameters:
         raise ValueError(
-            f"transmittance: got {len(transmittance)} shares for the {quantity.title}, want one share, "
+            f"transmittance: got {len(transmittance)} fractions for the {quantity.title}, want one fraction, "
             "because this quantity does not depend on the date"
         )
 

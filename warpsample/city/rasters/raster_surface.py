@@ -119,7 +119,7 @@ class RasterSurface(Summary):
         """
         numbers = as_real(values, "values")
         if numbers.shape != np.shape(cell):
-            raise ValueError(f"values: got shape {numbers.shape}, want {np.shape(cell)}, a number for each cell")
+            raise ValueError(f"values: got shape {numbers.shape}, want {np.shape(cell)}, one value for each cell")
         grid = self.grid
         laid = np.full(grid.height.size, np.nan, numbers.dtype)
         laid[cell] = numbers

@@ -105,7 +105,10 @@ def _file_reader(path: str) -> RasterReader:
     with _open_raster(path) as file:
         bands = [n for n, colour in enumerate(file.colorinterp, 1) if colour != ColorInterp.alpha]
         if len(bands) != 1:
-            raise ValueError(f"source: got {path!r} with {len(bands)} bands, want one band of heights")
+            raise ValueError(
+                f"source: got {path!r} with {len(bands)} bands, want one band of heights; extract the band, for example "
+                "with gdal_translate -b 1"
+            )
         check_place(file.transform, file.crs, repr(path))
         if file.driver == "AAIGrid" and Path(path).is_file():
             check_arc_grid(path, file.shape)
@@ -137,17 +140,20 @@ def _data_array_reader(array: xr.DataArray) -> RasterReader:
         dims = array.rio.y_dim, array.rio.x_dim
     except MissingSpatialDimensionError:
         raise ValueError(
-            f"source: got an xarray.DataArray of dimensions {array.dims}, want y and x; da.rio.set_spatial_dims names others"
+            f"source: got an xarray.DataArray of dimensions {array.dims}, want y and x; da.rio.set_spatial_dims selects "
+            "other dimensions"
         ) from None
     others = {name: size for name, size in array.sizes.items() if name not in dims}
     if any(size != 1 for size in others.values()):
-        raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want y and x alone: one band")
+        raise ValueError(
+            f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want y and x alone; select one band"
+        )
     array = array.isel(dict.fromkeys(others, 0)).transpose(*dims)
     check_upward(array.attrs)
     coding, unit = Coding.of_array(array), str(array.attrs.get("units") or array.attrs.get("unit") or "")
     coordinates = {name: array.coords[name].variable for name in dims if name in array.coords}
     if not array.size:
-        raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want cells")
+        raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want at least one cell")
 
     def heights(rows: slice, columns: slice) -> np.ndarray:
         return coding.heights(array.isel(dict(zip(dims, (rows, columns), strict=True))).to_numpy())
@@ -167,7 +173,7 @@ def _array_reader(array: Any, transform: Any, crs: Any) -> RasterReader:
     if values.ndim == 3 and len(values) == 1:
         values, masked = values[0], masked[0]
     if values.ndim != 2 or not values.size:
-        raise ValueError(f"source: got an array of shape {values.shape}, want (rows, columns), one of each at least")
+        raise ValueError(f"source: got an array of shape {values.shape}, want (rows, columns), at least one of each")
     affine = affine_of(transform)
 
     def heights(rows: slice, columns: slice) -> np.ndarray:
@@ -195,7 +201,8 @@ def _reader(
     if height_metres is None and (unknown or abs(metres - 1.0) > 1e-5):
         message = f"heights in {unit!r}, a unit that is not known here" if unknown else "no unit of its heights"
         warnings.warn(
-            f"source: got {message}, and coordinates in units of {metres:g} m; they are taken to be the same", stacklevel=2
+            f"source: got {message}, and coordinates in units of {metres:g} m; both are taken to be the same unit",
+            stacklevel=2,
         )
     stretched = describe_stretch(found, *(transform @ (shape[1] / 2.0, shape[0] / 2.0)))
     if stretched:

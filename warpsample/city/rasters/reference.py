@@ -45,7 +45,9 @@ def crs_of(crs: Any) -> pyproj.CRS | None:
     try:
         found = pyproj.CRS.from_user_input(crs)
     except CRSError as error:
-        raise ValueError(f"source: got {quote(crs)} for its CRS, want one that pyproj knows, or None") from error
+        raise ValueError(
+            f"source: got {quote(crs)} for its CRS, want a CRS that pyproj knows, such as 'EPSG:3794', or None"
+        ) from error
     check_map(found, "source", f"{REPROJECT} or gdalwarp")
     return found
 
@@ -59,7 +61,9 @@ def check_map(crs: pyproj.CRS, argument: str, mend: str) -> None:
     if crs.is_geocentric or crs.type_name == "Vertical CRS":
         raise ValueError(f"{argument}: got coordinates of {crs.name}, want a map with two horizontal axes")
     if any(axis.direction == "down" for axis in crs.axis_info):
-        raise ValueError(f"{argument}: got depths, by {crs.name}, want heights: multiply by -1, with an upward CRS")
+        raise ValueError(
+            f"{argument}: got depths (CRS {crs.name}), want heights; multiply the depths by -1, and use a CRS of heights"
+        )
 
 
 def crs_by_address(text: str) -> pyproj.CRS:
@@ -151,7 +155,7 @@ def true_north(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float
     north, east, _ = _steps(crs, x, y)
     if east[0] * north[1] < east[1] * north[0]:
         raise ValueError(
-            f"source: got a map, {crs.name}, on which east is to the left of north, want one that does not mirror the "
+            f"source: got a map, {crs.name}, on which east is to the left of north, want a map that does not mirror the "
             f"ground; {REPROJECT}"
         )
     length = float(np.hypot(*north))
@@ -178,7 +182,9 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
         around = [longitude, longitude, longitude - _STEP, longitude + _STEP], [south, north, latitude, latitude]
         places = np.array(to_map.transform(*around, errcheck=True))
     except ProjError as error:
-        raise ValueError(f"source: got a raster about {x:g}, {y:g}, which is nowhere on Earth by {crs.name}") from error
+        raise ValueError(
+            f"source: got a raster about {x:g}, {y:g}, which is not on Earth in {crs.name}; check the CRS and the transform"
+        ) from error
     metres = crs.get_geod().line_length([longitude, longitude], [south, north])
     return places[:, 1] - places[:, 0], places[:, 3] - places[:, 2], metres
 

@@ -90,7 +90,9 @@ class RasterRun:
         shares = check_transmittance(transmittance)
         check_dates(quantity, shares)
         if margin is not None and tile is None:
-            raise ValueError(f"margin: got {quote(margin)} without tile, want tile, too")
+            raise ValueError(
+                f"margin: got {quote(margin)} without tile, want tile, the number of cells along each side of a tile, too"
+            )
         tile = None if tile is None else check_integer(tile, "tile", 1, 2**31 - 1)
         margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
         reader, other = ground_of(source), None

@@ -50,12 +50,13 @@ def check_cells(transform: Affine, shape: tuple[int, int]) -> None:
     numbers = np.array(transform[:6])
     size = max(np.abs(numbers[[0, 1, 3, 4]]).max(), 1e-300)
     if not np.isfinite(numbers).all() or abs(transform.determinant) <= 1e-12 * size**2:
-        raise ValueError(f"source: got the transform {tuple(numbers.tolist())}, want one whose cells have an area")
+        raise ValueError(f"source: got the transform {tuple(numbers.tolist())}, want a transform whose cells have an area")
     corners = [transform @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), shape[::-1])]
     farthest, side = np.abs(corners).max(), np.hypot(numbers[[0, 1]], numbers[[3, 4]]).min()
     if not np.spacing(farthest) <= _APART * side:
         raise ValueError(
-            f"source: got coordinates up to {farthest:g} of cells {side:g} long, want some that float64 can distinguish"
+            f"source: got coordinates up to {farthest:g} of cells {side:g} long, want coordinates that float64 can "
+            "distinguish"
         )
 
 
@@ -72,8 +73,10 @@ def check_lengths(transform: Affine, shape: tuple[int, int], heights: Callable[[
         relief = _impossible_relief(heights(rows, columns), sides)
         if relief:
             raise ValueError(
-                "source: got no CRS, heights that differ by {:g}, and cells of {:g} about {:g}, {:g}, as in degrees; want "
-                "lengths: give it its CRS, and reproject it".format(relief, sides.max(), *corners.mean(axis=0))
+                "source: got no CRS, cells of {:g} about {:g}, {:g}, as in degrees, and heights that differ by {:g}; want "
+                "lengths; set the CRS of the raster, and reproject the raster to metres".format(
+                    sides.max(), *corners.mean(axis=0), relief
+                )
             )
 
 

@@ -28,7 +28,7 @@ _read_table = bind_parameters(draw_direction, wp.vec2, 1)
 
 @wp.func
 def draw_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
-    """Return (direction, density) of a picture, whatever the normal."""
+    """Sample a direction towards a picture in world coordinates; return the direction and its density as a vec4."""
     return _read_table(u, parameters)
 
 
@@ -125,7 +125,7 @@ class EnvironmentMap(Distribution):
         return found
 
     def shares(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the shares of the light that rows and pixels have, as they are drawn.
+        """Return the cumulative shares of the light of the picture's rows, and of the pixels within each row.
 
         Returns:
             cumulative shares of the rows, (H + 1,) float64 from 0 to 1; cumulative shares of the pixels within each row,
@@ -175,10 +175,10 @@ class EnvironmentMap(Distribution):
             >>> print(ws.EnvironmentMap(np.ones((2, 4))).kernel_parameters().scalar >= 0.0)
             True
         """
-        return pack_parameters((split_address(self.table if loan is None else _put(loan, self.table_array)),))
+        return pack_parameters((split_address(self.table if loan is None else _lend_table(loan, self.table_array)),))
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the fields, without the table."""
+        """Return the fields to pickle: all but the table."""
         return {name: value for name, value in self.__dict__.items() if name != "table_array"}
 
     def _content(self) -> tuple[Any, ...]:
@@ -186,8 +186,8 @@ class EnvironmentMap(Distribution):
         return self._digest, self.up, self.north
 
 
-def _put(loan: Loan, table: np.ndarray) -> int:
-    """Return the address of a table in the memory of the kernels."""
+def _lend_table(loan: Loan, table: np.ndarray) -> int:
+    """Return the address of the table of a picture in the memory of the kernels' device; copy the table if necessary."""
     if (
         loan.memory.in_place and not loan.memory.device.is_cpu
     ):  # arguments in wp.arrays on CUDA: the table needs a copy there

@@ -19,7 +19,7 @@ _LEAST_SINE = 1e-6  # of the angle between north and up
 
 
 def as_picture(value: Any, argument: str, wants: str = "an array of numbers or a path") -> np.ndarray:
-    """Read a picture, an array or a path,, as an (H, W) or (H, W, 3) float32 copy.
+    """Read a picture, given as an array or a path, as an (H, W) or (H, W, 3) float32 copy.
 
     Raises:
         TypeError, ValueError: another shape, or numbers outside 0 to 1e37.
@@ -38,7 +38,7 @@ def as_picture(value: Any, argument: str, wants: str = "an array of numbers or a
 
 
 def luminance_of(value: Any) -> np.ndarray:
-    """Return the luminance of a picture, an array or a path, as a read-only (H, W) float32 copy.
+    """Return the luminance of a picture, given as an array or a path, as a read-only (H, W) float32 copy.
 
     Raises:
         TypeError, ValueError: the picture cannot be used, or is black.

@@ -49,13 +49,13 @@ def _widened(u: wp.vec2) -> wp.vec2d:
 
 @wp.func
 def _row_at(table: wp.uint64, row: wp.int32) -> wp.uint64:
-    """Return the address of the float64 numbers of a row."""
+    """Return the address of the float64 numbers of a row in the table of a picture."""
     return table + wp.uint64(8 * HEADER) + wp.uint64(row) * wp.uint64(8 * ROW)
 
 
 @wp.func
 def _columns_at(table: wp.uint64, row: wp.int32, width: wp.int32, buckets: wp.int32) -> wp.uint64:
-    """Return the address of the shares of a row's pixels, which the guide to them follows."""
+    """Return the address of the shares of a row's pixels; the lookup table for a search among the shares follows there."""
     header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
     return table + wp.uint64(header[4]) + wp.uint64(row) * wp.uint64(4 * (width + 1 + buckets))
 
@@ -145,7 +145,7 @@ def square_to_environment_map(u: wp.vec2, table: wp.uint64) -> wp.vec3:
 
 @wp.func
 def _in_picture(w: wp.vec3, table: wp.uint64) -> wp.vec3d:
-    """Return a direction in the picture's frame."""
+    """Convert a world direction w to the picture's frame, float64."""
     frame = _frame_of(table)
     x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
     return wp.vec3d(
@@ -157,7 +157,7 @@ def _in_picture(w: wp.vec3, table: wp.uint64) -> wp.vec3d:
 
 @wp.func
 def _turns(o: wp.vec3d) -> wp.float64:
-    """Return the azimuth in turns, in [0, 1]."""
+    """Return the azimuth of a direction o as a fraction of 2 pi, in [0, 1]."""
     turns = wp.atan2(o[1], o[0]) * INV_TWO_PI_DOUBLE
     return wp.where(turns < ZERO, turns + ONE, turns)
 

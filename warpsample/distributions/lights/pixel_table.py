@@ -104,7 +104,7 @@ class Layout:
 
     @property
     def row_bytes(self) -> int:
-        """Bytes of the shares and of the guide of one row."""
+        """Size of the shares and of the guide of one row, in bytes."""
         return 4 * (self.width + 1 + self.buckets)
 
     @property
@@ -114,7 +114,7 @@ class Layout:
 
     @property
     def bytes(self) -> int:
-        """Bytes of the table."""
+        """Size of the table in bytes."""
         return self.columns_at + self.row_bytes * self.height
 
 
@@ -154,7 +154,7 @@ class Views:
 
     @classmethod
     def of(cls, table: np.ndarray, layout: Layout) -> "Views":
-        """Return the parts of a table of bytes."""
+        """Return the parts of a table, given as bytes, as arrays that share its memory."""
         begin, end = 8 * HEADER, layout.columns_at
         return cls(
             table[:begin].view(np.float64),

@@ -38,7 +38,7 @@ def axes_of(corner: wp.vec3, edge_x: wp.vec3, edge_y: wp.vec3) -> tuple[wp.vec3d
 
 @wp.func
 def range_of(corner: wp.vec3, edge: wp.vec3, axis: wp.vec3d) -> tuple[wp.float64, wp.float64]:
-    """Return the coordinates of both ends of an edge along an axis."""
+    """Return the coordinates, along an axis, of both ends of a rectangle's edge."""
     low = wp.dot(vector_of(corner[0], corner[1], corner[2]), axis)
     return low, low + wp.dot(vector_of(edge[0], edge[1], edge[2]), axis)
 
@@ -62,7 +62,7 @@ def distance_of(x: wp.float64, y: wp.float64, z: wp.float64) -> wp.float64:
 
 @wp.func
 def height_at(y: wp.float64, square: wp.float64) -> wp.float64:
-    """Return the sine of the elevation of a point of height y at a distance whose square is given."""
+    """Return the sine of the elevation of a point, from its height y and the square of its horizontal distance."""
     return y / wp.sqrt(square + y * y)
 
 
@@ -176,7 +176,7 @@ class SphericalRectangle(Distribution):
     )
 
     def __post_init__(self) -> None:
-        """Check each vector, then all together."""
+        """Check the vectors of the rectangle; raise a ValueError if they do not describe one."""
         super().__post_init__()
         for name in (name for name in self.parameters if name not in self.by_point):
             vector = as_real(getattr(self, name), name, _WANTS[name])

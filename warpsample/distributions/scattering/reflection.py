@@ -79,11 +79,12 @@ def normal_per_reflection(w: wp.vec3, view: wp.vec3) -> wp.float32:
 
 
 @once
-def normals_per_cosine(lobe: Maps, view_at: int, lobe_view_at: int) -> wp.Function:
+def normals_per_cosine(lobe: Maps, view_at: int, lobe_view_at: int, below: bool = False) -> wp.Function:
     """Build the wp.func (m, cosine, Parameters) that returns the density of normals m, divided by abs(cosine).
 
     `cosine` is v.m for the view v at number `view_at` of the parameters. For visible normals the quotient of both cosines,
-    with the view of the lobe at number `lobe_view_at`, is taken as 1 if both views are equal.
+    with the view of the lobe at number `lobe_view_at`, is taken as 1 if both views are equal. With `below`, -v takes the
+    place of a view v from below the surface.
     """
     density, per_cosine = lobe.pdf, lobe.per_cosine
     if per_cosine is None:
@@ -101,6 +102,9 @@ def normals_per_cosine(lobe: Maps, view_at: int, lobe_view_at: int) -> wp.Functi
             view = wp.vec3(
                 number_at(parameters, view_at), number_at(parameters, view_at + 1), number_at(parameters, view_at + 2)
             )
+            if wp.static(below):
+                sign = wp.where(view[2] < 0.0, -1.0, 1.0)
+                view = wp.vec3(sign * view[0], sign * view[1], sign * view[2])
             own = wp.vec3(
                 number_at(parameters, lobe_view_at),
                 number_at(parameters, lobe_view_at + 1),

@@ -12,7 +12,7 @@ RECORD = Quantity(
     name="sky",
     call=sky_view_factor,
     title="sky view factor",
-    value="share of the sky that is visible, weighted by the cosine; the share of the lobe below the horizon is separate",
+    value="share of the sky that is visible, weighted by the cosine of the angle to the normal",
     result=SkyView,
     on_rasters={
         "horizontal": _ON_RASTERS + "; if each azimuth has one horizon h, the mean of cos(h)^2",

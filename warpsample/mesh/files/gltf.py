@@ -78,7 +78,7 @@ def check_extensions(tree: Part) -> None:
     """Raise a ValueError if a glTF file uses extensions that this reader does not support."""
     needed = _EXTENSIONS & set(tree.texts("extensionsUsed"))
     if needed:
-        raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file that does not")
+        raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file without these extensions")
     unknown = [name for name in tree.texts("extensionsRequired") if not any(fnmatchcase(name, known) for known in _READ)]
     if unknown:
         raise ValueError(f"it requires {', '.join(unknown)}, want a file that requires none but {', '.join(_READ)}")

@@ -42,7 +42,7 @@ class Data:
         if not accessor.flag("normalized"):
             return found
         if found.dtype.itemsize == 4:
-            raise ValueError(f"{accessor.at('normalized')}: got numbers of 32 bits, want shorter ones")
+            raise ValueError(f"{accessor.at('normalized')}: got 32-bit numbers, want numbers of 8 or 16 bits")
         return np.maximum(found / np.iinfo(found.dtype).max, -1.0)
 
     def indices(self, by: Part, key: str) -> np.ndarray:
@@ -71,7 +71,7 @@ class Data:
         """Return a glTF accessor and its array, (V, width), after checks of type and bounds."""
         accessor = self.accessors[by.index(key, self.accessors)]
         if "sparse" in accessor or "bufferView" not in accessor:
-            raise ValueError("it has sparse data, want a file that holds all numbers")
+            raise ValueError("it has sparse accessors, want a file that stores all numbers")
         found, code, count = accessor.text("type"), accessor.whole("componentType"), accessor.whole("count")
         if found != shape or code not in kinds:
             wants = f"{shape} of {' or '.join(map(str, sorted(kinds)))}"
@@ -142,7 +142,7 @@ def content_of(path: Path, uri: str, length: int, by: Part) -> memoryview:
         try:
             return memoryview(b64decode(unquote(data), validate=True) if mark else b"")
         except ValueError:
-            raise ValueError(f"{by.at('uri')}: got data that are no base64") from None
+            raise ValueError(f"{by.at('uri')}: got data that are not base64") from None
     if _SCHEME.match(uri) or Path(unquote(uri)).anchor:
         raise ValueError(f"{by.at('uri')}: got {quote(uri)}, want the name of a file, or data")
     file = check_file(path.parent / unquote(uri), by.at("uri"), "a file")

@@ -69,9 +69,7 @@ def _matrix(node: Part) -> np.ndarray:
     if "matrix" in node:
         matrix = node.reals("matrix", (0.0,) * 16).reshape(4, 4)
         if np.abs(matrix[:, 3] - (0.0, 0.0, 0.0, 1.0)).max() > _AFFINE:
-            raise ValueError(
-                f"{node.at('matrix')}: got one with a perspective, want the last of each four numbers 0, 0, 0, 1"
-            )
+            raise ValueError(f"{node.at('matrix')}: got a matrix with a perspective, want 0, 0, 0, 1 as the last row")
         return matrix
     matrix = np.eye(4)
     if "rotation" in node:

@@ -99,7 +99,7 @@ def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
     if not {"x", "y", "z"} <= vertex.keys() or not isinstance(polygons, tuple):
         raise ValueError("its header declares no vertices with x, y, z or no faces with vertex_indices")
     if "tristrips" in found:
-        raise ValueError("it has triangle strips, want faces one by one")
+        raise ValueError("it has triangle strips, want separate faces")
     vertices = np.stack([vertex[axis] for axis in "xyz"], axis=1, dtype=np.float64)
     return vertices, triangles(vertices, *polygons)
 

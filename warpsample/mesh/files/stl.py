@@ -46,7 +46,7 @@ def _text(path: Path) -> tuple[np.ndarray, list[int], list[str]]:
     for number, words in numbered(path):
         word = words[0].lower()
         if word not in _WORDS:
-            raise ValueError(f"line {number} begins with {words[0][:20]!r}, which is not known")
+            raise ValueError(f"line {number} begins with {words[0][:20]!r}, which is not a keyword of STL")
         seen[word] += 1
         if word == "solid":
             starts.append(seen["facet"])

@@ -49,7 +49,7 @@ def read_obj(path: Path) -> Named:
             elif words[0] in given:
                 given[words[0]] = " ".join(words[1:])
             elif words[0] not in _NO_SURFACE:
-                raise ValueError(f"it begins with {words[0][:20]!r}, which is not known")
+                raise ValueError(f"it begins with {words[0][:20]!r}, which is not a known keyword")
     except ValueError as error:
         raise ValueError(f"line {number}: {error}") from None
     vertices, faces = _cut(positions, lengths, corners)
@@ -152,7 +152,7 @@ def numbered(path: Path, joins: bool = False) -> Iterator[tuple[int, list[str]]]
 def three(words: list[str]) -> list[float]:
     """Parse the three coordinates of a vertex from the words of a line; further numbers are ignored."""
     if len(words) < 3:
-        raise ValueError(f"a vertex has {len(words)} numbers, not 3")
+        raise ValueError(f"a vertex has {len(words)} numbers instead of 3")
     return [real(word) for word in words[:3]]
 
 

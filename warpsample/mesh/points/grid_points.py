@@ -64,7 +64,7 @@ def grid_points(
     height = default if height is None else check_number(height, "height", least, 1e300)
     chosen = (mesh.face_areas > 0.0) & _check_faces(faces, len(mesh.faces))
     if not chosen.any():
-        raise ValueError("faces: got none that has an area, want at least one")
+        raise ValueError("faces: got only faces without an area, want at least one face with an area")
     made = _above_ground if on == "ground" else _on_faces
     return made(mesh, spacing, height, chosen, upward)
 

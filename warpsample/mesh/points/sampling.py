@@ -72,10 +72,12 @@ def sample_surface(
     if radius is None:
         count = check_integer(count, "count", 1, 2**31 - 1)
     if not mesh.face_areas.any():
-        raise ValueError("mesh: got a mesh whose faces have no area, want at least one that has")
+        raise ValueError("mesh: got a mesh whose faces have no area, want at least one face with an area")
     blue = spacing == "blue"
     if blue and first_point != 0:
-        raise ValueError(f"first_point: got {first_point!r} with spacing='blue', want 0: its rows depend on each other")
+        raise ValueError(
+            f"first_point: got {first_point!r} with spacing='blue', want 0, because blue-noise points depend on each other"
+        )
     drawn = darts_for(count, radius, float(mesh.face_areas.sum())) if blue else count
     drawn = check_integer(drawn, "count", 1, 2**31 - 1)
     options = CallOptions.of(drawn, seed=seed, first_point=first_point, device=device, workers=workers)
@@ -88,9 +90,9 @@ def sample_surface(
 def _check_radius(radius: Any, count: Any, spacing: str) -> float:
     """Return `radius` as a float; raise a ValueError unless spacing is "blue" and `count` is None."""
     if spacing != "blue":
-        raise ValueError(f"radius: got {radius!r} with spacing={spacing!r}, want spacing='blue'")
+        raise ValueError(f"radius: got {radius!r} with spacing={spacing!r}, want no radius, or spacing='blue'")
     if count is not None:
-        raise ValueError(f"radius: got {radius!r} with count={count!r}, want one of the two")
+        raise ValueError(f"radius: got {radius!r} with count={count!r}, want only one of the two")
     return check_number(radius, "radius", 1e-300, 1e300)
 
 

@@ -106,7 +106,7 @@ def _neighbours(position: np.ndarray, distance: float) -> tuple[np.ndarray, np.n
         cell = np.floor(position / distance) + 1.0
     sides = cell.max(axis=0) + 2.0
     if sides.prod() > 2.0**62:
-        raise ValueError(f"radius: got {distance:g}, which the mesh is too large for, want a larger one")
+        raise ValueError(f"radius: got {distance:g}, which is too small for the size of the mesh, want a larger radius")
     cell, sides = cell.astype(np.int64), sides.astype(np.int64)
     key = (cell[:, 2] * sides[1] + cell[:, 1]) * sides[0] + cell[:, 0]
     order = np.argsort(key, kind="stable")

@@ -61,7 +61,7 @@ class TileFiles:
         """Raise a ValueError if the folder exists and holds other files, or if `--resume` is not given."""
         files = list(self.path.iterdir()) if self.path.is_dir() else [self.path]
         if files and not (self.path / ABOUT).is_file():
-            raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another name of the output")
+            raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another output name")
         if files and not self.resume:
             raise ValueError(
                 f"--output: got {str(self.path)!r}, which exists already, want a new name, or --resume to continue it"
@@ -80,7 +80,10 @@ class TileFiles:
             for name in dict.fromkeys((*about, *kept)):
                 if kept.get(name) != about.get(name):
                     was, now = quote(kept.get(name)), quote(about.get(name))
-                    raise ValueError(f"--output: got {str(self.path)!r} of {name} {was}, want one of {name} {now}")
+                    raise ValueError(
+                        f"--output: got {str(self.path)!r} of {name} {was}, want tiles of {name} {now}; repeat the "
+                        "arguments of that run, or use a new name"
+                    )
         whole = np.array([self._is_whole(index, run) for index in range(run.grid[0] * run.grid[1])])
         cells = run.reader.shape[0] * run.reader.shape[1]
         check_space(self.path, int(cells * (1.0 - whole.mean())) * 4 * len(run.names), f"{cells:,} cells")

@@ -104,7 +104,7 @@ def _check_scene(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[Te
         several = join_names(one.name for job in jobs for one in job.group if one.others)
         flat = join_names(one.name for group in groups if is_flat(mesh, group) for one in group)
     if several and how.strict and how.instances == "mean":
-        raise ValueError(f"--strict: got --instances mean for {several} in several places, want split")
+        raise ValueError(f"--strict: got --instances mean for {several} in several places, want --instances split")
     if flat:
         notes.append(f"without an area, and so left without a picture: {flat}")
     return [*notes, *describe_missing_files(run.mesh, file.tree, run.output)]

@@ -1,4 +1,4 @@
-"""Twin of the distribution of directions by a picture: shares by running sums, pixels by bisection, angles by arcsines."""
+"""Second implementation of the distribution of directions towards a picture: sums, bisection and inverse sines."""
 
 from typing import Any
 
@@ -27,7 +27,7 @@ def shares_of(picture: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _finalised(word: np.ndarray) -> np.ndarray:
-    """Return the finaliser of Appleby2016 of words of 32 bits, in uint64."""
+    """Mix 32-bit words, stored as uint64, with the finaliser fmix32 of Appleby2016."""
     word = (word ^ (word >> 16)) * 0x85EBCA6B & 0xFFFFFFFF
     word = (word ^ (word >> 13)) * 0xC2B2AE35 & 0xFFFFFFFF
     return word ^ (word >> 16)
@@ -74,7 +74,7 @@ def directions_of_picture(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def density_of_picture(d: Any, w: np.ndarray) -> np.ndarray:
-    """Return the share of the pixel at world directions w, divided by its solid angle."""
+    """Return the density at world directions w: the share of the pixel there, divided by the pixel's solid angle."""
     rows, columns = shares_of(d.picture)
     (height, width), o = d.picture.shape, w @ _axes(d).T
     theta = np.arctan2(np.hypot(o[..., 0], o[..., 1]), o[..., 2])

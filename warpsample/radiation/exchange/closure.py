@@ -81,7 +81,7 @@ def closure_of(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densitie
             return best
         step = found.step(gap)
         shifts += step / max(1.0, np.max(np.abs(step) / own))
-    warnings.warn(f"view_factors: rows add up to 1 only within {worst:.1g}; pass a larger count", stacklevel=5)
+    warnings.warn(f"view_factors: rows add up to 1 only within {worst:.1g}; pass a larger count of rays", stacklevel=5)
     return best
 
 

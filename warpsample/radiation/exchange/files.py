@@ -100,7 +100,7 @@ def _check_arrays(held: dict[str, np.ndarray]) -> None:
     optional = [name for names in _OPTIONAL if any(name in held for name in names) for name in names]
     lacking = {"data", "standard_error", "indices", "indptr", "shape", "skipped", *_VECTORS, *optional} - set(held)
     if lacking:
-        raise ValueError(f"it has no {', '.join(sorted(lacking))}")
+        raise ValueError(f"it lacks {', '.join(sorted(lacking))}")
     rows, entries = (held["indptr"].size - 1,), (held["indices"].size,)
     whole = "int32" if entries[0] < 2**31 else "int64"
     kinds = {
@@ -121,7 +121,7 @@ def _check_arrays(held: dict[str, np.ndarray]) -> None:
     if "names" in held and (held["names"].dtype.kind != "U" or held["names"].shape != rows):
         raise ValueError(f"names is of {held['names'].dtype} and shape {held['names'].shape}, want texts and {rows}")
     if held["shape"].tolist() != 2 * [*rows]:
-        raise ValueError("it is no square matrix")
+        raise ValueError("its matrix is not square")
 
 
 def _list_files(path: Path) -> tuple[Path, ...]:

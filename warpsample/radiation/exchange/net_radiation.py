@@ -83,15 +83,16 @@ def net_radiation_of(
     if outside is None and (open := float(open_share.max(initial=0.0))) > _LEAK:
         raise ValueError(
             f"outside: got None, but a surface has a view factor of {open:.2g} to the outside, want the temperature "
-            "there in kelvin; 0.0 if nothing radiates from there"
+            "of the surroundings in kelvin, or 0.0 if nothing radiates from there"
         )
     beyond = _check_numbers(0.0 if outside is None else outside, "outside", 0.0, _HOTTEST)
     if kelvin.ndim > 2 or (kelvin.ndim and len(kelvin) != rows):
         raise ValueError(
-            f"temperature: got shape {kelvin.shape}, want ({rows},) or ({rows}, k), a row for each of the matrix"
+            f"temperature: got shape {kelvin.shape}, want ({rows},), a number for each surface, or ({rows}, k), a "
+            "number for each surface and time"
         )
     if share.ndim and share.shape != (rows,):
-        raise ValueError(f"emissivity: got shape {share.shape}, want one number or ({rows},)")
+        raise ValueError(f"emissivity: got shape {share.shape}, want one number, or ({rows},), a number for each surface")
     times = kelvin.shape[1:]
     if beyond.ndim and beyond.shape != times:
         raise ValueError(f"outside: got shape {beyond.shape}, want one number{f' or {times}' if times else ''}")
@@ -114,12 +115,21 @@ def _expand_names(names: tuple[str, ...] | None, value: Any, argument: str) -> A
     if not isinstance(value, Mapping):
         return value
     if names is None:
-        raise ValueError(f"{argument}: got a dictionary where surfaces have no names, want numbers; `groups` names surfaces")
+        raise ValueError(
+            f"{argument}: got a dictionary, but the surfaces have no names, want numbers; view_factors(groups=) names "
+            "surfaces"
+        )
     if set(value) != set(names):
-        raise ValueError(f"{argument}: got a dictionary of {sorted(map(str, value))}, want {sorted(names)}")
+        raise ValueError(
+            f"{argument}: got a dictionary with the names {sorted(map(str, value))}, want all of {sorted(names)}"
+        )
     rows = [as_real(value[name], f"{argument}[{name!r}]") for name in names]
     if len(shapes := {row.shape for row in rows if row.ndim}) > 1:
-        raise ValueError(f"{argument}: got rows of shapes {sorted(shapes)}, want numbers, or (k,) for k times")
+        raise ValueError(
+            f"{argument}: got arrays of different shapes, {', '.join(map(str, sorted(shapes)))}, want one number for "
+            "each surface, or "
+            "arrays of the same length, one number for each time"
+        )
     return np.stack(np.broadcast_arrays(*rows))
 
 
@@ -128,7 +138,7 @@ def _warn_of_celsius(kelvin: np.ndarray) -> None:
     low, high = _CELSIUS
     if kelvin.size and low < kelvin.max() <= high:
         warnings.warn(
-            f"temperature: got at most {kelvin.max():g} kelvin; where these are degrees Celsius, add 273.15", stacklevel=4
+            f"temperature: got at most {kelvin.max():g} kelvin; if these are degrees Celsius, add 273.15", stacklevel=4
         )
 
 

@@ -27,10 +27,12 @@ def radiosity_of(matrix: "csr_array", emission: Any, reflectance: Any) -> np.nda
     rows = matrix.shape[0]
     emitted = _check_finite(emission, "emission")
     if emitted.ndim not in (0, 1, 2) or (emitted.ndim and len(emitted) != rows):
-        raise ValueError(f"emission: got shape {emitted.shape}, want ({rows},) or ({rows}, k), a row for each of the matrix")
+        raise ValueError(f"emission: got shape {emitted.shape}, want ({rows},), or ({rows}, k), a row for each surface")
     reflected = _check_finite(reflectance, "reflectance")
     if reflected.ndim and reflected.shape != (rows,):
-        raise ValueError(f"reflectance: got shape {reflected.shape}, want one number or ({rows},)")
+        raise ValueError(
+            f"reflectance: got shape {reflected.shape}, want one number, or ({rows},), a number for each surface"
+        )
     if reflected.size and not (reflected.min() >= 0.0 and reflected.max() <= 1.0):
         raise ValueError(f"reflectance: got values from {reflected.min():g} to {reflected.max():g}, want 0 to 1")
     share = np.broadcast_to(reflected, (rows,))

@@ -131,7 +131,8 @@ class ViewFactors(Summary):
         """
         if self.absorbed is not None:
             raise ValueError(
-                "mesh: got view factors of a mesh with a transmittance, whose panes would radiate too; want opaque faces"
+                "mesh: got view factors of a mesh with a transmittance, want opaque faces, because translucent faces "
+                "would radiate, too"
             )
         self._check_rows()
         how = {"areas": self.areas, "names": self.names}

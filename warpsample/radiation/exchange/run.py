@@ -46,23 +46,24 @@ def _read_groups(path: Path | None) -> Any:
 
 
 def summary(found: ViewFactors) -> str:
-    """Return a sentence about view factors: numbers of factors and rays, errors of closure and reciprocity."""
+    """Return lines about view factors: numbers of factors and rays, errors of closure and reciprocity."""
     there = found.areas > 0.0
     closure = np.abs(found.row_sums() - 1.0)[there]
     exchange = found.matrix * found.areas[:, None]
     apart = np.abs(exchange - exchange.T).sum() / max(exchange.sum(), np.finfo(float).tiny)
+    weight = found.areas / max(found.areas.sum(), np.finfo(float).tiny)
     skipped = found.skipped
     parts = [
         f"{found.matrix.nnz:,} view factors between {len(found.areas):,} surfaces by {found.rays.sum():,} rays",
-        f"largest error of closure {closure.max(initial=0.0):.1g}",
-        f"relative error of reciprocity {apart:.2g}",
-        f"outside {found.areas @ found.outside / max(found.areas.sum(), np.finfo(float).tiny):.2g}",
-        f"behind {found.areas @ found.behind / max(found.areas.sum(), np.finfo(float).tiny):.2g}",
+        f"sums of rows differ from 1 by at most {closure.max(initial=0.0):.1g} (closure)",
+        f"A_i F_ij and A_j F_ji differ by {apart:.2g} of their size (reciprocity)",
+        f"{weight @ found.outside:.2g} of the radiation leaves to the outside",
+        f"{weight @ found.behind:.2g} of the radiation hits backs of faces",
     ]
     if skipped.open_points:
-        parts.append(f"{skipped.open_points:,} open faces cast no rays")
+        parts.append(f"{skipped.open_points:,} faces see only the outside and cast no rays")
     if skipped.points:
         parts.append(f"{skipped.points:,} faces without area")
     if not found.matrix.nnz:
-        parts.append("no front faces another front: the normals of a room's faces must point inwards")
-    return ", ".join(parts)
+        parts.append("no front faces another front; reverse the faces of a room, so that their normals point inward")
+    return "\n  ".join(parts)

@@ -106,7 +106,8 @@ def view_factors(
     is_good = has_status(status, PointStatus.OK)
     if active is not None and reciprocal:
         raise ValueError(
-            "active: got a mask with reciprocal=True, want None, since that needs rays from both faces of a pair"
+            "active: got a mask with reciprocal=True, want None, because reciprocal=True needs rays from both faces of "
+            "each pair"
         )
     if reciprocal:
         check_opaque(mesh, "reciprocal")

@@ -14,7 +14,7 @@ from warpsample.radiation.weather.light import light_of
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
-WEATHER = {"weather": "an EPW weather file"}
+WEATHER = {"weather": "an EPW weather file, or athens for the example"}
 
 
 _OF_THE_LIGHT = ("weather", "period", "ground_albedo", "patches", "up", "north")

@@ -105,7 +105,10 @@ def irradiance(
     plan = plan_of(at, count, **options)
     axis, patches = as_unit(up, "up"), patches_of(at.mesh, refine)
     if patches is not None and plan.tolerance is not None:
-        raise ValueError(f"tolerance: got {quote(plan.tolerance)} for a mesh with a reflectance, want None")
+        raise ValueError(
+            f"tolerance: got {quote(plan.tolerance)} for a mesh with a reflectance, want None; count alone sets the "
+            "number of rays"
+        )
     if sampling is not None:
         check_choice(sampling, "sampling", _SAMPLINGS)
     if isinstance(radiance, wp.Function):

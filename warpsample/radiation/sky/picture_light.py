@@ -11,12 +11,12 @@ import numpy as np
 from warpsample.distributions.lights.environment_map import EnvironmentMap
 from warpsample.distributions.lights.picture import weigh_colours
 from warpsample.distributions.lights.pixel_table import solid_angles
-from warpsample.radiation.sky.sampled_picture import by_cosine, by_picture, sampled_by
 from warpsample.estimate.plan import RaySum
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.split import SplitSum
 from warpsample.estimate.weights import build_environment_integrand
 from warpsample.host.shared_values import find_or_make
+from warpsample.radiation.sky.sampled_picture import by_cosine, by_picture, sampled_by
 
 Sampling = Literal["cosine", "picture", "both"]
 

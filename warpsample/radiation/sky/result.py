@@ -90,7 +90,7 @@ class SkyMatrix(PointResult):
             raise ValueError(f"path: got {str(path)!r}, want {wants}")
         if target.suffix == ".mtx" and self.folded:
             raise ValueError(
-                f"path: got {str(path)!r} for sums of shape {self.value.shape}, want .npz, or a matrix without fold"
+                f"path: got {str(path)!r} for a result of sky_matrix with fold=, want .npz, or a result without fold"
             )
         check_output(target, "path")
         with complete_or_absent(target) as stream:

@@ -46,7 +46,7 @@ def check_text(path: Path) -> str:
             date = "month {}, day {}, hour {}"
             raise ValueError(f"line {number} is for {date.format(*row[1:4])}, want {date.format(*right)}")
         if not _YEAR.fullmatch(row[0].strip()):
-            raise ValueError(f"line {number} is for the year {quote(row[0])}, want one from 1800 to 2199")
+            raise ValueError(f"line {number} is for the year {quote(row[0])}, want a year from 1800 to 2199")
     between, after = [""] * (_DIRECT - 4), [""] * (_PVLIB_FIELDS - _FIELDS)
     kept = [",".join([*row[:4], *between, *row[_DIRECT:_FIELDS], *after]) for row in rows]
     return "\n".join([lines[0], *["-"] * (_HEADER - 1), *kept])
@@ -65,7 +65,7 @@ def _check_place(line: str) -> None:
         )
     for value, (name, limit) in zip(map(float, fields[6:10]), _LIMITS.items(), strict=True):
         if not -limit <= value <= limit:
-            raise ValueError(f"line 1 has the {name} {value:g}, want one from -{limit} to {limit}")
+            raise ValueError(f"line 1 has the {name} {value:g}, want a number from -{limit} to {limit}")
 
 
 def radiation(table: Any, column: str, name: str) -> np.ndarray:

@@ -52,7 +52,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
         atlas.generate(pack_options=options)
         side = max(atlas.width, atlas.height)
         if not side:
-            raise ValueError("mesh: got faces without an area, want at least one that has some")
+            raise ValueError("mesh: got only faces without an area, want at least one face with an area")
         if side <= size:
             return np.array((atlas.width, atlas.height)) / size, atlas
         wanted = atlas.texels_per_unit * _SLACK * size / side

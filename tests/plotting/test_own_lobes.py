@@ -1,0 +1,220 @@
+"""Lobes that differ from point to point: what is drawn of them, and what the map reports of right and wrong ones."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from significance import ALPHA
+
+import warpsample as ws
+from warpsample.proof.twins import frames
+from warpsample.viewer import clouds, controls, lobes, own_lobes, start, window
+from warpsample.viewer.choice import Choice, format_distribution
+from warpsample.viewer.counts import count_directions
+
+ROUGH = np.linspace(0.05, 0.6, 60)
+EYE = np.array([0.0, 0.0, 8.0])
+
+
+def brushed(view=None):
+    """A lobe of 60 points, each with its own roughness, anisotropy and, with a view, direction to the viewer."""
+    return ws.GGX(ROUGH, ROUGH[::-1]) if view is None else ws.VisibleGGX(ROUGH, view, ROUGH[::-1])
+
+
+@pytest.fixture(scope="module")
+def facing(points):
+    """60 points of the bunny that face the eye, whose view is at least 10 degrees above the surface."""
+    rows = np.flatnonzero(points.to_local(EYE - points.position)[:, 2] > 0.17 * 8.0)
+    return points.take(rows[:60])
+
+
+def judged(right, wrong, facing, samples=1000, seed=3):
+    """The counts of the directions of one lobe held against another."""
+    choice = Choice(wrong, right, samples=samples, seed=seed)
+    return clouds.count_clouds(choice, clouds.all_clouds(choice, facing, 1.0))
+
+
+def test_right_lobes_agree_and_swapped_roughnesses_do_not(facing, plausible):
+    """Also where points have the roughness of others, and where the view is mirrored at the normal.
+
+    Whole lobes that are exchanged between points have the same sum, so the map cannot report them.
+    """
+    view = facing.to_local(EYE - facing.position)
+    right = brushed(view)
+    seen = judged(right, right, facing)
+    for part in (seen.theta, seen.azimuth, seen.cells):
+        plausible(part.test.p_value)
+        assert part.verdict().startswith("agrees with visible_ggx")
+    # 384 residuals of about standard normal size: the largest is above 6 once in 10^6 pictures.
+    assert np.abs(seen.cells.residuals).max() < 6.0
+    others = np.roll(ROUGH, 30)
+    for wrong in (
+        replace(right, alpha=right.alpha_y, alpha_y=right.alpha),
+        replace(right, alpha=others, alpha_y=others[::-1]),
+        brushed(view * np.array([-1.0, -1.0, 1.0])),
+    ):
+        seen = judged(right, wrong, facing)
+        assert seen.cells.is_wrong
+        assert seen.cells.verdict().startswith("does NOT agree")
+        assert np.abs(seen.cells.residuals).max() > 6.0
+
+
+def test_the_map_finds_what_both_histograms_miss():
+    """Directions whose theta and phi are right, but independent of each other."""
+    lobe, u = ws.GGX(0.1, 0.5), ws.sample_square("independent", 1, 60_000, seed=2)[0]
+    right = lobe.sample(u).astype(np.float64)
+    across, azimuth = np.hypot(right[:, 0], right[:, 1]), np.roll(np.arctan2(right[:, 1], right[:, 0]), 1)
+    wrong = np.stack([across * np.cos(azimuth), across * np.sin(azimuth), right[:, 2]], axis=1)
+    seen = count_directions(wrong, lobes.probabilities_of(lobe), independent=True)
+    assert (seen.theta.is_wrong, seen.azimuth.is_wrong, seen.cells.is_wrong) == (False, False, True)
+
+
+def test_an_azimuth_that_is_not_stretched_is_reported(plausible):
+    """Slopes r (alpha cos phi, alpha_y sin phi): with the direction of (cos phi, sin phi) instead, as a renderer had it."""
+    alpha, alpha_y = 0.1, 0.5
+    u = ws.sample_square("independent", 1, 60_000, seed=2)[0].astype(np.float64)
+    c, s = np.cos(2.0 * np.pi * u[:, 1]), np.sin(2.0 * np.pi * u[:, 1])
+    length = np.sqrt(u[:, 0] / (1.0 - u[:, 0]))
+    shapes = {True: np.stack([alpha * c, alpha_y * s]), False: np.hypot(alpha * c, alpha_y * s) * np.stack([c, s])}
+    probabilities = lobes.probabilities_of(ws.GGX(alpha, alpha_y))
+    for is_right, (x, y) in shapes.items():
+        w = np.stack([length * x, length * y, np.ones_like(x)], axis=1)
+        seen = count_directions(w / np.linalg.norm(w, axis=1, keepdims=True), probabilities, independent=True).cells
+        assert seen.is_wrong != is_right
+        if is_right:
+            plausible(seen.test.p_value)
+
+
+def test_symmetric_lobes_of_different_points_have_no_map(facing, plausible):
+    seen = judged(ws.GGX(ROUGH), ws.GGX(ROUGH), facing)
+    assert seen.cells is None
+    plausible(seen.theta.test.p_value)
+    assert judged(ws.GGX(ROUGH), ws.GGX(1.05 * ROUGH), facing).theta.is_wrong
+
+
+def test_a_map_has_rows_of_almost_equal_solid_angle():
+    probabilities = lobes.probabilities_of(ws.GGX(0.1, 0.5))
+    u = ws.sample_square("sobol", 1, 4096)[0]
+    seen = count_directions(ws.GGX(0.1, 0.5).sample(u), probabilities, independent=False).cells
+    assert (seen.edges[0], seen.edges[-1]) == (1.0, pytest.approx(0.0, abs=1e-12))
+    assert seen.observed.shape == (len(seen.edges) - 1, lobes.SECTORS)
+    assert np.abs(-np.diff(seen.edges) * 16 - 1.0).max() < 0.6  # bins of theta are 2 degrees
+    solid = -np.diff(seen.edges)[:, None] * 2.0 * np.pi / lobes.SECTORS
+    assert (seen.observed * solid).sum() == pytest.approx(1.0)
+    assert (seen.expected * solid).sum() == pytest.approx(1.0)
+
+
+def test_views_point_to_the_camera_and_points_behind_have_no_directions(points, bunny):
+    at = own_lobes.lobes_at(Choice(ws.VisibleGGX(0.3), samples=16), bunny, points, EYE)
+    unit = (points.normal / np.linalg.norm(points.normal, axis=1, keepdims=True)).astype(np.float64)
+    to_eye = EYE - points.position
+    local = np.einsum("pij,pi->pj", frames(unit), to_eye / np.linalg.norm(to_eye, axis=1, keepdims=True))
+    above = local[:, 2] > 1e-6
+    assert np.abs(at.distribution.view[above] - local[above]).max() <= 1e-6
+    drawn = clouds.all_clouds(at, points, 1.0)
+    assert np.array_equal(drawn.rows, np.flatnonzero(at.distribution.view[:, 2] >= 0.0))
+    assert 0 < len(drawn.rows) < len(points)
+    assert len(drawn.position) == 16 * len(drawn.rows)
+    # A choice whose view is given, and one without a view, stay as they are.
+    fixed = Choice(ws.VisibleGGX(0.3, (0.6, 0.0, 0.8)), camera=False)
+    assert own_lobes.lobes_at(fixed, bunny, points, EYE) is fixed
+    assert own_lobes.lobes_at(Choice(ws.GGX(0.3)), bunny, points, EYE).distribution == ws.GGX(0.3)
+
+
+def test_each_lobe_has_its_own_scale(facing):
+    """A smooth point has a peak that is a hundred times as high, and a cloud of the same length."""
+    choice = Choice(ws.GGX(ROUGH), samples=500)
+    drawn = clouds.all_clouds(choice, facing, 2.0)
+    length = np.linalg.norm(drawn.position.reshape(60, 500, 3) - facing.position[:, None], axis=-1)
+    assert (length.max(axis=1) > 1.8).all()
+    assert length.max() <= 2.0 * (1.0 + 1e-6)
+    assert (drawn.color.reshape(60, 500) * 2.0).max(axis=1) == pytest.approx(length.max(axis=1), rel=0.02)
+
+
+def test_options_of_the_command_line():
+    """The camera is the viewer unless a view is given; an array has rows of vertices or faces."""
+    made = start.choice("visible_ggx(alpha=@r)", None, "sobol", 64, 0, arrays={"r": ROUGH}.get)
+    assert made.camera
+    assert format_distribution(made.distribution, made.camera) == "visible_ggx(alpha=0.05 to 0.6, view=camera)"
+    assert start.choice("visible_ggx(alpha=@r, view=@camera)", None, "sobol", 64, 0, arrays={"r": ROUGH}.get) == made
+    assert not start.choice("visible_ggx(alpha=0.3, view=(0, 0, 1))", None, "sobol", 64, 0).camera
+    with pytest.raises(ValueError, match=r"^distribution: got alpha with 60 rows, want 1,089 \(vertices\) or 2,080"):
+        own_lobes.check_rows(made, ws.load_mesh("courtyard"))
+
+
+def test_the_menu_has_all_that_can_be_made_without_arrays():
+    made = {name: controls.make_distribution(name) for name in controls.spatial_names()}
+    assert {"reflection", "visible_ggx", "ggx", "uniform_sphere"} <= set(made)
+    assert not {"environment_map", "spherical_triangle", "uniform_disk"} & set(made)
+    with pytest.raises(ValueError, match=r"^distribution: got EnvironmentMap.*, which ignores the normals"):
+        start.choice("environment_map(picture=@sky)", None, "sobol", 64, 0, arrays={"sky": np.ones((4, 8))}.get)
+
+
+@pytest.fixture(scope="module")
+def viewer(can_render, bunny):
+    """A window whose camera is the viewer of lobes by vertex."""
+    alpha = np.linspace(0.1, 0.5, len(bunny.vertices))
+    made = window.Viewer(bunny, 30, Choice(ws.VisibleGGX(alpha), samples=200), size=(1200, 675), off_screen=True)
+    made.plotter.show(auto_close=False, interactive=False)
+    yield made
+    made.plotter.close()
+
+
+def look(viewer, position):
+    viewer.plotter.renderers[1].camera.position = position
+    viewer.plotter.render()
+
+
+def test_clouds_follow_the_camera(viewer):
+    start_at = viewer.plotter.renderers[1].camera.position
+    before, near, counts = viewer.clouds, viewer.near, viewer.counts
+    shown = np.array(viewer.cloud_actor.actor.mapper.dataset.points)
+    viewer.plotter.render()
+    assert viewer.clouds is before  # a frame of the same camera costs nothing
+    look(viewer, (start_at[0] + 0.3 * start_at[2], start_at[1], start_at[2]))
+    assert not np.array_equal(viewer.cloud_actor.actor.mapper.dataset.points, shown)
+    assert not np.array_equal(viewer.near.lobe.view, near.lobe.view)
+    assert viewer.counts is not counts
+    assert viewer.counts.cells.verdict().startswith("agrees with its own density")
+    assert viewer.counts.cells.test.p_value >= ALPHA
+    assert f"{30 - len(viewer.clouds.rows)} points face away from the camera" in viewer.caption.input
+    look(viewer, start_at)
+    assert np.array_equal(viewer.cloud_actor.actor.mapper.dataset.points, shown)
+
+
+def test_charts_wait_until_the_model_stands_still(viewer):
+    start_at = viewer.plotter.renderers[1].camera.position
+    style = viewer.plotter.iren.interactor.GetInteractorStyle()
+    counts, drawn = viewer.counts, viewer.clouds
+    style.StartRotate()
+    look(viewer, (start_at[2], start_at[1], start_at[0]))
+    assert viewer.clouds is not drawn
+    assert viewer.counts is counts
+    style.EndRotate()
+    viewer.plotter.render()
+    assert viewer.counts is not counts
+    look(viewer, start_at)
+
+
+def test_a_pinned_point_that_faces_away_has_no_cloud(viewer):
+    start_at = viewer.plotter.renderers[1].camera.position
+    look(viewer, tuple(-np.array(start_at)))
+    assert viewer.near is None
+    assert not viewer.near_actor.actor.GetVisibility()
+    viewer.plotter.screenshot(return_img=True)
+    look(viewer, start_at)
+    assert viewer.near_actor.actor.GetVisibility()
+
+
+def test_the_command_draws_lobes_by_vertex(can_render, call, bunny, tmp_path):
+    file, arrays = tmp_path / "own.png", tmp_path / "arrays.npz"
+    np.savez(arrays, rough=np.linspace(0.1, 0.5, len(bunny.vertices)), short=ROUGH)
+    options = ["--points", 10, "--samples", 100, "--size", 1200, 675, "--screenshot", file, "--arrays", arrays]
+    status, out, err = call("view", "--distribution", "visible_ggx(alpha=@rough)", *options)
+    assert (status, err) == (0, "")
+    assert out.startswith(f"{file}: 10 points x 100 directions of visible_ggx(alpha=0.1 to 0.5, view=camera); θ agrees")
+    assert "; (θ, φ) agrees with its own density" in out
+    status, _, err = call("view", "--distribution", "ggx(alpha=@short)", *options)
+    assert (status, err.split(",")[0]) == (2, "error: --distribution: got alpha with 60 rows")
+    status, _, err = call("view", "--distribution", "ggx(alpha=@none)", *options)
+    assert (status, err.split(",")[0]) == (2, "error: --distribution: got @none")
