@@ -122,6 +122,8 @@ KINDS = {
     "alpha_y": kind(0.5, *NUMBER, "of Warp", "None"),
     "HenyeyGreenstein.g": kind(0.5, *NUMBER, "of Warp"),
     "matrix": kind(np.eye(3), wrong=(np.eye(2), np.zeros((3, 3)), np.full((3, 3), nan))),
+    "lobes": kind([ws.GGX(0.3), ws.UniformSphere()], wrong=(ws.GGX(0.3), [ws.UniformDisk()] * 2, ["ggx"] * 2)),
+    "Mixture.weights": kind([1.0, 3.0], "one less", wrong=([1.0], [-1.0, 2.0], [nan, 1.0], [0.0, 0.0])),
     "lobe": kind(ws.VisibleGGX(0.3), wrong=(ws.VisibleGGX, "ggx(alpha=0.3)", ws.UniformDisk())),
     "corners": kind(np.eye(3), wrong=(np.eye(2), np.zeros((3, 3)), np.full((3, 3), nan))),
     "eta": kind(1.5, *NUMBER, "of Warp", wrong=(1.0, 1.0005, 0.0, 101.0)),
