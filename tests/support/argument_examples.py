@@ -115,6 +115,7 @@ KINDS = {
     "max_distance": kind(1.5, *LIMITLESS),
     "falloff": kind(2.0, *POSITIVE),
     "refine": kind(0.5, *LIMITLESS),
+    "sampling": kind("both"),
     "tolerance": kind(0.1, *POSITIVE, wrong=(0.0,)),
     "scale": kind(0.1, *POSITIVE, "-1", "2**70"),
     "alpha": kind(0.5, *NUMBER, "of Warp"),

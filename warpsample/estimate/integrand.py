@@ -81,6 +81,7 @@ class Integrand:
         constant: Whether the function is (1, 0, 0) everywhere.
         binary: Whether the function is (1, 0, 0) or 0 everywhere.
         reads_pdf: Whether the function reads the density `Lobe.pdf`.
+        sparse: Whether the function is 0 where the cosine to the normal is below 2^-12, which holds for many rays.
         arrays: (name, array) pairs of the data's fields that hold addresses of NumPy arrays.
     """
 
@@ -91,6 +92,7 @@ class Integrand:
     constant: bool = False
     binary: bool = False
     reads_pdf: bool = False
+    sparse: bool = False
     arrays: tuple[tuple[str, np.ndarray], ...] = ()
 
     def data_for(self, loan: Loan) -> Any:
