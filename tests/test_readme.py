@@ -76,28 +76,30 @@ def test_the_first_page_is_short(repository):
                 (3, r"^\{'OK': 676, 'INVALID_PARAMETER': 324\}\n$"),
                 (4, r"^\(1000, 64, 3\)\n$"),
                 (5, r"^0\.94\n$"),
-                (6, r"^\(1000, 64, 3\) True\n$"),
-                (7, r"^\n$"),  # these two together: tests/proof/test_own.py
-                (8, r"^\n$"),
-                (9, r"^\(2, 256, 2\)\n$"),
-                (10, r"^0\.70\n$"),
-                (11, r"^\(2080,\) 0\.62 True\n$"),
-                (12, r"^\(2080,\) 2\.7\n$"),
-                (13, r"^\(2080,\) 270 kWh/m2\n\(2080, 24\) 2021-06-21T12:00\n$"),
-                (14, r"^\(2080, 145\) True\n$"),
-                (15, r"^0\.09 of the irradiation is reflected\n$"),
-                (16, r"^True 1\.0\n3\.9 W/m2, 1\.7 without other faces\n$"),
-                (17, r"^0\.26 ± 0\.00\d, EPSG:3794\n0\.2\d to 0\.2\d\n4 of 15 hours\n$"),
-                (18, r"^\['' 'RoofSurface' 'WallSurface'\] \[0\.74 0\.91 0\.42\] True\n$"),
-                (19, r"^\(256, 256\) 0 True\n$"),
-                (20, r"^0\.7[45]\d* 6400\n$"),
+                (6, r"^\(1000, 64, 3\)\n$"),
+                (7, r"^\(1000, 64, 3\) True\n$"),
+                (8, r"^\n$"),  # these two together: tests/proof/test_own.py
+                (9, r"^\n$"),
+                (10, r"^\(2, 256, 2\)\n$"),
+                (11, r"^0\.70\n$"),
+                (12, r"^\(2080,\) 0\.62 True\n$"),
+                (13, r"^\(2080,\) 2\.7\n$"),
+                (14, r"^\(2080,\) 270 kWh/m2\n\(2080, 24\) 2021-06-21T12:00\n$"),
+                (15, r"^\(2080,\) True\n$"),
+                (16, r"^\(2080, 145\) True\n$"),
+                (17, r"^0\.09 of the irradiation is reflected\n$"),
+                (18, r"^True 1\.0\n3\.9 W/m2, 1\.7 without other faces\n$"),
+                (19, r"^0\.26 ± 0\.00\d, EPSG:3794\n0\.2\d to 0\.2\d\n4 of 15 hours\n$"),
+                (20, r"^\['' 'RoofSurface' 'WallSurface'\] \[0\.74 0\.91 0\.42\] True\n$"),
+                (21, r"^\(256, 256\) 0 True\n$"),
+                (22, r"^0\.7[45]\d* 6400\n$"),
             )
         ),
     ],
 )
 def test_python_blocks_run_and_print_what_they_say(index, expected, repository, tmp_path, child_environment):
     found = blocks(repository, "python")
-    assert len(found) == 21
+    assert len(found) == 23
     script = tmp_path / "example.py"
     script.write_text(found[index])
     given = {"env": child_environment, "cwd": tmp_path, "capture_output": True, "text": True}

@@ -1,13 +1,15 @@
 """Reflections at a lobe of normals: closed forms, shares, reciprocity, any view, nested parameters and kernels."""
 
+import pickle
 from itertools import pairwise
 
+import dask
 import numpy as np
 import pytest
 import warp as wp
 
 import warpsample as ws
-from warpsample import funcs
+from warpsample import cluster, funcs
 from warpsample.directions.plan import _build_kernel
 from warpsample.proof import laws, verify
 from warpsample.statistics.charts import SPHERE
@@ -198,6 +200,33 @@ def test_kernels_are_keyed_by_types():
     assert _build_kernel.cache_info().currsize == built
     ws.sample_directions(normals, 3, distribution=ws.Reflection(ws.GGX(alpha), view))
     assert _build_kernel.cache_info().currsize == built + 1
+
+
+def test_equality_pickles_and_tokens_know_nested_arrays():
+    alpha, view = by_point()
+    lobe = ws.Reflection(ws.VisibleGGX(alpha, view=view), view)
+    copied = pickle.loads(pickle.dumps(lobe))
+    assert copied == lobe
+    assert hash(copied) == hash(lobe)
+    other = alpha.copy()
+    other[-1] *= 1.0001
+    changed = ws.Reflection(ws.VisibleGGX(other, view=view), view)
+    assert changed != lobe
+    assert len({dask.base.tokenize(each) for each in (lobe, copied, changed)}) == 2
+
+
+def test_tasks_of_dask_cut_nested_parameters_with_the_points():
+    alpha, view = by_point()
+    normals = np.random.default_rng(4).normal(size=(P, 3))
+    for lobe in (
+        ws.Reflection(ws.VisibleGGX(alpha, view=view), view),
+        ws.RoughDielectric(ws.VisibleGGX(alpha, view=view), -view, 1.0 + alpha),
+    ):
+        whole = ws.sample_directions(normals, 5, distribution=lobe, pdf=True)
+        found = cluster.sample_directions(normals, 5, distribution=lobe, pdf=True, chunk=3)
+        vectors, pdf = dask.compute(found.vectors, found.pdf)
+        assert np.array_equal(vectors, whole.vectors)
+        assert np.array_equal(pdf, whole.pdf)
 
 
 def test_errors_name_the_nested_parameter():

@@ -27,7 +27,7 @@ LINES = 2500
 def roughness(position: np.ndarray, bounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the mean roughness, and the ratio of the roughnesses across and along the brush lines, at positions (N, 3)."""
     share = np.clip((position - bounds[0]) / (bounds[1] - bounds[0]), 0.0, 1.0)
-    return tuple(low * (high / low) ** share[:, axis] for axis, (low, high) in ((1, ROUGH), (0, BRUSHED)))
+    return tuple(low * np.float_power(high / low, share[:, axis]) for axis, (low, high) in ((1, ROUGH), (0, BRUSHED)))
 
 
 def brushed(mesh: ws.Mesh, count: int, seed: int) -> ws.SurfacePoints:

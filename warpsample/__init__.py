@@ -47,6 +47,7 @@ _LOBES = (
     "GGX",
     "HenyeyGreenstein",
     "LinearlyTransformedCosine",
+    "Mixture",
     "OffsetBall",
     "OffsetCircle",
     "OffsetDisk",

@@ -13,6 +13,7 @@ from warpsample.directions.sample import (
 from warpsample.distributions.microfacets.beckmann import Beckmann as Beckmann
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere as CosineHemisphere
 from warpsample.distributions.microfacets.ggx import GGX as GGX
+from warpsample.distributions.mixture import Mixture as Mixture
 from warpsample.distributions.offset_ball import OffsetBall as OffsetBall
 from warpsample.distributions.offset_circle import OffsetCircle as OffsetCircle
 from warpsample.distributions.offset_disk import OffsetDisk as OffsetDisk

@@ -75,9 +75,9 @@ def test_the_part_of_a_file_that_gets_it_is_named(tmp_path):
     assert compute_known(scene, SIZE, 64, 64).at_texels.tolist() == [1.0] * 64
     with pytest.raises(ValueError, match="^part: got 'middle', want one of lower, upper"):
         load_scene(path, "middle", SIZE)
-    with pytest.raises(ValueError, match="^asset: got coordinates with all faces overlapping"):
+    with pytest.raises(ValueError, match="^asset: got texture coordinates in which all faces overlap"):
         compute_known(load_scene(path, None, SIZE), SIZE)
-    with pytest.raises(ValueError, match="^part: got 'upper' without an asset"):
+    with pytest.raises(ValueError, match="^part: got 'upper' without asset"):
         baking.measure(None, part="upper")
 
 

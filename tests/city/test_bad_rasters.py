@@ -45,7 +45,11 @@ def array_of(values=HEIGHTS, **coordinates):
         ("degrees.tif", ValueError, r"source: got coordinates in degree of WGS 84, want lengths"),
         ((HEIGHTS, UTM, "EPSG:4979"), ValueError, "source: got coordinates in degree"),
         ((HEIGHTS, UTM, "EPSG:4978"), ValueError, "source: got coordinates of WGS 84, want a map with two horizontal axes"),
-        (array_of().assign_attrs(positive="Down"), ValueError, r"source: got positive='down', want heights .*negate them"),
+        (
+            array_of().assign_attrs(positive="Down"),
+            ValueError,
+            r"source: got positive='down', want heights .*negate the numbers",
+        ),
         (
             array_of().assign_attrs(standard_name="sea_floor_depth_below_geoid"),
             ValueError,
@@ -148,7 +152,7 @@ def test_what_is_too_large_is_refused_before_it_is_read(tmp_path, monkeypatch):
     monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10**9))
     huge = np.broadcast_to(np.float32(0.0), (4096, 4096))  # 4 bytes in all
     with pytest.raises(
-        MemoryError, match=r"the surface of 4,096 x 4,096 cells need 16\.8 GB and 1\.0 GB are free; split it"
+        MemoryError, match=r"the surface of 4,096 x 4,096 cells need 16\.8 GB and 1\.0 GB are free; split the raster"
     ):
         rasters.surface((huge, UTM, None))
     path = tmp_path / "sparse.tif"
@@ -159,6 +163,6 @@ def test_what_is_too_large_is_refused_before_it_is_read(tmp_path, monkeypatch):
         pass
     with pytest.raises(
         ValueError,
-        match="source: got 17,000 x 17,000 cells, want 1 to 268,435,456; split it into tiles",
+        match="source: got 17,000 x 17,000 cells, want 1 to 268,435,456; split the raster into tiles",
     ):
         rasters.surface(path)

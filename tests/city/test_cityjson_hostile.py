@@ -33,16 +33,19 @@ def with_parents(parents):
 
 
 DAMAGED = {
-    "a type": (cases.house(type="FeatureCollection"), "its type is 'FeatureCollection', want 'CityJSON'$"),
-    "a version": (cases.house(version="0.9"), "its version is '0.9', want 1.0, 1.1 or 2.0$"),
+    "a type": (
+        cases.house(type="FeatureCollection"),
+        "the JSON has the type 'FeatureCollection', want 'CityJSON'$",
+    ),
+    "a version": (cases.house(version="0.9"), "the CityJSON version is '0.9', want 1.0, 1.1 or 2.0$"),
     "a version that is a number": (cases.house(version=2), "version: got 2, want a text$"),
-    "no transform": ({k: v for k, v in cases.house().items() if k != "transform"}, "transform is missing$"),
+    "no transform": ({k: v for k, v in cases.house().items() if k != "transform"}, "the JSON member transform is missing$"),
     "a scale of 0": (
         cases.house(transform=cases.TRANSFORM | {"scale": [0, 1, 1]}),
         r"transform.scale: got \[0.0, 1.0, 1.0\]",
     ),
     "a scale of two": (cases.house(transform=cases.TRANSFORM | {"scale": [1, 1]}), "transform.scale: got .*, want lists of"),
-    "no objects": (cases.house(CityObjects={}), "it has no objects with surfaces$"),
+    "no objects": (cases.house(CityObjects={}), "the file has no city objects with surfaces$"),
     "a list of objects": (cases.house(CityObjects=[]), r"CityObjects: got \[\], want an object$"),
     "an object that is none": (cases.house(CityObjects={"a": 3}), "CityObjects.a: got 3, want an object$"),
     "vertices that are none": (cases.house(vertices=7), "vertices: got 7, want a list$"),
@@ -52,7 +55,7 @@ DAMAGED = {
     "vertices beyond all": (cases.house(vertices=[[10**400, 2, 3]]), "int too large"),
     "vertices beyond float64": (
         cases.house(vertices=[[1e308, 2, 3]], transform={"scale": [1e9] * 3, "translate": [0] * 3}),
-        r"it has coordinates beyond 1e\+36$",
+        r"the file has coordinates beyond 1e\+36$",
     ),
     "a corner beyond": (
         geometry(boundaries=[[[[0, 1, 99]]]]),
@@ -72,7 +75,7 @@ DAMAGED = {
     "not deep enough": (geometry(boundaries=cases.FACES), ".*boundaries: got .*, want a ring, a list of vertices$"),
     "boundaries of a number": (geometry(boundaries=3), ".*boundaries: got 3, want a list$"),
     "another geometry": (geometry(type="Sphere"), r".*geometry\[0\].type: got 'Sphere', want one of MultiSurface, "),
-    "no type": (cases.house({"lod": 2}), r"CityObjects.house.geometry\[0\].type is missing$"),
+    "no type": (cases.house({"lod": 2}), r"the JSON member CityObjects.house.geometry\[0\].type is missing$"),
     "no level of detail": (geometry(lod=None), ".*lod: got None, want a level of detail, such as 2.2$"),
     "semantics of a text": (geometry(semantics="roof"), ".*semantics: got 'roof', want an object$"),
     "semantics without types": (
@@ -100,11 +103,14 @@ DAMAGED = {
         r".*surfaces\[0\].parent: got 1, want a whole number below 1",
     ),
     "attributes of a list": (with_attributes := cases.house(), ""),
-    "its own parent": (with_parents({"a": ["a"]}), "its object 'a' is its own ancestor$"),
-    "a circle": (with_parents({"a": ["b"], "b": ["c"], "c": ["a"]}), "its object 'a' is its own ancestor$"),
+    "its own parent": (with_parents({"a": ["a"]}), "the city object 'a' is its own ancestor; correct the lists of parents$"),
+    "a circle": (
+        with_parents({"a": ["b"], "b": ["c"], "c": ["a"]}),
+        "the city object 'a' is its own ancestor; correct the lists of parents$",
+    ),
     "many parents": (
         with_parents({f"a{i}": [f"a{i + 1}"] for i in range(300)}),
-        "its object 'a0' has more than 100 ancestors$",
+        "the city object 'a0' has more than 100 ancestors$",
     ),
     "parents of numbers": (with_parents({"a": [3]}), r"CityObjects.a.parents\[0\]: got 3, want a text$"),
     "no templates": (cases.house(TREE), r"CityObjects.house.geometry\[0\].template: got 0, want a whole number below 0"),
@@ -126,7 +132,7 @@ DAMAGED = {
     ),
     "a perspective": (
         cases.house(TREE | {"transformationMatrix": [1.0] * 16}, **{"geometry-templates": TEMPLATES}),
-        r".*transformationMatrix: got \[1.0, 1.0, 1.0, 1.0\] at its end, want 0, 0, 0, 1$",
+        r".*transformationMatrix: got \[1.0, 1.0, 1.0, 1.0\] as the last row of the matrix, want \[0, 0, 0, 1\]$",
     ),
 }
 with_attributes["CityObjects"]["house"]["attributes"] = [1]
@@ -146,19 +152,19 @@ def test_what_is_damaged_is_refused_in_a_sentence(tmp_path, name):
 @pytest.mark.parametrize(
     ("text", "why"),
     [
-        ("", "it is empty$"),
-        ("   \n ", "it has no objects with surfaces$"),
-        ("[]", r"its JSON is \[\], want an object$"),
+        ("", "the file is empty$"),
+        ("   \n ", "the file has no city objects with surfaces$"),
+        ("[]", r"the JSON is \[\], want an object$"),
         ("hello", "Expecting value"),
-        ('{"type":"CityJSON","type":"CityJSON"}', "its JSON has an object with two members 'type'$"),
-        ('{"type":"CityJSON","version":"2.0","x":NaN}', "its JSON has the number NaN, want finite numbers$"),
-        ("[" * 100_000, "its JSON is nested too deeply$"),
-        ('{"a":' * 100_000, "its JSON is nested too deeply$"),
-        ('{"type":"CityJSONFeature"}', "its type is 'CityJSONFeature', want 'CityJSON'$"),
+        ('{"type":"CityJSON","type":"CityJSON"}', "the JSON has an object with two members 'type', want each name once$"),
+        ('{"type":"CityJSON","version":"2.0","x":NaN}', "the JSON has the number NaN, want finite numbers$"),
+        ("[" * 100_000, "the JSON is nested too deeply$"),
+        ('{"a":' * 100_000, "the JSON is nested too deeply$"),
+        ('{"type":"CityJSONFeature"}', "the JSON has the type 'CityJSONFeature', want 'CityJSON'$"),
         ('{"type":"CityJSON","version":"1.0","vertices":[],"CityObjects":{}}\n{"type":"CityJSON"', "line 2: Expecting"),
         (
             '{"type":"CityJSON","version":"1.0","vertices":[],"CityObjects":{}}\n{"type":"Feature"}',
-            "line 2: its type is 'Feature', want 'CityJSONFeature'$",
+            "line 2: the JSON has the type 'Feature', want 'CityJSONFeature'$",
         ),
         ('{"type":"CityJSON","version":"2.0","x":' + "9" * 5000 + "}", "Exceeds the limit"),
     ],
@@ -169,7 +175,7 @@ def test_what_is_no_cityjson_is_refused_in_a_sentence(tmp_path, text, why):
     with refused(path, why):
         ws.load_city(path)
     path.write_bytes(b'{"type":"\xff\xfe"}')
-    with refused(path, "its JSON is not encoded in UTF-8$"):
+    with refused(path, "the JSON is not encoded in UTF-8$"):
         ws.load_city(path)
 
 
@@ -269,5 +275,5 @@ def test_an_object_of_very_many_parents_is_refused_by_their_number(tmp_path):
     document["CityObjects"] |= {f"g{i}": {"type": "CityObjectGroup"} for i in range(20_000)}
     document["CityObjects"]["house"]["parents"] = [f"g{i}" for i in range(20_000)]
     path = cases.written(tmp_path / "a.json", document)
-    with refused(path, "its object 'house' has more than 100 ancestors$"):
+    with refused(path, "the city object 'house' has more than 100 ancestors$"):
         ws.load_city(path)

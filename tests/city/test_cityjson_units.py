@@ -113,7 +113,7 @@ def test_degrees_without_a_system_are_refused_and_small_models_are_not(tmp_path)
     document = cases.house(transform={"scale": [1e-8, 1e-8, 0.001], "translate": [8.5, 47.4, 400.0]})  # 1e-4 degrees, 11 m
     with pytest.raises(
         ValueError,
-        match=r"it has no metadata.referenceSystem that is known, and coordinates between \[\[8.5.*, as in degrees",
+        match=r"the file has no known CRS in metadata.referenceSystem, and coordinates from \[8.5.*, which look like deg.*",
     ):
         load(tmp_path, document)
     for scale in ([1e-6] * 3, [1e-4, 1e-4, 0.01]):  # a house of 1 cm; a mast of 1 m x 1 m x 50 m
@@ -145,7 +145,7 @@ def test_a_wide_city_in_degrees_is_refused(tmp_path):
     """Two houses 4 km apart, and a hundred over the whole Earth: no width hides what single houses are."""
     rng = np.random.default_rng(0)
     for offsets in ([(0.0, 0.0), (0.05, 0.0)], rng.uniform((-170.0, -89.0), (160.0, 40.0), (100, 2))):
-        with pytest.raises(ValueError, match=r"and coordinates between .*, as in degrees; want lengths"):
+        with pytest.raises(ValueError, match=r"and coordinates from .*, which look like degrees; want lengths"):
             load(tmp_path, placed(offsets, [1e-8, 1e-8, 0.001]))
 
 
@@ -159,7 +159,7 @@ def test_terrain_in_degrees_is_refused_and_in_metres_is_not(tmp_path):
     land = {"type": "TINRelief", "geometry": [{"type": "CompositeSurface", "lod": "1", "boundaries": faces}]}
     document = cases.house() | {"CityObjects": {"land": land}, "vertices": vertices}
     document["transform"] = {"scale": [1e-4, 1e-4, 0.001], "translate": [8.5, 47.4, 400.0]}
-    with pytest.raises(ValueError, match="as in degrees"):
+    with pytest.raises(ValueError, match="look like degrees"):
         load(tmp_path, document)
     document["transform"]["scale"] = [0.5, 0.5, 0.001]
     document["transform"]["translate"] = [-50.0, -50.0, 0.0]

@@ -82,7 +82,8 @@ def test_what_can_only_be_in_degrees_is_refused(tmp_path, x, y, side, relief):
     path = grid_file(tmp_path / "dsm.asc", x, y, side, heights)
     for source in (path, (heights, Affine(side, 0.0, x, 0.0, -side, y), None)):
         with pytest.raises(
-            ValueError, match="^source: got no CRS, cells of .*, as in degrees, and heights .*; want lengths; "
+            ValueError,
+            match="^source: got cells of .* without a CRS, which look like degrees, and heights .*; want lengths; ",
         ):
             ws.rasters.sky_view_factor(source, 4)
 
@@ -147,7 +148,9 @@ def highland(cells):
     ],
 )
 def test_degrees_are_found_in_any_part_and_by_any_cells(heights, side):
-    with pytest.raises(ValueError, match="^source: got no CRS, cells of .*, as in degrees, and heights .*; want lengths; "):
+    with pytest.raises(
+        ValueError, match="^source: got cells of .* without a CRS, which look like degrees, and heights .*; want lengths; "
+    ):
         check_lengths(Affine(side, 0.0, 8.5, 0.0, -side, 47.4), heights.shape, lambda *part: heights[part])
 
 
@@ -212,7 +215,10 @@ def test_units_of_heights_and_coordinates_that_an_array_states_are_used():
         in_feet = ws.rasters.surface(array.assign_attrs({name: "ft"})).mesh.vertices
         assert in_feet[:, 2].max() == pytest.approx(0.3048 * top)
     x = xr.Variable("x", np.arange(12.0) / 1000.0, {"units": "km"})
-    with pytest.raises(ValueError, match=r"^source: got coordinates 'x' in 'km', want the unit of the CRS, 1 m$"):
+    with pytest.raises(
+        ValueError,
+        match=r"^source: got coordinates 'x' in 'km', want the unit of the CRS \(1 m\); convert the numbers to that unit$",
+    ):
         ws.rasters.surface(array.assign_coords(x=x, y=np.arange(10.0)[::-1]))
 
 

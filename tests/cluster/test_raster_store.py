@@ -171,7 +171,7 @@ def test_an_interrupted_run_goes_on_to_the_same_bytes(dsm, folder, name, compute
         bake(dsm, folder / name)
     assert not (folder / "sky.tif").exists()
     counted.most = -1
-    with pytest.raises(ValueError, match=r"which exists already, want a new name, or .*--resume\)? to continue it"):
+    with pytest.raises(ValueError, match=r"which exists already, want a new name, or .*--resume\)? to continue the run"):
         bake(dsm, folder / name)
     said = bake(dsm, folder / name, resume=True)
     assert f"5 of the {TILES} tiles were complete before\n  for the other tiles: mean 0." in said
@@ -386,7 +386,7 @@ def test_two_runs_do_not_write_one_geotiff(dsm, folder):
     ("arguments", "said"),
     [
         (["-o", "sky.exr"], "--output: got 'sky.exr' for rasters, want a file that ends in one of .tif .tiff .png .zarr"),
-        (["-o", "sky.tif", "--points", "5"], "--points: got 5 for dsm.tif; it applies only to meshes and CityJSON"),
+        (["-o", "sky.tif", "--points", "5"], "--points: got 5 for dsm.tif; the option applies only to meshes and CityJSON"),
         (["-o", "sky.tif", "--margin", "5"], "--margin: got 5 without tile, want tile, the number"),
         (["-o", "sky.tif", "--canopy", "none.tif"], "--canopy: got 'none.tif', which is missing"),
         (["-o", "sky.tif", "--tile", "0"], "--tile: got 0, want a whole number from 1 to 2147483647"),
@@ -394,18 +394,21 @@ def test_two_runs_do_not_write_one_geotiff(dsm, folder):
         (["-o", "dsm.tif"], "--output: got 'dsm.tif'"),
         (
             ["-o", "sky.tif", "--weather", "athens"],
-            "--weather: got athens for sky; it applies only to irradiation and sun-hours",
+            "--weather: got athens for sky; the option applies only to irradiation and sun-hours",
         ),
         (["-o", "sky.tif", "--quantity", "irradiation"], "--weather: got None for irradiation, want an EPW weather file"),
         (
             ["-o", "sky.tif", "--quantity", "sky-matrix"],
             "--quantity: got 'sky-matrix' for rasters, want one of ao",
         ),
-        (["-o", "sky.tif", "--texture", "64"], "--texture: got 64 for dsm.tif; it applies only to textures (--texture)"),
-        (["-o", "sky.tif", "--strict"], "--strict: got True for dsm.tif; it applies only to textures (--texture)"),
+        (
+            ["-o", "sky.tif", "--texture", "64"],
+            "--texture: got 64 for dsm.tif; the option applies only to textures (--texture)",
+        ),
+        (["-o", "sky.tif", "--strict"], "--strict: got True for dsm.tif; the option applies only to textures (--texture)"),
         (
             ["-o", "sky.tif", "--up", "0", "0", "1"],
-            "--up: got (0.0, 0.0, 1.0) for dsm.tif; it applies only to meshes",
+            "--up: got (0.0, 0.0, 1.0) for dsm.tif; the option applies only to meshes",
         ),
         (
             ["-o", "sky.tif", "--quantity", "visible-sky", "--receiver", "surface"],
@@ -467,7 +470,7 @@ def test_a_new_file_is_not_read_with_the_masks_of_an_older_one(dsm, child_enviro
 def test_options_of_rasters_are_refused_for_meshes(tmp_path, child_environment):
     command = [sys.executable, "-m", "warpsample", "bake", "courtyard", "-o", str(tmp_path / "a.ply"), "--tile", "9"]
     done = subprocess.run(command, check=False, env=child_environment, capture_output=True, text=True)
-    assert (done.returncode, done.stderr) == (2, "error: --tile: got 9 for courtyard; it applies only to rasters\n")
+    assert (done.returncode, done.stderr) == (2, "error: --tile: got 9 for courtyard; the option applies only to rasters\n")
 
 
 def test_the_commands_of_the_readme_run(dsm, repository, child_environment):

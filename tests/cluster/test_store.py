@@ -348,7 +348,8 @@ def damage_an_array(path, mesh):
         bake(path, mesh, resume=True)
     shutil.rmtree(path / "spread")
     with pytest.raises(
-        ValueError, match=r"^path: got '.*out\.zarr', whose array 'spread' is missing; compute it again under a new name$"
+        ValueError,
+        match=r"^path: got '.*out\.zarr', whose array 'spread' is missing; compute the store again under a new name$",
     ):
         bake(path, mesh, resume=True)
 
@@ -361,7 +362,7 @@ def test_consolidated_metadata_that_are_damaged_are_named(path, mesh, key, value
     (path / "zarr.json").write_text(json.dumps(kept))
     said = (
         rf"^path: got '.*out\.zarr', whose zarr\.json has another {key} "
-        rf"than this run writes at 'value'; compute it again under a new name$"
+        rf"than this run writes at 'value'; compute the store again under a new name$"
     )
     with pytest.raises(ValueError, match=said):
         bake(path, mesh, resume=True)
@@ -381,7 +382,7 @@ def test_so_are_other_names_in_them(path, mesh, old, new, said):
     assert old in text
     (path / "zarr.json").write_text(text.replace(old, new))
     with pytest.raises(
-        ValueError, match=rf"^path: got '.*out\.zarr', whose zarr\.json {said}; compute it again under a new name$"
+        ValueError, match=rf"^path: got '.*out\.zarr', whose zarr\.json {said}; compute the store again under a new name$"
     ):
         bake(path, mesh, resume=True)
 
@@ -393,7 +394,7 @@ def test_so_is_one_of_another_shape(path, mesh):
     file.write_text(file.read_text().replace('"float32"', '"float64"'))
     with pytest.raises(
         ValueError,
-        match=r"whose spread/zarr.json has another data_type than this run writes; compute it again under a new name$",
+        match=r".*spread/zarr.json has another data_type than this run writes; compute the store again under a new name$",
     ):
         bake(path, mesh, resume=True)
 

@@ -95,8 +95,8 @@ def test_the_command_says_what_it_did_and_goes_on(call, path, monkeypatch):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("bake", "courtyard", "-o", "x.vtp", "--chunk", "9"), "--chunk: got 9 for x.vtp; it applies only to .zarr"),
-        (("bake", "courtyard", "-o", "x.vtp", "--resume"), "--resume: got True for x.vtp; it applies only to .zarr"),
+        (("bake", "courtyard", "-o", "x.vtp", "--chunk", "9"), "--chunk: got 9 for x.vtp; the option applies only to .zarr"),
+        (("bake", "courtyard", "-o", "x.vtp", "--resume"), "--resume: got True for x.vtp; the option applies only to .zarr"),
         (("bake", "courtyard", "-o", "x.zarr", "--chunk", "0"), "--chunk: got 0, want a whole number from 1"),
         (("bake", "courtyard", "-o", "x.zarr", "--processes", "0"), "--processes: got 0, want a whole number from 1"),
         (("bake", "courtyard", "-o", "x.zarr", "--processes", "2", "--workers", "2"), "--processes 2: got it together with"),
@@ -107,7 +107,7 @@ def test_the_command_says_what_it_did_and_goes_on(call, path, monkeypatch):
         (("bake", "courtyard", "-o", "x.zarr", "--samples", "1"), "--samples: got 1, want a whole number from 2"),
         (
             ("bake", "courtyard", "-o", "x.zarr", "--environment", "a.hdr"),
-            "--environment: got a.hdr for ao; it applies only",
+            "--environment: got a.hdr for ao; the option applies only",
         ),
         (("bake", "courtyard", "-o", "x.zarr", "--quantity", "irradiance"), "--environment: got None"),
         (("bake", "courtyard", "-o", "no/x.zarr"), "--output: got 'no/x.zarr', whose folder does not exist"),
@@ -157,7 +157,7 @@ def test_a_store_without_an_array_is_not_exported(call, path, tmp_path):
     status, _, err = call("export", path, "courtyard", "-o", tmp_path / "x.vtp")
     assert (status, err) == (
         2,
-        f"error: store: got '{path}', whose array 'spread' is missing; compute it again under a new name\n",
+        f"error: store: got '{path}', whose array 'spread' is missing; compute the store again under a new name\n",
     )
     (path / "zarr.json").write_text("null")
     status, _, err = call("export", path, "courtyard", "-o", tmp_path / "x.vtp")

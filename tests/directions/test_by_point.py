@@ -30,6 +30,8 @@ def full_of(case, rows):
     """The same distribution with arrays full of its constants; UniformCone derives one attribute from the other."""
     values = {name: getattr(case, name) for name in case.parameters}
     arrays = {name: np.tile(np.array(value), (rows, *[1] * np.ndim(value))) for name, value in values.items()}
+    if isinstance(case, ws.Mixture):
+        return ws.Mixture([full_of(lobe, rows) for lobe in case.lobes], **arrays)
     return type(case)(**{name: full_of(lobe, rows) for name, lobe in case.nested.items()}, **arrays)
 
 

@@ -38,7 +38,7 @@ RESULTS = (
     ws.ViewFactors,
     *(quantity.result for quantity in quantities().values()),
 )  # which users read and do not make
-FOR_PROOFS = ("seam",)  # takes what `sample` has taken
+FOR_PROOFS = ("seam", "bound_maps")  # take what `sample` has taken, or what lobes of lobes pass
 PLANE = pv.PolyData.from_regular_faces(VERTICES, FACES)
 HALVES = csr_array(np.full((2, 2), 0.5))
 CITY = ws.load_city("courtyard")

@@ -324,7 +324,7 @@ def other():
 try:
     sharing.share([own, other], stop=lambda: None)
 except RuntimeError as error:
-    os._exit(7 if os.getpid() != parent and "forked within a call" in str(error) else 1)
+    os._exit(7 if os.getpid() != parent and "forked during a call" in str(error) else 1)
 print(os.waitstatus_to_exitcode(os.waitpid(children[0], 0)[1]))
 """
 

@@ -88,9 +88,12 @@ def test_hdr_of_runs_that_do_not_fit_is_refused(pixels, tmp_path):
     path = tmp_path / "sky.hdr"
     line = bytes([2, 2, 0, WIDTH])
     for content, why in [
-        (line + bytes([128 + 34, 7]) + bytes(999), "a run is longer than the rest of its line"),
-        (bytes([2, 2, 0, 34]) + bytes(999), "a line has 34 pixels instead of 33"),
-        (bytes([1, 1, 1, 9]) * WIDTH * HEIGHT, "it uses the old run-length encoding, want the new one"),
+        (line + bytes([128 + 34, 7]) + bytes(999), "a run of equal pixels is longer than the rest of the line"),
+        (bytes([2, 2, 0, 34]) + bytes(999), "a line of the picture declares 34 pixels, want 33, as in the header"),
+        (
+            bytes([1, 1, 1, 9]) * WIDTH * HEIGHT,
+            "the file uses the old run-length encoding, want the new encoding, line by line; save the picture again",
+        ),
     ]:
         path.write_bytes(header() + content)
         with refused(path, why):

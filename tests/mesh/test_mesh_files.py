@@ -69,7 +69,7 @@ def test_garbled_empty_and_foreign_files_are_refused(kind, tmp_path, capfd):
     with cases.refused(path):
         ws.load_mesh(path)
     path.write_bytes(b"")
-    with cases.refused(path, "it is empty"):
+    with cases.refused(path, "the file is empty"):
         ws.load_mesh(path)
     assert_foreign_files_are_refused(kind, tmp_path, {suffix for suffix in cases.SUFFIXES.values() if "usd" not in suffix})
     assert capfd.readouterr() == ("", "")

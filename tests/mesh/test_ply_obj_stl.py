@@ -49,10 +49,10 @@ def test_ply_of_other_elements(tmp_path):
         path.write_bytes(head.replace(b"element vertex", extra + b"element vertex") + end + row + data)
         assert ws.load_mesh(path).report.area == 8.0
         path.write_bytes(head + extra.replace(b"extra", b"tristrips") + end + data + row)
-        with cases.refused(path, "it has triangle strips, want separate faces"):
+        with cases.refused(path, "the file has triangle strips, want separate faces; export the mesh as triangles"):
             ws.load_mesh(path)
         path.write_bytes(head.replace(b"list uchar int", b"list float int") + end + data)
-        with cases.refused(path, "its header has the line 'property list float int vertex_indices'"):
+        with cases.refused(path, "the header has the unknown line 'property list float int vertex_indices'"):
             ws.load_mesh(path)
 
 
@@ -68,17 +68,17 @@ def test_obj_indices_and_lines(tmp_path):
     assert mesh.vertices[mesh.faces][:, :, 2].tolist() == [[0, 0, 0], [1, 1, 1], [0, 0, 0]]
     whole = path.read_text(encoding="utf-8")
     for line, why in [
-        ("f 1 2", "line 18: it is not a face: '1 2'"),
-        ("f 1/1 2/1 3/", "line 18: it is not a face: .*"),
-        ("f 1//1 2//1 3/1", "line 18: it is not a face: .*"),
-        ("f 1 2 7", "a face has the vertex 6, but they are 0 to 5"),
-        ("f 1 2 -7", "a face has the vertex -1, but .*"),
+        ("f 1 2", "line 18: '1 2' is not a face, want .*"),
+        ("f 1/1 2/1 3/", "line 18: .* is not a face, want .*"),
+        ("f 1//1 2//1 3/1", "line 18: .* is not a face, want .*"),
+        ("f 1 2 7", "a face has the vertex 6, want a vertex from 0 to 5"),
+        ("f 1 2 -7", "a face has the vertex -1, want .*"),
         ("f 0 1 2", "line 18: a face has the vertex 0, but vertices count from 1"),
         ("f 1 2 3.5", "line 18: invalid literal .*"),
-        ("v 1 2", "line 18: a vertex has 2 numbers instead of 3"),
+        ("v 1 2", "line 18: a vertex has 2 numbers, want at least 3"),
         ("v 1 2 x", "line 18: could not convert .*"),
-        ("curv 1 2", "line 18: it begins with 'curv', which is not a known keyword"),
-        ("f 1 2 3 \\\n", "line 17: it ends within a line|line 18: it ends within a line"),
+        ("curv 1 2", "line 18: the keyword 'curv' is unknown"),
+        ("f 1 2 3 \\\n", "line 17: the file ends within a line|line 18: the file ends within a line"),
     ]:
         path.write_text(whole + line, encoding="utf-8")
         with cases.refused(path, why):

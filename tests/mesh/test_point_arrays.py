@@ -81,7 +81,7 @@ def test_a_long_run_takes_the_rows_of_each_part(files, mesh, rough, monkeypatch)
 
 def test_wrong_names_are_refused_before_anything_is_written(files):
     for distribution, message in (
-        ("ggx(alpha=@nothing)", "got @nothing, want an array of arrays.npz: 'roughness, view'"),
+        ("ggx(alpha=@nothing)", "got the array name @nothing, want an array of arrays.npz: 'roughness, view'"),
         ("ggx(alpha=@view)", "alpha: got shape"),
     ):
         with pytest.raises(ValueError, match=message):
@@ -100,5 +100,5 @@ def test_the_accessor_takes_point_arrays_by_name(mesh, rough):
     found = ws.sample_directions(ws.vertex_points(mesh), 4, distribution=ws.GGX(rough))
     assert np.array_equal(cloud["Normals"], found.vectors.reshape(-1, 3))
     assert surface.warpsample.sample_directions(4, points=50, distribution="ggx(alpha=@roughness)").n_points == 200
-    with pytest.raises(ValueError, match="got @gloss, want an array of the dataset"):
+    with pytest.raises(ValueError, match="got the array name @gloss, want an array of the dataset"):
         surface.warpsample.sample_directions(4, distribution="ggx(alpha=@gloss)")

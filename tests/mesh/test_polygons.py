@@ -58,10 +58,10 @@ def test_a_comb_a_hole_with_a_bridge_and_corners_in_a_line():
 @pytest.mark.parametrize(
     ("counts", "indices", "message"),
     [
-        ([3], [0, 1], "its 2 corners do not fill its 1 faces"),
-        ([3, 2], [0, 1, 2, 0, 1], "face 1 has 2 corners"),
-        ([4], [0, 1, 2, 3], "a face has the vertex 3, but they are 0 to 2"),
-        ([3], [0, 1, -1], "a face has the vertex -1, but they are 0 to 2"),
+        ([3], [0, 1], "the 1 faces need 3 corners, but there are 2"),
+        ([3, 2], [0, 1, 2, 0, 1], "face 1 has 2 corners, want at least 3"),
+        ([4], [0, 1, 2, 3], "a face has the vertex 3, want a vertex from 0 to 2"),
+        ([3], [0, 1, -1], "a face has the vertex -1, want a vertex from 0 to 2"),
     ],
 )
 def test_what_is_no_polygon_is_named(counts, indices, message):

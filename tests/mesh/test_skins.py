@@ -63,10 +63,10 @@ def test_a_node_that_mirrors_turns_the_faces_only(tmp_path):
 @pytest.mark.parametrize(
     ("weights", "more", "why"),
     [
-        ([0, 0, 1, 0], {}, r"meshes\[0\].primitives\[0\].attributes.JOINTS_0: got joint 7 of 2 of the skin"),
-        ([], {}, "it has joints for 0 of 4 vertices"),
+        ([0, 0, 1, 0], {}, r"meshes\[0\].primitives\[0\].attributes.JOINTS_0: got joint 7, want 0 to 1, as in the skin"),
+        ([], {}, "the skin has joints for 0 of 4 vertices, want joints for each vertex"),
         ([1, 0, 0, 0], {"joints": (1, 9)}, r"skins\[0\].joints\[1\]: got 9, want a whole number below 4"),
-        ([1, 0, 0, 0], {"joints": (1, 2, 3)}, r"skins\[0\].inverseBindMatrices: got 2 of them, want one for each of 3"),
+        ([1, 0, 0, 0], {"joints": (1, 2, 3)}, r"skins\[0\].inverseBindMatrices: got 2 matrices, want one for each of 3"),
     ],
 )
 def test_skins_that_cannot_be_are_refused(tmp_path, weights, more, why):

@@ -189,14 +189,20 @@ def test_a_sky_matrix_that_does_not_fit_is_refused(call, tmp_path, monkeypatch):
         (["-o", "x.mtx"], "--output: got 'x.mtx' for ao, want a file that ends in one of .ply .vtp .glb .npz .csv"),
         (["-o", "x.csv", "--quantity", "irradiation"], "--weather: got None for irradiation, want an EPW weather file"),
         (["-o", "x.csv", "--quantity", "sun-hours"], "--weather: got None for sun-hours, want an EPW weather file"),
-        (["-o", "x.csv", "--weather", "a.epw"], "--weather: got a.epw for ao; it applies only to irradiation and sun-hours"),
+        (
+            ["-o", "x.csv", "--weather", "a.epw"],
+            "--weather: got a.epw for ao; the option applies only to irradiation and sun-hours",
+        ),
         (["-o", "x.csv", "--quantity", "irradiation", "--weather", "no.epw"], "--weather: got 'no.epw', which is missing"),
         (
             ["-o", "x.csv", "--quantity", "irradiation", "--weather", "bad.epw"],
             "--weather: got 'bad.epw', which cannot be read",
         ),
         (["-o", "bad.epw", "--quantity", "sun-hours", "--weather", "bad.epw"], "--output: got 'bad.epw', want"),
-        (["-o", "x.csv", "--period", "06-01", "06-02"], "--period: got ('06-01', '06-02') for ao; it applies only to"),
+        (
+            ["-o", "x.csv", "--period", "06-01", "06-02"],
+            "--period: got ('06-01', '06-02') for ao; the option applies only to",
+        ),
         (
             ["-o", "x.csv", "--quantity", "sun-hours", "--weather", "athens", "--period", "02-29", "03-01"],
             "--period: got ('02-29', '03-01'), want two days",

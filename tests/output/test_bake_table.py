@@ -27,7 +27,7 @@ SUFFIXES = sorted({suffix for files in FILES.values() for suffix in files} | {".
 VALUES = {
     "quantity": "sky", "samples": "4", "tolerance": "0.5", "max_distance": "9", "falloff": "1", "sequence": "sobol",
     "seed": "1", "points": "9", "at": "faces", "by": "part", "weather": "athens", "period": ("06-01", "06-01"),
-    "environment": "light.npy", "patches": "tregenza", "up": ("0", "0", "1"), "north": ("0", "1", "0"),
+    "environment": "light.npy", "sampling": "both", "patches": "tregenza", "up": ("0", "0", "1"), "north": ("0", "1", "0"),
     "ground_albedo": "0.1", "reflectance": "0.1", "refine": "9", "transmittance": "0.5", "lod": "2.2", "split": True,
     "context": "ground", "model": "block", "receiver": "surface", "canopy": "trees.tif", "trunk": "0.5", "tile": "8",
     "margin": "4", "far": "far.tif", "texture": "16", "uv": "new", "supersample": "2", "normals": "smooth", "gutter": "1",
@@ -39,7 +39,8 @@ WITH = {"falloff": ["max_distance"], "margin": ["tile"], "trunk": ["canopy"], "h
 """Further options that an option needs."""
 
 QUANTITIES = {"weather": "sun-hours", "period": "sun-hours", "environment": "irradiance", "reflectance": "irradiance",
-              "refine": "irradiance", "patches": "sky-matrix", "north": "sky-matrix", "ground_albedo": "irradiation",
+              "refine": "irradiance", "sampling": "irradiance",
+              "patches": "sky-matrix", "north": "sky-matrix", "ground_albedo": "irradiation",
               "falloff": "ao", "up": "sky", "context": "sky", "strength": "ao"}  # fmt: skip
 """Quantities that have an option; ao otherwise."""
 

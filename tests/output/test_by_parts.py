@@ -129,13 +129,13 @@ def test_terrain_around_a_city_may_be_a_raster(call, tmp_path):
     ("arguments", "message"),
     [
         (["cube.ply", "-o", "x.csv", "--by", "part"], "--by: got part for 'cube.ply', whose faces have no named parts"),
-        (["cube.ply", "-o", "x.ply", "--by", "part"], "--by: got part for x.ply; it applies only to .csv"),
+        (["cube.ply", "-o", "x.ply", "--by", "part"], "--by: got part for x.ply; the option applies only to .csv"),
         (
             ["cube.ply", "-o", "x.csv", "--by", "part", "--at", "vertices"],
             "--at: got vertices for means over parts, want faces",
         ),
-        (["cube.ply", "-o", "x.csv", "--split"], "--split: got True for cube.ply; it applies only to CityJSON"),
-        (["cube.ply", "-o", "x.csv", "--lod", "2"], "--lod: got 2 for cube.ply; it applies only to CityJSON"),
+        (["cube.ply", "-o", "x.csv", "--split"], "--split: got True for cube.ply; the option applies only to CityJSON"),
+        (["cube.ply", "-o", "x.csv", "--lod", "2"], "--lod: got 2 for cube.ply; the option applies only to CityJSON"),
         (["cube.ply", "-o", "x.json"], "--output: got 'x.json', want a file that ends in one of .ply"),
         (["a.json", "-o", "x.csv", "--lod", "high"], "--lod: got 'high', want a level of detail, such as 2.2"),
         (
@@ -157,7 +157,7 @@ def test_terrain_around_a_city_may_be_a_raster(call, tmp_path):
         ),
         (
             ["cube.ply", "-o", "x.zarr", "--by", "part"],
-            "--by: got part for x.zarr; it applies only to .csv",
+            "--by: got part for x.zarr; the option applies only to .csv",
         ),
     ],
 )

@@ -89,7 +89,7 @@ def test_bake_writes_what_faces_send_back(call, tmp_path):
         assert '"reflectance": "leaf=0.25,pane=0.5"' in str(file["run"])
     assert found.reflected.max() > 0.0
     for refused, words in (
-        (["-o", output], "--reflectance: got 0.5 for ao; it applies only to irradiance and irradiation"),
+        (["-o", output], "--reflectance: got 0.5 for ao; the option applies only to irradiance and irradiation"),
         (
             [*options, "-o", output, "--transmittance", "0.75"],
             "--reflectance: got 0.5 in face 0, whose transm",

@@ -141,7 +141,7 @@ def test_a_glb_larger_than_its_format_allows_is_refused(call, placed, tmp_path, 
     monkeypatch.setattr(baked, "MOST_GLB_BYTES", 400_000)
     path, output = placed(ground()), tmp_path / "out.glb"
     status, _, err = call("bake", path, "-o", output, "--at", "faces")
-    said = "error: --output: got 'out.glb' of 12,288 corners, want .ply or .vtp: it holds 4 GiB\n"
+    said = "error: --output: got 'out.glb' of 12,288 corners, want .ply or .vtp; this format holds at most 4 GiB\n"
     assert (status, err, output.exists()) == (2, said, False)
     assert call("bake", path, "-o", output, "--at", "vertices", "--samples", 2)[0] == 0
     assert output.stat().st_size <= 400_000

@@ -79,10 +79,14 @@ def test_options_that_do_not_apply_are_refused_and_files_asked_for():
         (
             "ao",
             {"up": (0, 0, 1)},
-            r"--up: got \(0, 0, 1\) for ao; it applies only to sky, visible-sky, irradiance, irradiation, sky-matrix and",
+            r"--up: got \(0, 0, 1\) for ao; the option applies only to sky, visible-sky, irradiance, irradiation, sky-mat",
         ),
-        ("sun-hours", {"weather": "athens", "samples": 2}, "--samples: got 2 for sun-hours; it applies only to ao, bent"),
-        ("sky", {"ground_albedo": 0.1}, "--ground-albedo: got 0.1 for sky; it applies only to irradiation$"),
+        (
+            "sun-hours",
+            {"weather": "athens", "samples": 2},
+            "--samples: got 2 for sun-hours; the option applies only to ao, bent",
+        ),
+        ("sky", {"ground_albedo": 0.1}, "--ground-albedo: got 0.1 for sky; the option applies only to irradiation$"),
         ("irradiance", {"seed": 0}, "--environment: got None for irradiance, want a picture"),
     ]:
         with pytest.raises(ValueError, match=f"^{message}"):

@@ -72,7 +72,7 @@ def test_what_cannot_be_reported_is_refused_before_any_work(call, tmp_path, monk
         (("-o", "sky.csv", "--report", "r.txt"), "error: --report: got 'r.txt', want a file that ends in .html"),
         (
             ("-o", "sky.zarr", "--report", "r.html"),
-            "error: --report: got r.html for sky.zarr; it applies only to .ply",
+            "error: --report: got r.html for sky.zarr; the option applies only to .ply",
         ),
         (("-o", "sky.csv", "--report", "none/r.html"), "error: --report: got 'none/r.html'"),
     ):

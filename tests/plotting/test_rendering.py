@@ -83,7 +83,7 @@ def test_a_picture_that_fails_leaves_no_file(can_render, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([], "error: there is no screen to open a window on: save a picture with --screenshot FILE"),
+        ([], "error: this machine has no screen for a window; save a picture with --screenshot FILE"),
         (["--screenshot", "no/such/folder/x.png"], "error: --screenshot: got 'no/such/folder/x.png', whose folder"),
         (["--screenshot", "x.jpg"], "error: --screenshot: got 'x.jpg', want a file that ends in .png or .html"),
         (["nothing.ply", "--screenshot", "x.png"], "error: path: got 'nothing.ply', which is missing"),

@@ -263,7 +263,7 @@ def test_scripts_say_what_is_wrong(name, script, tmp_path, monkeypatch, capsys):
             main(**wrong)
         assert stop.value.code == 2
         assert re.match(
-            r"error: (--screenshot: got .*|there is no screen to open a window on: .*)\n$", capsys.readouterr().err
+            r"error: (--screenshot: got .*|this machine has no screen for a window; .*)\n$", capsys.readouterr().err
         )
     with pytest.raises(SystemExit):
         main(screenshot=tmp_path / "x.png", size=(100, 2000))

@@ -90,7 +90,9 @@ def test_what_a_class_lacks_is_reported(kind, error, match, alone):
 
 
 def test_a_twin_is_two_functions(alone):
-    with pytest.raises(TypeError, match="twin: got 3, want two functions in float64"):
+    with pytest.raises(
+        TypeError, match="twin: got 3, want None or a pair \\(directions, density\\) of functions in float64"
+    ):
         ws.distributions.register(subclass(), twin=3)
 
 

@@ -117,14 +117,16 @@ def test_files_that_cannot_be_written_or_read(tmp_path):
     np.savez(tmp_path / "other.npz", data=np.ones(3))
     (tmp_path / "broken.npz").write_bytes(b"PK nothing")
     np.savez(tmp_path / "pickled.npz", data=np.array([{}], object))
-    for name, said in (("other", "it lacks"), ("broken", "cannot be read"), ("pickled", "cannot be read")):
+    for name, said in (("other", "lacks the arrays"), ("broken", "cannot be read"), ("pickled", "cannot be read")):
         with pytest.raises(ValueError, match=said):
             ws.ViewFactors.load(tmp_path / f"{name}.npz")
     with pytest.raises(FileNotFoundError, match="missing"):
         ws.ViewFactors.load(tmp_path / "none.npz")
     with zipfile.ZipFile(tmp_path / "huge.npz", "w") as archive, archive.open("data.npy", "w") as member:
         np.lib.format.write_array_header_1_0(member, {"descr": "<f8", "fortran_order": False, "shape": (10**12,)})
-    with pytest.raises(ValueError, match=r"its data\.npy declares 8,000,000,000,000 bytes, and the file holds .* at most$"):
+    with pytest.raises(
+        ValueError, match=r"the header of data\.npy declares 8,000,000,000,000 bytes, but the file can hold at most .*$"
+    ):
         ws.ViewFactors.load(tmp_path / "huge.npz")
 
 

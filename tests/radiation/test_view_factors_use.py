@@ -135,7 +135,7 @@ def test_a_damaged_archive_is_refused(tmp_path):
         with pytest.raises(ValueError, match="cannot be read as view factors"):
             ws.ViewFactors.load(file)
     np.save(tmp_path / "bad.npy", good["data"])
-    with pytest.raises(ValueError, match=r"it is not an \.npz file"):
+    with pytest.raises(ValueError, match=r"the file is not an \.npz file"):
         ws.ViewFactors.load(tmp_path / "bad.npy")
 
 

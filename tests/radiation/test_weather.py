@@ -103,7 +103,7 @@ def leap(table):
 
 
 FLAWS = {
-    "truncated": (lambda table: table[:5000], "the file has 5,000 hours, want the 8,760 of a year"),
+    "truncated": (lambda table: table[:5000], "the file has 5,000 hours, want the 8,760 hours of a year"),
     "cut in a row": (lambda table: [*table[:4999], table[4999][:7]], "line 5008 has 7 fields, want at least 16"),
     "leap": (leap, "the file has 8,784 hours, with 29 February, want the 8,760"),
     "half-hourly": (lambda table: [row for row in table for _ in range(2)], "the file has 17,520 hours"),
@@ -112,12 +112,12 @@ FLAWS = {
         lambda table: [row[:14] + row[15:] for row in table],
         "diffuse horizontal radiation is missing or out of range in 8,760 of the hours, first 999999 in line 9",
     ),
-    "an hour twice": (cell(12, 3, "3"), "line 12 is for month 1, day 1, hour 3, want month 1, day 1, hour 4"),
+    "an hour twice": (cell(12, 3, "3"), "line 12 has the data of month 1, day 1, hour 3, want month 1, day 1, hour 4"),
     "hours from 0": (
         lambda table: [[*row[:3], str(int(row[3]) - 1), *row[4:]] for row in table],
-        "line 9 is for month 1, day 1, hour 0, want month 1, day 1, hour 1",
+        "line 9 has the data of month 1, day 1, hour 0, want month 1, day 1, hour 1",
     ),
-    "july first": (lambda table: table[181 * 24 :] + table[: 181 * 24], "line 9 is for month 7, day 1, hour 1"),
+    "july first": (lambda table: table[181 * 24 :] + table[: 181 * 24], "line 9 has the data of month 7, day 1, hour 1"),
     "missing": (
         cell(4000, 14, "9999"),
         "direct normal .* in 1 of the hours, first 9999 in line 4000, want 0",
@@ -126,8 +126,8 @@ FLAWS = {
     "blank": (cell(4000, 15, ""), "diffuse horizontal radiation .* first nan in line 4000"),
     "infinite": (cell(4000, 15, "inf"), "diffuse horizontal radiation .* first inf in line 4000"),
     "words": (cell(4000, 15, "bright"), "could not convert string to float: 'bright'"),
-    "a year of words": (cell(4000, 0, "now"), "line 4000 is for the year 'now', want a year from 1800 to 2199"),
-    "a year of two digits": (cell(4000, 0, "99"), "line 4000 is for the year '99', want a year from 1800 to 2199"),
+    "a year of words": (cell(4000, 0, "now"), "line 4000 has the year 'now', want a year from 1800 to 2199"),
+    "a year of two digits": (cell(4000, 0, "99"), "line 4000 has the year '99', want a year from 1800 to 2199"),
 }
 
 
@@ -161,7 +161,7 @@ def test_a_wrong_place_is_a_sentence(tmp_path, flaw):
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (b"", "it is empty"),
+        (b"", "the file is empty"),
         (b"\x89PNG\r\n\x1a\n\x00\x00", "line 1 does not begin with LOCATION"),
         (b"x,y,z\n1,2,3\n", "line 1 does not begin with LOCATION"),
         (b"LOCATION,a,b\n" + 7 * b"DATA PERIODS,1\n", "line 1 has 3 fields, want 10"),

@@ -98,7 +98,7 @@ def test_the_set_of_the_occlusion_serves(call, tmp_path):
     ("options", "change", "why"),
     [
         (["--depth", 16], {}, "--depth: got 16 for bent-normals, want 8, or an .exr"),
-        (["--strength", 0.5], {}, "--strength: got 0.5 for bent-normals; it applies only to occlusion in a .glb"),
+        (["--strength", 0.5], {}, "--strength: got 0.5 for bent-normals; the option applies only to occlusion in a .glb"),
         ([], {"extras": [1]}, "mesh: got "),
     ],
 )

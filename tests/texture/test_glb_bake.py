@@ -310,7 +310,7 @@ def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
         (["--texture", 0], "--texture: got 0, want a whole number from 1"),
         (
             ["--texture", 64, "--points", 5],
-            "--points: got 5 for --texture; it applies only to meshes and CityJSON",
+            "--points: got 5 for --texture; the option applies only to meshes and CityJSON",
         ),
         (["--texture", 64, "--supersample", 0], "--supersample: got 0, want"),
         (["--texture", 64, "--gutter", "some"], "--gutter: got 'some', want 'all' or a whole number"),
@@ -324,10 +324,10 @@ def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
         (["--texture", 64, "--processes", 2], "--processes: got 2 for"),
         (
             ["--texture", 64, "--report", "r.html"],
-            "--report: got r.html for --texture; it applies only to meshes, CityJSON and rasters",
+            "--report: got r.html for --texture; the option applies only to meshes, CityJSON and rasters",
         ),
-        (["--uv", "new"], "--uv: got new for in.glb; it applies only to textures (--texture)"),
-        (["--strict"], "--strict: got True for in.glb; it applies only to textures (--texture)"),
+        (["--uv", "new"], "--uv: got new for in.glb; the option applies only to textures (--texture)"),
+        (["--strict"], "--strict: got True for in.glb; the option applies only to textures (--texture)"),
     ],
 )
 def test_wrong_options_are_named(call, scene, options, why):
@@ -344,13 +344,17 @@ def sparse(number):
 @pytest.mark.parametrize(
     ("change", "options", "why"),
     [
-        (lambda tree: tree["extensionsUsed"].append("KHR_draco_mesh_compression"), [], "it uses KHR_draco_mesh_compression"),
-        (lambda tree: tree["extensionsUsed"].append("EXT_mesh_gpu_instancing"), [], "it uses EXT_mesh_gpu_instancing"),
-        (lambda tree: tree["extensionsUsed"].append("KHR_meshopt_compression"), [], "it uses KHR_meshopt_compression"),
+        (
+            lambda tree: tree["extensionsUsed"].append("KHR_draco_mesh_compression"),
+            [],
+            "the file uses KHR_draco_mesh_compression",
+        ),
+        (lambda tree: tree["extensionsUsed"].append("EXT_mesh_gpu_instancing"), [], "the file uses EXT_mesh_gpu_instancing"),
+        (lambda tree: tree["extensionsUsed"].append("KHR_meshopt_compression"), [], "the file uses KHR_meshopt_compression"),
         (lambda tree: tree["materials"][0].update(occlusionTexture=3), [], r"materials\[0\].occlusionTexture: got 3, want"),
         (lambda tree: tree["materials"][1].update(alphaMode=3), [], r"materials\[1\].alphaMode: got 3, want a text"),
-        (sparse(0), [], "it has sparse accessors"),
-        (sparse(9), ["--uv", "new"], "it has sparse accessors"),
+        (sparse(0), [], "the file has sparse accessors"),
+        (sparse(9), ["--uv", "new"], "the file has sparse accessors"),
         (
             lambda tree: tree["meshes"][1]["primitives"][0].update(material=9),
             [],
@@ -368,7 +372,11 @@ def sparse(number):
             ["--uv", "new"],
             ".*_AGE: got 2 values, want one for each vertex",
         ),
-        (lambda tree: tree["accessors"][12].update(type="MAT3"), ["--uv", "new"], ".*NORMAL: got numbers that are 'MAT3'"),
+        (
+            lambda tree: tree["accessors"][12].update(type="MAT3"),
+            ["--uv", "new"],
+            ".*NORMAL: got an accessor of type 'MAT3'",
+        ),
         (
             lambda tree: tree["materials"][0].update(extras={"a": [1, "HUGE"]}),
             [],
@@ -397,7 +405,7 @@ def test_a_buffer_in_another_file_is_refused(call, tmp_path):
     (tmp_path / "data.bin").write_bytes(opened(path)[1])
     path.write_bytes(changed(rich(), lambda tree: tree["buffers"][0].update(uri="data.bin")))
     status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32)
-    assert (status, "buffers[0] is not in the file itself" in err) == (2, True)
+    assert (status, "buffers[0] is in another file" in err) == (2, True)
 
 
 def test_a_gltf_and_its_files_become_one_file(call, tmp_path):
@@ -457,7 +465,7 @@ def test_a_gltf_is_written_with_its_data_beside_it(call, tmp_path):
     assert len([*tmp_path.glob("*.bin"), *tmp_path.glob(".*")]) == 2
     path.write_bytes(whole)
     status, _, err = call("bake", path, "-o", output, "--texture", 16)
-    assert (status, "it has 12 bytes after its data, which a .gltf has no place for" in err) == (2, True)
+    assert (status, "the file has 12 bytes after its data, which a .gltf cannot hold" in err) == (2, True)
 
 
 @pytest.mark.parametrize("length", [1, 2, 3])

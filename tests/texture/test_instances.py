@@ -70,7 +70,7 @@ def test_the_mean_of_all_places_is_one_picture(call, tmp_path):
     status, _, err = call("bake", path, "-o", output, *RAYS, "--instances", "mean", "--strict")
     assert (status, err[:69]) == (2, "error: --strict: got --instances mean for 'sheets' in several places,")
     status, _, err = call("bake", path, "-o", tmp_path / "out.npz", *RAYS, "--instances", "mean")
-    assert (status, "--instances: got mean for out.npz; it applies only to .glb and .gltf" in err) == (2, True)
+    assert (status, "--instances: got mean for out.npz; the option applies only to .glb and .gltf" in err) == (2, True)
 
 
 @pytest.mark.parametrize(("uv", "texture"), [("0", 128), ("new", 512)])  # charts of 2 x 80 fill a corner of the latter

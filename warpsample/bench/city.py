@@ -55,9 +55,9 @@ def build_yard(side: int = 21, around: int = 60) -> tuple[np.ndarray, np.ndarray
 
 
 def build_slope(degrees: float = 30.0, side: int = 401) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the raster of a plane that rises to the east: (heights, cells to judge, exact visible sky there).
+    """Return the raster of a plane that rises to the east: (heights, cells to compare, exact visible sky there).
 
-    The cells are near the middle of the plane.
+    These cells are near the middle of the plane.
     """
     rise = np.tan(np.radians(degrees))
     heights = rise * np.arange(side) * np.ones((side, 1))
@@ -68,9 +68,9 @@ def build_slope(degrees: float = 30.0, side: int = 401) -> tuple[np.ndarray, np.
 
 
 def load_terrain(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Read a raster of heights and return (heights, cells to judge, reference visible sky there).
+    """Read a raster of heights, and return (heights, indices of the cells to compare, reference visible sky in these cells).
 
-    The reference traces 16,384 rays per judged cell on the triangulated raster.
+    The reference traces 16,384 rays per compared cell on the triangulated raster.
     """
     from warpsample import rasters
 
@@ -84,7 +84,7 @@ def load_terrain(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def build_sky(tool: str, scene: str, raster: Path | None, workers: int) -> ChildJob:
     """Prepare one tool to compute the visible sky in all cells of a raster, and return the work to time.
 
-    The job's report has the errors in the judged cells.
+    The job's report has the errors in the compared cells.
     """
     heights, cells, right = SCENES[scene]() if raster is None else load_terrain(raster)
     library, make, _ = RASTER_TOOLS[tool]

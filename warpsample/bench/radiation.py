@@ -39,7 +39,7 @@ _FEWEST, _FIXED_RUNS, _RUNS, _FEWER = 2, 3, 2, 4
 
 @dataclass(frozen=True)
 class SkyTime(ToolRow):
-    """Row of `bench radiation`: time and error of one tool for the matrix of 145 sky patches on one scene.
+    """Row of `bench radiation`: time and error of one tool that computes each point's visible share of 145 sky patches.
 
     Each point casts 1,024 rays.
     """

@@ -138,7 +138,9 @@ def sample_clear_points(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
     clear = (trace(mesh, samples, looks, max_distance=close, any_hit=True).face < 0).all(axis=1)
     chosen = np.flatnonzero(clear)[:points]
     if len(chosen) < points:
-        raise ValueError(f"points: got {len(chosen)} without a close face in front, want {points}")
+        raise ValueError(
+            f"points: got {len(chosen)} points without a close face in front, want {points}; pass a smaller number"
+        )
     return mesh, samples.take(chosen[np.argsort(samples.face[chosen], kind="stable")])
 
 

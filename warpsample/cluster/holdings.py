@@ -92,7 +92,7 @@ def _array(group: Any, name: str, got: str) -> Any:
     try:
         return group[name]
     except KeyError:
-        raise ValueError(f"{got}, whose array {name!r} is missing; compute it again under a new name") from None
+        raise ValueError(f"{got}, whose array {name!r} is missing; compute the store again under a new name") from None
     except Exception as error:  # as for the group
         raise ValueError(f"{got}, whose array {name!r} cannot be read: {' '.join(str(error).split())}") from None
 

@@ -279,18 +279,24 @@ def _identify_run(call: Call, large: dict[str, Any], total: int, chunk: int) -> 
 
 
 def _identify_distribution(distribution: Distribution) -> dict[str, Any]:
-    """Return the parameters and functions that identify a user-defined distribution, by name."""
-    maps = distribution.maps
-    functions = (function for function in (maps.sample, maps.pdf, maps.about, maps.redraw) if function is not None)
+    """Return the parameters and functions that identify a distribution with user-defined parts, by name."""
+    maps = [lobe.maps for lobe in _user_lobes(distribution)]
+    functions = (f for m in maps for f in (m.sample, m.pdf, m.about, m.redraw) if f is not None)
     contents = {name: content for function in functions for name, content in function_content(function).items()}
     return {**contents, WHAT: str(distribution)}
+
+
+def _user_lobes(distribution: Any) -> list[Distribution]:
+    """Return the user-defined distributions among a distribution and its nested lobes."""
+    own = [] if type(distribution).__module__.startswith("warpsample.") else [distribution]
+    return own + [found for lobe in distribution.nested.values() for found in _user_lobes(lobe)]
 
 
 def _convert_for_json(value: Any) -> Any:
     """Convert a value to a form that JSON can store; return the value's text if there is no such form."""
     if isinstance(value, Named):
         return value.content
-    if isinstance(value, Distribution) and not type(value).__module__.startswith("warpsample."):
+    if isinstance(value, Distribution) and _user_lobes(value):
         return _identify_distribution(value)
     if isinstance(value, np.ndarray | np.generic | tuple | list):
         value = np.asarray(value).tolist()

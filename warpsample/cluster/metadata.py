@@ -84,11 +84,11 @@ def check_metadata(path: Path, job: Job, argument: str) -> None:
     for name in kinds:
         file = f"{name}/{_FILE}"
         if flaw := _describe_difference(_read((path / file).read_bytes()), wanted[file]):
-            raise ValueError(f"{got}, whose {file} {flaw}; compute it again under a new name")
+            raise ValueError(f"{got}, whose {file} {flaw}; compute the store again under a new name")
     if flaw := _describe_flaw(_read((path / _FILE).read_bytes()), wanted[_FILE]):
-        raise ValueError(f"{got}, whose {_FILE} {flaw}; compute it again under a new name")
+        raise ValueError(f"{got}, whose {_FILE} {flaw}; compute the store again under a new name")
     if flaw := _find_read_error(path):
-        raise ValueError(f"{got}, whose {_FILE} cannot be read: {flaw}; compute it again under a new name")
+        raise ValueError(f"{got}, whose {_FILE} cannot be read: {flaw}; compute the store again under a new name")
 
 
 def _read(content: bytes) -> dict[str, Any]:

@@ -87,7 +87,7 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
 def check_new(path: Path, resume: bool, argument: str) -> None:
     """Raise a ValueError if a store exists and is not to be resumed."""
     if path.exists() and not resume:
-        how = "a new name, or resume=True (--resume) to continue it"
+        how = "a new name, or resume=True (--resume) to continue the run"
         raise ValueError(f"{argument}: got {str(path)!r}, which exists already, want {how}")
 
 

@@ -207,6 +207,8 @@ def _parse_value(node: ast.expr, arrays: Arrays | None) -> Any:
     """Return the value of a parameter: a number, string or tuple, the array of a name such as "@roughness", or a lobe."""
     if isinstance(node, ast.Call):
         return as_distribution(ast.unparse(node), arrays)
+    if isinstance(node, ast.List | ast.Tuple) and any(isinstance(item, ast.Call) for item in node.elts):
+        return tuple(_parse_value(item, arrays) for item in node.elts)
     try:
         value = ast.literal_eval(node)
     except ValueError:

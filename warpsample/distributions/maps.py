@@ -40,7 +40,9 @@ class Maps:
     per_cosine: wp.Function | None = None
 
     def bound(self, count: int, width: int, start: int) -> "Maps":
-        """Return the functions with arguments (u or w, Parameters), which read `count` parameters from number `start` on.
+        """Return versions of the functions that read the distribution's parameters from a `Parameters` value.
+
+        The versions have the arguments (u, parameters) or (w, parameters).
 
         Args:
             count: number of parameters.

@@ -79,4 +79,4 @@ def check_twin(twin: Any) -> Twin | None:
     """Check that a twin is a pair of functions or None, and return the twin."""
     if twin is None or (isinstance(twin, tuple) and len(twin) == 2 and all(map(callable, twin))):
         return twin
-    raise TypeError(f"twin: got {quote(twin)}, want two functions in float64, (directions, density)")
+    raise TypeError(f"twin: got {quote(twin)}, want None or a pair (directions, density) of functions in float64 NumPy")

@@ -8,6 +8,7 @@ import numpy as np
 from warpsample.estimate.plan import Plan, RaySum
 from warpsample.estimate.result import Estimate, has_value
 from warpsample.estimate.runner import Runner
+from warpsample.estimate.split import SplitRunner, SplitSum
 from warpsample.estimate.strata import strata_of
 from warpsample.estimate.tolerance import error_of, find_count
 from warpsample.host.progress import bar, log
@@ -15,14 +16,14 @@ from warpsample.host.progress import bar, log
 _MISSED = 1.1  # times the tolerance: the error's own error is a few percent
 
 
-def estimate(plan: Plan, summed: RaySum) -> Estimate:
+def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
     """Cast rays from each point of a checked call, and return the mean of the rays' weights with its standard error.
 
     With a tolerance, a trial first finds the number of rays. A warning reports a tolerance that `count` rays do not reach.
     """
     options, traced = plan.options, plan.at.scene is not None
     with bar(options.progress, "casting rays" if traced else "sampling directions"), options.memory.loan() as loan:
-        runner = Runner(plan, summed, loan)
+        runner = SplitRunner(plan, summed, loan) if isinstance(summed, SplitSum) else Runner(plan, summed, loan)
         if plan.tolerance is None or len(plan.at) == 0:
             return runner.result(options.seed, plan.count)
         count, trial = find_count(runner, plan.tolerance)

@@ -81,6 +81,7 @@ class Integrand:
         constant: Whether the function is (1, 0, 0) everywhere.
         binary: Whether the function is (1, 0, 0) or 0 everywhere.
         reads_pdf: Whether the function reads the density `Lobe.pdf`.
+        sparse: Whether the function is 0 where the cosine to the normal is below 2^-12, which holds for many rays.
         arrays: (name, array) pairs of the data's fields that hold addresses of NumPy arrays.
     """
 
@@ -91,6 +92,7 @@ class Integrand:
     constant: bool = False
     binary: bool = False
     reads_pdf: bool = False
+    sparse: bool = False
     arrays: tuple[tuple[str, np.ndarray], ...] = ()
 
     def data_for(self, loan: Loan) -> Any:
@@ -159,7 +161,7 @@ def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
     for name, array in _arrays_in(own):
         if array is not None and not (array.device.is_cpu or array.device == device):
             wants = "cpu" if device.is_cpu else f"cpu or {device}"
-            raise ValueError(f"data: got an array {name} on {array.device}, want it on {wants}")
+            raise ValueError(f"data: got an array {name} on {array.device}, want an array on {wants}")
         if not isinstance(array, wp.array | None) and not at_home(device):
             raise TypeError(f"data: got {describe_type(array)} as {name}, want a wp.array for {device}")
     return own, struct

@@ -98,19 +98,19 @@ def traced_lobe(slots: Slots) -> wp.Function:
                     unseen[0] += open_jump
                 else:
                     empty += wp.where(found == 0, 2 * lobes.samples_per_stratum, 0)
-                    add, difference, rays, free, w = sum_stratum(
+                    add, difference, rays, free, counted, w = sum_stratum(
                         lobes, seen, data, point, sector * lobes.bands + step - 1, found, stratum_local
                     )
                     cast += rays
                     squares = wp.cw_mul(difference, difference)
                     total += add
                     variance += squares
-                    jump = jump_at(w, add, free, 2 * lobes.samples_per_stratum)
+                    jump = jump_at(w, add, free, counted)
                     unseen += jump
-                    if free > 0 and free < 2 * lobes.samples_per_stratum:
-                        expected += edge_variance(free, 2 * lobes.samples_per_stratum, lobes.edge) * jump
+                    if free > 0 and free < counted:
+                        expected += edge_variance(free, counted, lobes.edge) * jump
                         mixed += 1
-                        fewer += wp.min(free, 2 * lobes.samples_per_stratum - free)
+                        fewer += wp.min(free, counted - free)
                     else:
                         rest += squares
                         fourth += wp.cw_mul(squares, squares)

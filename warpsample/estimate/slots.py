@@ -32,6 +32,7 @@ class Slots:
             weight.
         wide: Whether the query traverses the wide tree, which can also be searched for work to skip.
         glass: Whether the mesh has partly transmitting faces, which are kept in a tree of their own.
+        sparse: Whether rays of weight 0 count neither as occluded nor as unoccluded in confidence intervals.
         layout: Parameters of the distribution that are by point.
         tangents: Whether the points have tangents.
         reads_pdf: Whether the integrand reads the density of a direction, `Lobe.pdf`.
@@ -52,6 +53,7 @@ class Slots:
     any_hit: bool
     wide: bool
     glass: bool = False
+    sparse: bool = False
     layout: Layout = ()
     tangents: bool = False
     reads_pdf: bool = False

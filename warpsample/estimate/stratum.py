@@ -25,7 +25,7 @@ from warpsample.tracing.sight.rays import (
 
 @once
 def jump_of(slots: Slots) -> wp.Function:
-    """Build the Warp function that estimates, for the error, how much a ray's weight changes across an occlusion edge."""
+    """Build the Warp function that estimates how much a ray's weight jumps at an occlusion edge, to compute the error."""
     any_hit, counts, glass = slots.any_hit, slots.counts, slots.glass
 
     @wp.func
@@ -130,7 +130,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
     write_rays, weigh, struct = build_ray_writer(slots), weighing(slots), slots.struct
     any_hit, constant, counts, channels = slots.any_hit, slots.constant, slots.counts, slots.channels
     prepare, block, share_left = prepare_rays(slots.prepare), rays_blocked(slots.query, slots.wide), share_of(slots)
-    glass = slots.glass and any_hit
+    glass, weightless = slots.glass and any_hit, 1 if slots.sparse else 0
     stops, dims = BLOCKERS if glass else -1, GLASS if glass else 0 if any_hit else -1
 
     @wp.func
@@ -143,10 +143,10 @@ def stratum_sum(slots: Slots) -> wp.Function:
         found: wp.int32,
         local: wp.int32,
     ):
-        """Cast the rays of one stratum of a point's directions; return five numbers: sums of weights and counts of rays.
+        """Cast the rays of one stratum of a point's directions; return six numbers: sums of weights and counts of rays.
 
         They are: the sum of the weights of both replicates, the first replicate's sum less the second's, the number of rays
-        cast, the number of unoccluded rays, and the weight `w` for `jump_of`'s function.
+        cast, the number of unoccluded rays, the number of rays that count, and the weight `w` for `jump_of`'s function.
         """
         # Scalars, since a vector of doubles goes through memory and costs half as much as a ray.
         hits = wp.int32(0)
@@ -160,6 +160,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
         cast = wp.int32(0)
         each = lobes.samples_per_stratum
         free = 2 * each
+        counted = 2 * each
         w = wp.vec3(1.0, 0.0, 0.0)
         lost = wp.vec3(0.0, 0.0, 0.0)
         lobe = lobe_of(lobes, point)
@@ -168,6 +169,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
             write_rays(lobes, point, stratum, first, whole_vectors(length))
             rays = weigh(lobe, data, point, length)
             left = rays
+            counted -= weightless * (length - set_size(rays))
             if found != 0:
                 move_rays_near(point, length)
                 prepare(tree, point, local, length)
@@ -196,12 +198,13 @@ def stratum_sum(slots: Slots) -> wp.Function:
                         z += wp.float64(share * w[2])
                         more_y += wp.float64(sign) * wp.float64(share * w[1])
                         more_z += wp.float64(sign) * wp.float64(share * w[2])
+        free -= 2 * each - counted
         if wp.static(counts):
             x = wp.float64(hits)
             more_x = wp.float64(more_hits)
             free = hits  # unoccluded rays of weight 1
         if wp.static(glass):
-            w = lost / wp.float32(wp.max(2 * each - free, 1))
-        return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, w
+            w = lost / wp.float32(wp.max(counted - free, 1))
+        return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, counted, w
 
     return sum_stratum

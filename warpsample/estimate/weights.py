@@ -46,7 +46,7 @@ def itself(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
 
 
 @wp.func
-def _pixel(weights: Weights, column: wp.int32, row: wp.int32) -> wp.vec3:
+def _pixel(weights: Any, column: wp.int32, row: wp.int32) -> wp.vec3:
     column = wp.where(column < 0, column + weights.width, column)
     column = wp.where(column >= weights.width, column - weights.width, column)
     row = wp.clamp(row, 0, weights.height - 1)
@@ -55,7 +55,7 @@ def _pixel(weights: Weights, column: wp.int32, row: wp.int32) -> wp.vec3:
 
 
 @wp.func
-def environment(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
+def picture_radiance(d: wp.vec3, weights: Any):
     """Return the radiance of an environment picture in direction `d`, interpolated bilinearly.
 
     Rows go from the vector in `weights` down to its opposite. Columns go by azimuth in the frame about the vector.
@@ -71,6 +71,12 @@ def environment(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
     top = wp.lerp(_pixel(weights, column, row), _pixel(weights, column + 1, row), right)
     bottom = wp.lerp(_pixel(weights, column, row + 1), _pixel(weights, column + 1, row + 1), right)
     return wp.lerp(top, bottom, lower)
+
+
+@wp.func
+def environment(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
+    """Return the radiance of an environment picture in direction `d`, see `picture_radiance`."""
+    return picture_radiance(d, weights)
 
 
 OPEN = Integrand(everywhere, 1, WeightsArgs(), Weights, constant=True, binary=True)

@@ -90,7 +90,7 @@ def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
     """
     try:
         if not path.stat().st_size:
-            raise ValueError("it is empty")
+            raise ValueError("the file is empty")
         yield
     except (ModuleNotFoundError, MemoryError, TimeoutError):
         raise

@@ -44,7 +44,7 @@ def _device(device: Any) -> wp.Device:
         raise TypeError(f"device: got {quote(device)}, want one of {known}")
     try:
         if device == "cuda" and not wp.is_cuda_available():  # get_device would print errors of a driver that is missing
-            raise ValueError("there is none")
+            raise ValueError("this machine has no CUDA device")
         return wp.get_device(device)
     except Exception as error:  # Warp raises several types for a device that does not exist
         raise ValueError(f"device: got {quote(device)}, want one of {known}") from error

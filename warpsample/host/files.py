@@ -159,7 +159,7 @@ def read_arrays(path: Path) -> dict[str, np.ndarray]:
         ValueError, BadZipFile: the file is damaged, or too short for the arrays that its headers declare.
     """
     if not zipfile.is_zipfile(path):
-        raise ValueError("it is not an .npz file")
+        raise ValueError("the file is not an .npz file")
     most, arrays = _DEFLATED * path.stat().st_size, {}
     with zipfile.ZipFile(path) as archive:
         for name in archive.namelist():
@@ -167,7 +167,7 @@ def read_arrays(path: Path) -> dict[str, np.ndarray]:
                 shape, _, kind = _HEADERS[np.lib.format.read_magic(member)](member)
             declared = prod(shape) * kind.itemsize
             if declared > most:
-                raise ValueError(f"its {name} declares {declared:,} bytes, and the file holds {most:,} at most")
+                raise ValueError(f"the header of {name} declares {declared:,} bytes, but the file can hold at most {most:,}")
             with archive.open(name) as member:
                 arrays[name.removesuffix(".npy")] = np.lib.format.read_array(member, allow_pickle=False)
     return arrays
@@ -181,7 +181,7 @@ class _Part(FileIO):
         super().__init__(part, "x")
 
     def write(self, data: Any) -> int | None:
-        """Write bytes to the hidden file, and return their number."""
+        """Write bytes to the hidden file that later replaces the output file; return the number of bytes."""
         with _naming_output(self.path):
             return super().write(data)
 

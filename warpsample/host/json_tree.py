@@ -42,7 +42,7 @@ class Part:
         return check_integer(self._member(key, default), self.at(key), 0, high)
 
     def reals(self, key: str, default: Sequence[float]) -> np.ndarray:
-        """Return a member that is a list of finite numbers, as many as in the default, as a float64 array."""
+        """Return a JSON list of finite numbers as a float64 array; the list must be as long as `default`, its default."""
         values = self.values(key, default)
         finite = [value for value in values if type(value) in (int, float) and abs(value) <= sys.float_info.max]
         if not len(finite) == len(values) == len(default):
@@ -85,7 +85,7 @@ class Part:
     def _member(self, key: str, default: Any) -> Any:
         """Return the value of a member, or the default; raise a ValueError if the member is missing and has no default."""
         if key not in self.content and default is None:
-            raise ValueError(f"{self.at(key)} is missing")
+            raise ValueError(f"the JSON member {self.at(key)} is missing")
         return self.content.get(key, default)
 
     def values(self, key: str, default: Sequence[Any] = ()) -> Sequence[Any]:
@@ -102,11 +102,11 @@ def parsed(content: bytes) -> Part:
     try:
         found = json.loads(content, object_pairs_hook=_object, parse_constant=_refuse_constant)
     except RecursionError:
-        raise ValueError("its JSON is nested too deeply") from None
+        raise ValueError("the JSON is nested too deeply") from None
     except UnicodeDecodeError:
-        raise ValueError("its JSON is not encoded in UTF-8") from None
+        raise ValueError("the JSON is not encoded in UTF-8") from None
     if not isinstance(found, dict):
-        raise ValueError(f"its JSON is {quote(found)}, want an object")
+        raise ValueError(f"the JSON is {quote(found)}, want an object")
     return Part(found)
 
 
@@ -128,12 +128,12 @@ def _object(members: list[tuple[str, Any]]) -> dict[str, Any]:
     made = dict(members)
     if len(made) < len(members):
         name, _ = Counter(name for name, _ in members).most_common(1)[0]
-        raise ValueError(f"its JSON has an object with two members {quote(name)}")
+        raise ValueError(f"the JSON has an object with two members {quote(name)}, want each name once")
     return made
 
 
 def _refuse_constant(name: str) -> float:
-    raise ValueError(f"its JSON has the number {name}, want finite numbers")
+    raise ValueError(f"the JSON has the number {name}, want finite numbers")
 
 
 def _of_kind(value: Any, path: str, kind: type, wants: str) -> Any:

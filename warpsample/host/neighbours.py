@@ -91,7 +91,7 @@ def as_array(value: Any, argument: str, wants: str = "an array") -> Any:
 
 
 def _to_array(value: Any, argument: str, wants: str) -> Any:
-    """Convert a value as `as_array` does, if it is no array of NumPy or Warp."""
+    """Convert a value that is neither a NumPy nor a Warp array to one of the two; see `as_array`."""
     if _has_mask(value):
         raise TypeError(f"{argument}: got a masked array, want {wants} without a mask; numpy.ma.filled removes the mask")
     value = from_cuda(value, argument)

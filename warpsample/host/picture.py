@@ -44,12 +44,12 @@ def _read_hdr(path: Path) -> np.ndarray:
         data = file.read()
     least = min(4 * width, 4 + 8 * ceil(width / _LONGEST_RUN))
     if height * least > len(data):
-        raise ValueError(f"its header declares {height:,} lines of {width:,} pixels, and {len(data):,} bytes follow")
+        raise ValueError(f"the header declares {height:,} lines of {width:,} pixels, but only {len(data):,} bytes follow")
     pixels, at = np.empty((height, width, 4), np.uint8), 0
     for row in range(height):
         pixels[row], at = _line(data, at, width)
     if at < len(data):
-        raise ValueError("it has more bytes than its header declares")
+        raise ValueError("the file has more bytes than the header declares")
     picture = pixels[..., :3].astype(np.float32)
     np.ldexp(picture, pixels[..., 3:].astype(np.int32) - 136, out=picture)
     picture[pixels[..., 3] == 0] = 0.0
@@ -59,13 +59,13 @@ def _read_hdr(path: Path) -> np.ndarray:
 def _header(file: BinaryIO) -> tuple[slice, slice, int, int]:
     """Read the header of an .hdr file; return (slices that flip the picture upright, height, width)."""
     if not file.readline(80).startswith(b"#?"):
-        raise ValueError("it does not begin with '#?'")
+        raise ValueError("the file does not begin with '#?', as an .hdr file does")
     while line := file.readline(4096).strip():
         if line.startswith(b"FORMAT=") and line != b"FORMAT=32-bit_rle_rgbe":
-            raise ValueError(f"it is of {line.decode('latin-1')[:60]!r}, want 32-bit_rle_rgbe")
+            raise ValueError(f"the header has {line.decode('latin-1')[:60]!r}, want FORMAT=32-bit_rle_rgbe")
     size = re.fullmatch(rb"([+-])Y ([1-9]\d{0,8}) ([+-])X ([1-9]\d{0,8})\s*", file.readline(80))
     if not size:
-        raise ValueError("its header declares no size such as '-Y 512 +X 1024'")
+        raise ValueError("the header declares no size such as '-Y 512 +X 1024'")
     down, height, right, width = size.groups()
     turned = slice(None, None, -1)
     return turned if down == b"+" else slice(None), turned if right == b"-" else slice(None), int(height), int(width)
@@ -77,7 +77,9 @@ def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:
     if not (_SHORTEST <= width <= _LONGEST and start[:2] == b"\2\2" and start[2] < 128):
         return _plain_line(data[at : at + 4 * width], width), at + 4 * width
     if start[2:] != width.to_bytes(2, "big"):
-        raise ValueError(f"a line has {int.from_bytes(start[2:], 'big'):,} pixels instead of {width:,}")
+        raise ValueError(
+            f"a line of the picture declares {int.from_bytes(start[2:], 'big'):,} pixels, want {width:,}, as in the header"
+        )
     planes, at = bytearray(), at + 4
     for channel in range(1, 5):
         while len(planes) < channel * width and at < len(data):
@@ -86,15 +88,21 @@ def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:
             planes += data[at + 1 : at + 2] * run if run else data[at + 1 : at + 1 + code]
             at += 2 if run else 1 + code
         if len(planes) != channel * width or at > len(data):
-            raise ValueError("it ends within a line" if at >= len(data) else "a run is longer than the rest of its line")
+            raise ValueError(
+                "the file ends within a line of pixels"
+                if at >= len(data)
+                else "a run of equal pixels is longer than the rest of the line"
+            )
     return np.frombuffer(planes, np.uint8).reshape(4, width).T, at
 
 
 def _plain_line(data: bytes, width: int) -> np.ndarray:
     """Decode a line of pixels that is stored without run-length encoding, (W, 4) uint8."""
     if len(data) < 4 * width:
-        raise ValueError("it ends within a line")
+        raise ValueError("the file ends within a line of pixels")
     line = np.frombuffer(data, np.uint8).reshape(width, 4)
     if (line[:, :3] == 1).all(axis=1).any():
-        raise ValueError("it uses the old run-length encoding, want the new one, line by line")
+        raise ValueError(
+            "the file uses the old run-length encoding, want the new encoding, line by line; save the picture again"
+        )
     return line

@@ -41,7 +41,9 @@ class _Helper:
     def end(self) -> None:
         """Cancel this part if it has not started yet, else wait until it is complete."""
         if self._process != os.getpid():  # forked within the call, from a signal handler: the thread does not exist here
-            self.error = RuntimeError("this process was forked within a call, and has none of its threads: call again")
+            self.error = RuntimeError(
+                "this process was forked during a call, and lacks the threads of that call; call again"
+            )
             return
         self._working.acquire()
         self._part = None  # it holds memory, and a thread may take this helper from the queue much later

@@ -30,13 +30,13 @@ def contracted_tan_squared(w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32) -
 
 @wp.func
 def stretched(w: wp.vec3, m: wp.vec3) -> wp.vec3:
-    """Return w with x and y multiplied by the stretch m[1], m[2] of an anisotropic distribution."""
+    """Return w with x multiplied by m[1] and y by m[2], the stretch factors of an anisotropic distribution."""
     return wp.vec3(w[0] * m[1], w[1] * m[2], w[2])
 
 
 @wp.func
 def contracted(w: wp.vec3, m: wp.vec3) -> wp.vec3:
-    """Return w with x and y divided by the stretch m[1], m[2] of an anisotropic distribution."""
+    """Undo `stretched`: return w with x divided by m[1] and y by m[2], the stretch factors of a distribution."""
     return wp.vec3(w[0] / m[1], w[1] / m[2], w[2])
 
 

@@ -32,12 +32,12 @@ def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) ->
         offset += len(points)
         size += points.nbytes + faces[-1].nbytes
         if offset > _MOST:
-            raise ValueError(f"its scene has more than {_MOST:,} vertices")
+            raise ValueError(f"the scene has more than {_MOST:,} vertices")
         if size > known:  # checked again when the size doubles, because joining makes a copy
             known = 2 * size
             check_memory(size, f"a scene of {offset:,} vertices and more", "leave out some of it")
     if not faces:
-        raise ValueError("it has no faces")
+        raise ValueError("the file has no faces")
     return (vertices[0], faces[0]) if len(faces) == 1 else (np.concatenate(vertices), np.concatenate(faces))
 
 

@@ -179,7 +179,8 @@ class Mesh(Summary):
         """
         if 0.0 < np.ptp(self.bounds, axis=0).max() < _SMALLEST:
             raise ValueError(
-                f"mesh: got a mesh of size {np.ptp(self.bounds, axis=0).max():.3g}, want at least {_SMALLEST:g}"
+                f"mesh: got a mesh of size {np.ptp(self.bounds, axis=0).max():.3g}, want at least {_SMALLEST:g}; "
+                "scale the mesh up"
             )
         crosses = np.empty((len(self.faces), 3))
         for start in range(0, len(self.faces), _BLOCK):

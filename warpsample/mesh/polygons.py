@@ -26,12 +26,14 @@ def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np
         ValueError: Counts with a sum other than K, fewer than three corners, or an index outside `points`.
     """
     if counts.sum() != len(indices):
-        raise ValueError(f"its {len(indices):,} corners do not fill its {len(counts):,} faces")
+        raise ValueError(f"the {len(counts):,} faces need {counts.sum():,} corners, but there are {len(indices):,}")
     if (counts < 3).any():
-        raise ValueError(f"face {np.argmax(counts < 3)} has {counts[counts < 3][0]} corners")
+        raise ValueError(f"face {np.argmax(counts < 3)} has {counts[counts < 3][0]} corners, want at least 3")
     if len(indices) and not (indices.min() >= 0 and indices.max() < len(points)):
         outside = (indices < 0) | (indices >= len(points))
-        raise ValueError(f"a face has the vertex {indices[np.argmax(outside)]:,}, but they are 0 to {len(points) - 1:,}")
+        raise ValueError(
+            f"a face has the vertex {indices[np.argmax(outside)]:,}, want a vertex from 0 to {len(points) - 1:,}"
+        )
     if (counts == 3).all():
         return indices.reshape(-1, 3)
     counts = counts.astype(np.int64)

@@ -84,7 +84,7 @@ def _open(path: Path) -> Any:
         with ZipFile(path) as archive:
             damaged = archive.testzip()  # by checksums that usd-core ignores
         if damaged:
-            raise ValueError(f"{damaged} in it is damaged")
+            raise ValueError(f"the file {damaged} in the archive is damaged")
     layers = _layers(path)  # kept, so that each file is read once
     stage = Usd.Stage.Open(layers[0])
     lost = stage.GetCompositionErrors()
@@ -108,7 +108,7 @@ def _layers(path: Path) -> list[Any]:
         for name in map(layer.ComputeAbsolutePath, filter(None, layer.GetCompositionAssetDependencies())):
             file = Path(name)
             if file.exists() and not file.is_file():
-                raise ValueError(f"it refers to {name!r}, which is no ordinary file")
+                raise ValueError(f"the file refers to {name!r}, which is no ordinary file")
             if file.is_file() and name not in layers:
                 layers[name] = _layer(file)
                 left.append(layers[name])
@@ -137,12 +137,14 @@ def _check_sections(path: Path) -> None:
         file.seek(min(start, size))
         sections = int.from_bytes(file.read(8), "little")
         if start + 8 + 32 * sections > size:
-            raise ValueError(f"its header declares {sections:,} sections from byte {start:,} on, but it has {size:,} bytes")
+            raise ValueError(
+                f"the header declares {sections:,} sections from byte {start:,} on, but the file has {size:,} bytes"
+            )
         compressed = tuple(header[8:11]) >= (0, 4, 0)
         for padded, first, length in struct.iter_unpack("<16sQQ", file.read(32 * sections)):
             name = padded.rstrip(b"\0").decode("ascii", "replace")
             if first + length > size:
-                raise ValueError(f"its section {name!r} ends beyond its {size:,} bytes")
+                raise ValueError(f"the section {name!r} ends beyond the {size:,} bytes of the file")
             file.seek(first)
             _check_counts(name, file.read(8 * (2 if compressed and name in _TWO_COUNTS else 1)), length)
 
@@ -155,7 +157,7 @@ def _check_counts(section: str, counts: bytes, length: int) -> None:
     for at in range(0, length and len(counts), 8):
         declared = int.from_bytes(counts[at : at + 8], "little")
         if declared > _MOST_OF_BYTE * length:
-            raise ValueError(f"its section {section!r} declares {declared:,} entries in {length:,} bytes")
+            raise ValueError(f"the section {section!r} declares {declared:,} entries, too many for {length:,} bytes")
 
 
 def _describe_error(error: Any, path: Path) -> str:
@@ -163,8 +165,8 @@ def _describe_error(error: Any, path: Path) -> str:
     try:
         reason = error.args[0].commentary.strip().partition("\n")[0]
     except UnicodeDecodeError:  # it quotes the damaged bytes
-        return "it is damaged"
-    for quoted, plain in ((f"{path}:", "line "), (f"<{path}>", "it"), (f" @{path}@", "")):
+        return "the file is damaged"
+    for quoted, plain in ((f"{path}:", "line "), (f"<{path}>", "the file"), (f" @{path}@", "")):
         reason = reason.replace(quoted, plain)
     return reason.partition(" matching ")[0]
 
@@ -214,7 +216,9 @@ def _texture_corners(prim: Any, number: int, counts: np.ndarray, indices: np.nda
         UsdGeom.Tokens.faceVarying: np.arange(len(indices)),
     }.get(found.GetInterpolation(), indices)
     if each.max(initial=0) >= len(values):
-        raise ValueError(f"{found.GetAttr().GetPath()} has {len(values):,} texture coordinates, want {each.max() + 1:,}")
+        raise ValueError(
+            f"the primvar {found.GetAttr().GetPath()} has {len(values):,} texture coordinates, want {each.max() + 1:,}"
+        )
     return np.pad(values[each], ((0, 0), (0, 1)))
 
 
@@ -240,7 +244,9 @@ def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> 
         elif prim.IsA(UsdGeom.Mesh):
             yield prim, matrix, prim.GetPath()
         elif prim.IsA(UsdGeom.Gprim) and not prim.IsA(UsdGeom.Curves) and not prim.IsA(UsdGeom.Points):
-            raise ValueError(f"{prim.GetPath()} is a {prim.GetTypeName()}, want only meshes")
+            raise ValueError(
+                f"the prim {prim.GetPath()} is a {prim.GetTypeName()}, want only meshes; convert the shape to a mesh"
+            )
 
 
 def _instances(prim: Any, above: np.ndarray, placements: Any) -> Iterator[tuple[Any, np.ndarray]]:

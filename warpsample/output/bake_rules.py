@@ -82,12 +82,12 @@ def _check_option(run: BakeRun, quantity: Quantity, name: str, value: Any) -> No
         what = "--texture" if source == TEXTURE else run.mesh.name
         if source == MESH and MESH in OPTIONS[name].where:
             what = run.output.name
-        raise ValueError(f"{given} {what}; it applies only to {describe_scope(name)}")
+        raise ValueError(f"{given} {what}; the option applies only to {describe_scope(name)}")
     if run.output.suffix not in option.where[source]:
-        raise ValueError(f"{given} {run.output.name}; it applies only to {describe_scope(name, source)}")
+        raise ValueError(f"{given} {run.output.name}; the option applies only to {describe_scope(name, source)}")
     if option.needs and not quantity.takes(option.needs):
         names = join_words(each for each, other in quantities().items() if other.takes(option.needs))
-        raise ValueError(f"{given} {quantity.name}; it applies only to {names}")
+        raise ValueError(f"{given} {quantity.name}; the option applies only to {names}")
 
 
 def _flaws(run: BakeRun, quantity: Quantity) -> Iterator[str]:
@@ -162,7 +162,8 @@ _PAIRS: tuple[tuple[Callable[[BakeRun, Quantity], bool], Callable[[BakeRun, Quan
     (
         lambda run, quantity: "strength" in run.arguments and slot_for_quantity(quantity.name) is not OCCLUSION,
         lambda run, quantity: (
-            f"--strength: got {run.arguments['strength']} for {quantity.name}; it applies only to occlusion in a .glb"
+            f"--strength: got {run.arguments['strength']} for {quantity.name}; the option applies only to "
+            "occlusion in a .glb"
         ),
     ),
     (

@@ -127,6 +127,11 @@ OPTIONS: dict[str, Option] = {
     "environment": _of_quantities(
         Path, LIGHT, "Image of the light from all directions, in equirectangular projection: .hdr or .npy"
     ),
+    "sampling": _of_quantities(
+        Literal["cosine", "picture", "both"],
+        LIGHT,
+        "Directions of the rays: of the cosine lobe, by the luminance of the image, or of both. Default: both",
+    ),
     "patches": _of_quantities(
         str, LIGHT, "Division of the sky into patches: tregenza (145), reinhart2 (577) or reinhart4 (2,305)"
     ),

@@ -141,7 +141,9 @@ def check_glb(run: BakeRun, mesh: Mesh) -> None:
         )
     corners = mesh.faces.size if run.at == "faces" else len(mesh.vertices)
     if corners * _BYTES_OF_CORNER + mesh.faces.nbytes > MOST_GLB_BYTES:
-        raise ValueError(f"--output: got {run.output.name!r} of {corners:,} corners, want .ply or .vtp: it holds 4 GiB")
+        raise ValueError(
+            f"--output: got {run.output.name!r} of {corners:,} corners, want .ply or .vtp; this format holds at most 4 GiB"
+        )
 
 
 def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:

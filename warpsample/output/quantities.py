@@ -45,7 +45,9 @@ def check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
         if not quantity.takes(option):
             *others, last = quantities_with(option)
             names = f"{', '.join(others)} and {last}" if others else last
-            raise ValueError(f"--{option.replace('_', '-')}: got {value} for {quantity.name}; it applies only to {names}")
+            raise ValueError(
+                f"--{option.replace('_', '-')}: got {value} for {quantity.name}; the option applies only to {names}"
+            )
 
 
 def call_table() -> str:

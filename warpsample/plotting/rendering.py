@@ -69,7 +69,7 @@ def check_output(screenshot: Path | None, suffixes: tuple[str, ...], *inputs: Pa
         ValueError: there is no screen and no file; or the file has another suffix, is an input, or cannot be written.
     """
     if screenshot is None and not has_screen():
-        raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
+        raise ValueError("this machine has no screen for a window; save a picture with --screenshot FILE")
     if screenshot is not None and screenshot.suffix not in suffixes:
         raise ValueError(f"--screenshot: got {str(screenshot)!r}, want a file that ends in {' or '.join(suffixes)}")
     if screenshot is not None:

@@ -93,7 +93,7 @@ def _large_errors(worst: dict[str, Verdict]) -> set[str]:
 
 
 def _name_parts(sets: list[frozenset[str]], conflicts: list[Conflict]) -> str:
-    """Return a sentence that names the parts which alone explain all conflicts."""
+    """Return a sentence that names the wrong functions, those that explain every conflict between functions."""
     parts = _in_order(sets[0])
     same = len(parts) == 2 and set(parts) in ({*MAPS}, {*DENSITIES}) and all(c.parts != sets[0] for c in conflicts)
     error = f" The two agree: both have the same error, and {parts[0]} and twin must be mended." if same else ""

@@ -112,7 +112,10 @@ class Evidence:
 
     @cached_property
     def stretch(self) -> tuple[float, float]:
-        """Largest and mean deviation from 1 of the density times the local stretch of areas by the map."""
+        """Largest and mean difference from 1 of the product of the density and the map's local stretch of areas.
+
+        The product is 1 for a correct sampler.
+        """
         with np.errstate(all="ignore"):
             return laws.area_stretch_error(self.sampler, self.smooth)
 

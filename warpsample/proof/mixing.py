@@ -160,11 +160,11 @@ def sample_pairs(cells: Cells) -> Iterator[Pair]:
 
 @cache
 def _keys_kernel() -> wp.Kernel:
-    """Build a kernel that writes the keys (four random words each) of points, or of the streams of one point."""
+    """Build a kernel that fills an array with the random keys, four words each, of points or of one point's streams."""
 
     @wp.kernel(module="unique", enable_backward=False)
     def words(seed: wp.uint64, streams: wp.bool, out: wp.array[wp.vec4ui]):
-        """Write the key of the point or stream with this thread's index."""
+        """Write one random key to out[thread]: of point number `thread`, or of stream number `thread` of point 1."""
         thread = wp.tid()
         if streams:
             out[thread] = stream_key(point_key(seed, wp.uint64(1)), wp.uint32(thread))

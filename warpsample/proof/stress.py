@@ -8,6 +8,7 @@ from warpsample import sequences
 from warpsample.directions.sample import Status, sample_directions, sample_square
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
+from warpsample.distributions.scattering.base import ScatteredLight
 from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.points.sampling import sample_surface
@@ -70,6 +71,9 @@ def judge_normals(distribution: Distribution) -> list[Verdict]:
         # abs(n + s) = 2 pi pdf. For shorter sums the direction is drawn again, in a frame and from another hash.
         kept = 2.0 * np.pi * got.pdf > 2.0**-6 * 1.001
         angle, density, note = 1.3e-5, 1.3e-5, "frame-free: n and s have errors of 1e-7 each, their sum is as short as 2^-6"
+    if isinstance(distribution, ScatteredLight):
+        # The exact density belongs to the exact normal m. v.m is as small as 1e-5, where the rounding of m changes it.
+        angle, density, note = distribution.worst_angle + 2e-7, 5e-2, "near v.m = 0 the rounding of m changes the density"
     exact, local = exact_directions(distribution, normals, u)
     name = repr(distribution)
     lost = sum(n for status, n in got.counts().items() if status is not Status.OK)

@@ -31,7 +31,8 @@ def _even_in_area(lobe: SphericalTriangle, u: np.ndarray) -> np.ndarray:
 
 def _angle_of(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
     """Return the angle at corner a of a spherical triangle, in radians, by the dot product of two normals in float32."""
-    return np.arccos(-(_normalize(np.cross(a, b)) @ _normalize(np.cross(c, a))))
+    cosine = -(_normalize(np.cross(a, b)) @ _normalize(np.cross(c, a)))
+    return _F(np.arccos(np.float64(cosine)))
 
 
 def _by_girard(lobe: SphericalTriangle, w: np.ndarray) -> np.ndarray:

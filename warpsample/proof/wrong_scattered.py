@@ -1,9 +1,11 @@
-"""Wrong samplers of scattered light, each with one defect that real samplers have had."""
+"""Wrong samplers of scattered light and of mixtures, each with one defect that real samplers have had."""
 
 import numpy as np
 
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.microfacets.ggx import GGX
 from warpsample.distributions.microfacets.visible_ggx import VisibleGGX
+from warpsample.distributions.mixture import Mixture
 from warpsample.distributions.scattering.henyey_greenstein import HenyeyGreenstein
 from warpsample.distributions.scattering.reflection import Reflection
 from warpsample.distributions.scattering.rough_dielectric import RoughDielectric
@@ -18,6 +20,12 @@ _ETA, _SLANTED = 1.5, (0.6, 0.0, 0.8)
 _GLASS = RoughDielectric(VisibleGGX(0.4, _SLANTED), _SLANTED, _ETA)
 _BELOW = RoughDielectric(VisibleGGX(0.4, _SLANTED), (-0.6, 0.0, -0.8), _ETA)
 _MIRRORED = RoughDielectric(VisibleGGX(0.4, _SLANTED), (-0.6, 0.0, 0.8), 1.0 / _ETA)
+_MIXED = Mixture([CosineHemisphere(), GGX(0.3)], [0.3, 0.7])
+
+
+def _not_stretched(u: np.ndarray) -> np.ndarray:
+    """Return directions of the chosen lobe at the u[0] that chose it, so that each lobe gets a part of the unit interval."""
+    return np.where(u[..., :1] < _MIXED.weights[0], *(lobe.sample(u) for lobe in _MIXED.lobes))
 
 
 def _normal(w: np.ndarray) -> np.ndarray:
@@ -79,7 +87,7 @@ def _with_one_share(w: np.ndarray) -> np.ndarray:
 def _without_index(w: np.ndarray) -> np.ndarray:
     """Return the density of glass without the square of the index in the refracted part."""
     _, refracted, _, front = _parts(w)
-    return (_GLASS.pdf(w) - np.nan_to_num((1.0 - _fresnel(front)) * refracted) * (1.0 - _ETA**-2)).clip(0.0).astype(_F)
+    return (_GLASS.pdf(w) - np.nan_to_num((1.0 - _fresnel(front)) * refracted) * (1.0 - 1.0 / _ETA**2)).clip(0.0).astype(_F)
 
 
 def _chosen_by_first_number(u: np.ndarray) -> np.ndarray:
@@ -97,6 +105,9 @@ WRONG_SCATTERED: dict[str, WrongSampler] = {
         _SEEN, sample=lambda u: np.abs(_SEEN.sample(u) * _F([0, 0, 1])) + _SEEN.sample(u) * _F([1, 1, 0])
     ),
     "reflection with a signed cosine": WrongSampler(_ALL, pdf=_signed),
+    "mixture with u[0] not stretched": WrongSampler(_MIXED, sample=_not_stretched),
+    "mixture with the density of one lobe": WrongSampler(_MIXED, pdf=_MIXED.lobes[1].pdf),
+    "mixture in reversed order": WrongSampler(_MIXED, sample=Mixture(_MIXED.lobes[::-1], _MIXED.weights).sample),
     "reflection without −h": WrongSampler(_ROUND, pdf=_of_one_normal),
     "glass with Fresnel's share at v·n": WrongSampler(_GLASS, pdf=_with_one_share),
     "glass without η²": WrongSampler(_GLASS, pdf=_without_index),

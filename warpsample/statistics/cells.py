@@ -97,7 +97,7 @@ def integrate_lobes(density: Density, lobes: int, edges: np.ndarray, columns: in
             return found.reshape(lobes, len(edges) - 1, columns)
         if len(waiting) > _MOST_RECTANGLES * lobes:
             break
-    raise ValueError("pdf: got a density that is too rough to be integrated over cells, want a smoother one")
+    raise ValueError("pdf: got a density that is too rough to be integrated over cells, want a smoother density")
 
 
 def _cells(density: Density, lobes: int, edges: np.ndarray, columns: int, pilot: np.ndarray) -> _Rectangles:

@@ -39,8 +39,8 @@ def cell_masses(
             return after
         before, nodes = after, 2 * nodes
     raise ValueError(
-        f"pdf: got an integral that still changes by a relative {change:.1e} at {_FINEST} nodes per cell, want one that "
-        "converges"
+        f"pdf: got an integral that still changes by a relative {change:.1e} at {_FINEST} nodes per cell, want a "
+        "smoother density"
     )
 
 

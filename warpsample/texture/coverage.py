@@ -147,7 +147,9 @@ def sample_at(seed: wp.uint64, texel: wp.int32, width: wp.int32, sample: wp.int3
 
 @once
 def claim_texels() -> wp.Kernel:
-    """Build the kernel that finds the nearest face of each texel, the face of each sample, and overlaps.
+    """Build the kernel that assigns faces to the texels of an image, and counts the faces that overlap at a texel.
+
+    Samples, which are positions within a texel, get faces, too.
 
     Each task covers some image rows of one face's bounding box. The kernel's arguments are addresses of arrays:
 

@@ -76,7 +76,7 @@ class GlbFile:
         if is_binary:
             self._rest = _read_trailing_bytes(path, len(chunk))
             if "uri" in self.tree.setdefault("buffers", [{"byteLength": 0}])[0]:
-                raise ValueError("buffers[0] is not in the file itself, want a .glb with embedded data")
+                raise ValueError("the buffer buffers[0] is in another file, want a .glb with embedded data")
         else:
             self._embed_files(path)
 
@@ -151,7 +151,7 @@ class GlbFile:
         """Raise a ValueError if the .glb has chunks after its data, which a .gltf cannot store."""
         if self._rest:
             raise ValueError(
-                f"it has {len(self._rest):,} bytes after its data, which a .gltf has no place for, want a .glb as --output"
+                f"the file has {len(self._rest):,} bytes after its data, which a .gltf cannot hold, want a .glb as --output"
             )
 
     def _embed_files(self, path: Path) -> None:

@@ -88,7 +88,9 @@ class WarpsampleAccessor:
         """Return the dataset's array with the given name, interpolated to points on the surface."""
         arrays = arrays_of(self._dataset)
         if name not in arrays:
-            raise ValueError(f"distribution: got @{name}, want an array of the dataset: {quote(', '.join(sorted(arrays)))}")
+            raise ValueError(
+                f"distribution: got the array name @{name}, want an array of the dataset: {quote(', '.join(sorted(arrays)))}"
+            )
         return carry_to_points(arrays[name], name, self.mesh, points)
 
     def _points(self, at: At) -> SurfacePoints:

@@ -109,7 +109,7 @@ def probabilities_of(claim: Distribution, lobes: int = 1) -> CellProbabilities:
         theta = np.stack([np.diff(lobe.cdf(edges)) for lobe in each])
         azimuth = np.full((len(each), SECTORS), 1.0 / SECTORS)
         return CellProbabilities(edges, theta, azimuth, 0.5 * (fine[1:] + fine[:-1]), line, None)
-    outer = np.append(high * _WIDEN ** np.arange(np.ceil(np.log(np.pi / high) / np.log(_WIDEN))), np.pi)
+    outer = np.append(high * np.float_power(_WIDEN, np.arange(np.ceil(np.log(np.pi / high) / np.log(_WIDEN)))), np.pi)
     cells = integrate_lobes(_density_of_rows(claim), lobes, np.append(edges[:CELLS], outer), SECTORS, pilot)
     cells = np.concatenate([cells[:, :CELLS], cells[:, CELLS:].sum(axis=1, keepdims=True)], axis=1)
     total = cells.sum(axis=(1, 2), keepdims=True)
@@ -134,7 +134,10 @@ def _density_of_rows(claim: Distribution) -> Density:
 
 
 def _covering_angle(claim: Distribution, pilot: np.ndarray) -> float:
-    """Return a round angle to the normal, in radians, within which 99.8 % of the directions of a distribution are."""
+    """Return the radius of a cone about the normal, in radians, that contains 99.8 % of a distribution's directions.
+
+    The angle is rounded up to one of a few round angles.
+    """
     reach = float(np.degrees(np.quantile(SPHERE.polar(pilot), _ALMOST_ALL)))
     if reach < _NARROWEST:
         raise ValueError(

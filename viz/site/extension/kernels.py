@@ -34,6 +34,7 @@ _ARGUMENTS = {
     "point": "wp.uint64(0)",
     "sample": "wp.uint32(i)",
     "count": "wp.uint32(256)",
+    "table": "table",
     "tree": "tree",
     "position": "position[i]",
     "origin": "position[i]",
@@ -45,7 +46,7 @@ _ARGUMENTS = {
     "max_distance": "10.0",
 }
 _ARRAY = re.compile(r"(?:~?numpy\.)?ndarray\[tuple\[(?:~?typing\.)?Any, \.\.\.\], (?:~?numpy\.)?dtype\[([^]]+)\]\]")
-KERNEL = "tree: funcs.Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3]"
+KERNEL = "tree: funcs.Tree, table: wp.uint64, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3]"
 """Arguments of the kernel that contains the lines of an example."""
 
 

@@ -124,7 +124,9 @@ def compute_known(scene: Textured, size: int, rays: int = _RAYS, most: int = _MO
     alone = ~claim_points(t.corners, usable, t.size, 1, t.options.memory).overlapping[t.face]
     inside = np.flatnonzero(alone & (np.asarray(t.points.barycentric) > 0.0).all(axis=1))
     if not len(inside):
-        raise ValueError("asset: got coordinates with all faces overlapping, want some faces without overlap, or a part")
+        raise ValueError(
+            "asset: got texture coordinates in which all faces overlap, want faces without overlap; or pass --part"
+        )
     inside = np.sort(np.random.default_rng(SEED).permutation(inside)[:most])
     at_texels = ambient_occlusion(scene.mesh, t.points.take(inside), rays, seed=_SEED).value
     return Known(t.texel[inside], at_texels, sample_places(t, scene.uv, most, rays, _SEED))
@@ -171,7 +173,7 @@ def measure(
 ) -> RowsByPart:
     """Measure the baking of ambient occlusion by each tool with several numbers of rays; return the rows."""
     if part is not None and asset is None:
-        raise ValueError(f"part: got {part!r} without an asset, want the asset with this part")
+        raise ValueError(f"part: got {part!r} without asset, want both: pass --asset, the mesh file that contains the part")
     tools = [f"{name}, {rays} rays" for name, (_, ladder) in TEXTURE_TOOLS.items() for rays in ladder]
     return {"rows": [row for size in track([side], 1) for row in compare(asset, size, tools, repeats, part=part)]}
 

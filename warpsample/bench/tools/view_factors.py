@@ -21,7 +21,7 @@ from warpsample.tracing.trace import trace
 
 
 class OurFactors:
-    """View factors of a mesh by `view_factors`, with one matrix for each run."""
+    """Benchmark tool that computes the view-factor matrix of a mesh with warpsample; each run has a new seed."""
 
     def __init__(self, mesh: Mesh, workers: int, reciprocal: bool = False) -> None:
         self.call = partial(view_factors, mesh, reciprocal=reciprocal, workers=workers)

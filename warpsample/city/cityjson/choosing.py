@@ -86,10 +86,10 @@ def list_ancestors(objects: dict[str, Part], name: str) -> list[str]:
     while left:
         for parent in objects[left.pop()].texts("parents"):
             if parent == name:
-                raise ValueError(f"its object {quote(name)} is its own ancestor")
+                raise ValueError(f"the city object {quote(name)} is its own ancestor; correct the lists of parents")
             if parent in objects and parent not in found:
                 found[parent] = None
                 left.append(parent)
         if len(found) > _MOST_ANCESTORS:
-            raise ValueError(f"its object {quote(name)} has more than {_MOST_ANCESTORS} ancestors")
+            raise ValueError(f"the city object {quote(name)} has more than {_MOST_ANCESTORS} ancestors")
     return list(found)

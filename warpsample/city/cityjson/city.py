@@ -215,7 +215,7 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
         content = path.read_bytes() if made is None else made
         found = gather(content, lod)
         if not found.lods:
-            raise ValueError("it has no objects with surfaces")
+            raise ValueError("the file has no city objects with surfaces")
         points, outlines = np.concatenate(found.vertices), found.all_outlines
         found.units.check_lengths(points, outlines)
     if not found.geometries:
@@ -245,7 +245,7 @@ def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
             raise ValueError(f"results[{name!r}]: got shape {column.shape}, want ({count},), one for each surface")
         if name.removesuffix(ERROR) not in columns:
             raise ValueError(
-                f"results: got {name!r} without {name.removesuffix(ERROR)!r}, want the values of these errors, too"
+                f"results: got {name!r} without {name.removesuffix(ERROR)!r}, want both the errors and the values"
             )
     return columns
 

@@ -64,9 +64,9 @@ def _split_lines(content: bytes) -> list[bytes]:
 def _check_header(tree: Part, kind: str) -> Part:
     found = tree.text("type")
     if found != kind:
-        raise ValueError(f"its type is {found!r}, want {kind!r}")
+        raise ValueError(f"the JSON has the type {found!r}, want {kind!r}")
     if kind == _HEAD and not _VERSION.match(tree.text("version")):
-        raise ValueError(f"its version is {tree.text('version')!r}, want 1.0, 1.1 or 2.0")
+        raise ValueError(f"the CityJSON version is {tree.text('version')!r}, want 1.0, 1.1 or 2.0")
     return tree
 
 
@@ -90,5 +90,5 @@ def _edit_text(text: bytes, edit: Callable[[dict[str, Any]], None]) -> bytes:
     try:
         made = json.dumps(found, default=lambda number: f"{mark}{number.text}", **options)
     except RecursionError:  # the limit is reached earlier than in parsing, since the stack is deeper here
-        raise ValueError("its JSON is nested too deeply") from None
+        raise ValueError("the JSON is nested too deeply") from None
     return re.sub(f'"{mark}([^"]*)"', r"\1", made).encode("utf-8", "backslashreplace")

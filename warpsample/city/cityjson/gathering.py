@@ -89,7 +89,7 @@ class Gathered:
             ValueError: a vertex is too far from the origin to be traced.
         """
         if not (np.abs(points) <= LARGEST).all():
-            raise ValueError(f"it has coordinates beyond {LARGEST:g}")
+            raise ValueError(f"the file has coordinates beyond {LARGEST:g}")
         self.vertices.append(points)
         self._offset += len(points)
         return self._offset - len(points)
@@ -252,7 +252,7 @@ def _read_matrix(placed: Part) -> np.ndarray:
     key = "transformationMatrix"
     matrix = placed.reals(key, np.eye(4).ravel().tolist()).reshape(4, 4)
     if not np.array_equal(matrix[3], (0.0, 0.0, 0.0, 1.0)):
-        raise ValueError(f"{placed.at(key)}: got {matrix[3].tolist()} at its end, want 0, 0, 0, 1")
+        raise ValueError(f"{placed.at(key)}: got {matrix[3].tolist()} as the last row of the matrix, want [0, 0, 0, 1]")
     return matrix
 
 

@@ -120,7 +120,7 @@ def warn_of_overlaps(path: Path, objects: np.ndarray, covered: np.ndarray, areas
     if len(bad):
         warn(
             f"path: got {str(path)!r} with {len(bad):,} of {len(areas):,} polygons that cross themselves or are far from "
-            f"flat, the first of object {quote(objects[bad[0]])}; their triangles overlap",
+            f"flat, the first of object {quote(objects[bad[0]])}; the triangles of these polygons overlap",
             stacklevel=4,
         )
 

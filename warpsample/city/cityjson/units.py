@@ -47,7 +47,12 @@ class Units:
         try:
             reference = imported("warpsample.city.rasters.reference")
         except ModuleNotFoundError as error:
-            return cls(name, None, np.ones(3), f"whose unit is not known: {missing('it needs pyproj', error.name, 'city')}")
+            return cls(
+                name,
+                None,
+                np.ones(3),
+                f"whose unit is not known: {missing('reading the unit needs pyproj', error.name, 'city')}",
+            )
         try:
             crs = reference.crs_by_address(name)
         except reference.CRSError:
@@ -67,8 +72,8 @@ class Units:
         if self.crs is None and looks_like_degrees(points, outlines):
             ends = np.stack([end(points[outlines.corners], axis=0) for end in (np.min, np.max)])
             raise ValueError(
-                f"it has no metadata.{_KEY} that is known, and coordinates between {ends.tolist()}, as in degrees; want "
-                "lengths, such as metres on a map"
+                f"the file has no known CRS in metadata.{_KEY}, and coordinates from {ends[0].tolist()} to "
+                f"{ends[1].tolist()}, which look like degrees; want lengths; reproject the file to a map in metres"
             )
 
     def warn(self, path: Path, points: np.ndarray) -> None:
@@ -81,4 +86,7 @@ class Units:
             x, y = 0.5 * (points.min(axis=0) + points.max(axis=0))[:2]
             stretched = imported("warpsample.city.rasters.reference").describe_stretch(self.crs, x, y)
             if stretched:
-                warn(f"path: {stretched}: areas and slopes are wrong by as much; transform it first", stacklevel=3)
+                warn(
+                    f"path: {stretched}: areas and slopes are wrong by the same factor; reproject the file first",
+                    stacklevel=3,
+                )

@@ -22,8 +22,8 @@ def build_tin(grid: Grid) -> Triangles:
     whole = np.flatnonzero(valid[:-1, :-1] & valid[:-1, 1:] & valid[1:, :-1] & valid[1:, 1:])
     if len(whole) == 0:
         raise ValueError(
-            f"source: got {rows} x {columns} cells without a block of 2 x 2 cells with heights, want one for "
-            "the model 'tin'; the models 'joined' and 'block' need none"
+            f"source: got {rows} x {columns} cells without a block of 2 x 2 cells with heights, want at least one block "
+            "for model='tin'; or pass model='joined' or model='block', which need no such block"
         )
     row, column = np.divmod(whole, columns - 1)
     first = row * columns + column

@@ -71,9 +71,9 @@ def _check_size(shape: tuple[int, int]) -> None:
     """Raise an error for a raster without cells, or with too many cells for the free memory."""
     rows, columns = shape
     if not 0 < rows * columns <= _MOST_CELLS:
-        raise ValueError(f"source: got {rows:,} x {columns:,} cells, want 1 to {_MOST_CELLS:,}; split it into tiles")
+        raise ValueError(f"source: got {rows:,} x {columns:,} cells, want 1 to {_MOST_CELLS:,}; split the raster into tiles")
     check_memory(
         _BYTES * rows * columns,
         f"the surface of {rows:,} x {columns:,} cells",
-        "split it into tiles",
+        "split the raster into tiles",
     )

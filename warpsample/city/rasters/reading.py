@@ -94,7 +94,7 @@ def ground_of(source: Any) -> RasterReader:
             got = repr(fspath(source)) if isinstance(source, str | PathLike) else "an xarray.DataArray"
             warnings.warn(
                 f"source: got {got} without a CRS; its coordinates are taken as metres, and the map's y axis as true north; "
-                "pass (array, affine, None) to state that there is none",
+                "pass (array, affine, None) to state that the raster has no CRS",
                 stacklevel=4,
             )
     return reader
@@ -207,7 +207,7 @@ def _reader(
     stretched = describe_stretch(found, *(transform @ (shape[1] / 2.0, shape[0] / 2.0)))
     if stretched:
         warnings.warn(
-            f"source: {stretched}: slopes are wrong by as much; {REPROJECT}",
+            f"source: {stretched}: slopes are wrong by the same factor; {REPROJECT}",
             stacklevel=2,
         )
     coordinates = coordinates_of(transform, shape) if coordinates is None else coordinates

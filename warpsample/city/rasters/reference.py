@@ -119,7 +119,9 @@ def check_unit(unit: str, crs: pyproj.CRS | None, what: str) -> None:
         raise ValueError(f"source: got {what} in {unit!r}, want lengths, as heights are; {REPROJECT} or gdalwarp")
     length = _METRES.get(name)
     if length is not None and abs(length - metres) > 1e-5 * metres:
-        raise ValueError(f"source: got {what} in {unit!r}, want the unit of the CRS, {metres:g} m")
+        raise ValueError(
+            f"source: got {what} in {unit!r}, want the unit of the CRS ({metres:g} m); convert the numbers to that unit"
+        )
 
 
 def check_upward(attributes: Mapping[str, Any]) -> None:
@@ -127,7 +129,7 @@ def check_upward(attributes: Mapping[str, Any]) -> None:
     positive, name = (str(attributes.get(key, "")).strip().lower() for key in ("positive", "standard_name"))
     if positive == "down" or (_DEPTH.search(name) and positive != "up"):
         got = f"standard_name={name!r}" if positive != "down" else "positive='down'"
-        raise ValueError(f"source: got {got}, want heights (positive up); negate them, and correct the attribute")
+        raise ValueError(f"source: got {got}, want heights (positive up); negate the numbers, and correct the attribute")
 
 
 def height_metres_of(crs: pyproj.CRS | None, unit: str) -> float | None:
@@ -183,7 +185,8 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
         places = np.array(to_map.transform(*around, errcheck=True))
     except ProjError as error:
         raise ValueError(
-            f"source: got a raster about {x:g}, {y:g}, which is not on Earth in {crs.name}; check the CRS and the transform"
+            f"source: got a raster around ({x:g}, {y:g}), which is not on Earth in {crs.name}; check the CRS and "
+            "the transform"
         ) from error
     metres = crs.get_geod().line_length([longitude, longitude], [south, north])
     return places[:, 1] - places[:, 0], places[:, 3] - places[:, 2], metres

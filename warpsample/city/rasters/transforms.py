@@ -41,7 +41,7 @@ def check_place(transform: Affine, crs: object, what: str) -> None:
     if transform == Affine.identity() and crs is None:
         raise ValueError(
             f"source: got {what}, which has no place on a map, want a raster with a transform; "
-            "pass (array, affine, None) to state its position"
+            "pass (array, affine, None) to state the raster's position"
         )
 
 
@@ -73,8 +73,8 @@ def check_lengths(transform: Affine, shape: tuple[int, int], heights: Callable[[
         relief = _impossible_relief(heights(rows, columns), sides)
         if relief:
             raise ValueError(
-                "source: got no CRS, cells of {:g} about {:g}, {:g}, as in degrees, and heights that differ by {:g}; want "
-                "lengths; set the CRS of the raster, and reproject the raster to metres".format(
+                "source: got cells of {:g} around ({:g}, {:g}) without a CRS, which look like degrees, and heights that "
+                "differ by {:g}; want lengths; set the CRS of the raster, and reproject the raster to metres".format(
                     sides.max(), *corners.mean(axis=0), relief
                 )
             )

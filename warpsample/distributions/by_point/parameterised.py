@@ -95,9 +95,9 @@ class Parameterised:
         return type(self).__module__, type(self).__qualname__, *self._content()
 
     def _content(self) -> tuple[Any, ...]:
-        """Return the parameters as hashable values, with a hash in place of each array."""
+        """Return the parameters as hashable values, with a hash in place of each array, and tuples for nested lobes."""
         values = (getattr(self, item.name) for item in fields(self) if item.compare)
-        return tuple(digest_of(value) if isinstance(value, np.ndarray) else value for value in values)
+        return tuple(_identify(value) for value in values)
 
     @property
     def nested(self) -> dict[str, "Parameterised"]:
@@ -133,14 +133,20 @@ class Parameterised:
         """Return a copy with other arrays for the parameters that have a row per point; the arrays are not checked."""
         if not tables:
             return self
-        copy = object.__new__(type(self))
-        copy.__dict__.update(self.__dict__)
+        lobes = {}
         for at, lobe in self.nested.items():
             inner = {name.removeprefix(f"{at}."): t for name, t in tables.items() if name.startswith(f"{at}.")}
-            object.__setattr__(copy, at, lobe.with_tables(inner))
+            lobes[at] = lobe.with_tables(inner)
+        copy = self._with_nested(lobes)
         for name, table in tables.items():
             if "." not in name:
                 object.__setattr__(copy, name, np.ascontiguousarray(table, np.float32))
+        return copy
+
+    def _with_nested(self, lobes: dict[str, "Parameterised"]) -> Self:
+        """Return a copy with other nested lobes, given by the names of `nested`; nothing is checked."""
+        copy = object.__new__(type(self))
+        copy.__dict__.update(self.__dict__ | lobes)
         return copy
 
     def kernel_values(self) -> tuple[Any, ...]:
@@ -183,3 +189,10 @@ class Parameterised:
         for name, table in self.by_point.items():
             if len(table) != points:
                 raise ValueError(f"{argument}: got {name} with {len(table):,} rows, want {points:,}, one for each point")
+
+
+def _identify(value: Any) -> Any:
+    """Return a hashable value that identifies a parameter: of arrays a hash, of nested lobes what Dask hashes."""
+    if isinstance(value, Parameterised):
+        return value.__dask_tokenize__()
+    return digest_of(value) if isinstance(value, np.ndarray) else value

@@ -145,7 +145,10 @@ class EnvironmentMap(Distribution):
 
     @cached_property
     def table_array(self) -> np.ndarray:
-        """Table of the picture as bytes, see `pixel_table`; made when first used, and not part of a pickle."""
+        """Table of the picture's pixels that kernels sample from, as bytes; built at the first use, and not pickled.
+
+        See `pixel_table`.
+        """
         return find_or_make(f"{self._content()}", build_table, self.picture, self.frame)
 
     @cached_property

@@ -178,7 +178,7 @@ class SphericalRectangle(Distribution):
     def __post_init__(self) -> None:
         """Check the vectors of the rectangle; raise a ValueError if they do not describe one."""
         super().__post_init__()
-        for name in (name for name in self.parameters if name not in self.by_point):
+        for name in (name for name in self.parameters if np.ndim(getattr(self, name)) != 2):
             vector = as_real(getattr(self, name), name, _WANTS[name])
             with np.errstate(over="ignore"):
                 rounded = vector.astype(np.float32)

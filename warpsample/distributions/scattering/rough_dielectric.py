@@ -158,7 +158,7 @@ class RoughDielectric(ScatteredLight):
     case_values: ClassVar[Cases] = (
         (VisibleGGX(0.3), (0.0, 0.0, 1.0), 1.5),
         (VisibleGGX(0.05), (0.0, 0.0, -1.0), 1.5),
-        (VisibleGGX(0.3, (0.6, -0.64, 0.48)), (0.6, -0.64, 0.48), 1.33),
+        (VisibleGGX(0.3, (0.6, 0.0, 0.8)), (0.6, 0.0, 0.8), 1.33),
         (VisibleGGX(0.4, (0.6, 0.0, 0.8), 0.3), (-0.6, 0.0, -0.8), 1.5),
         (VisibleBeckmann(0.5, (0.6, 0.0, 0.8)), (0.6, 0.0, 0.8), 1.1),
     )

@@ -78,10 +78,10 @@ def check_extensions(tree: Part) -> None:
     """Raise a ValueError if a glTF file uses extensions that this reader does not support."""
     needed = _EXTENSIONS & set(tree.texts("extensionsUsed"))
     if needed:
-        raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file without these extensions")
+        raise ValueError(f"the file uses {', '.join(sorted(needed))}, want a file without these extensions; export it again")
     unknown = [name for name in tree.texts("extensionsRequired") if not any(fnmatchcase(name, known) for known in _READ)]
     if unknown:
-        raise ValueError(f"it requires {', '.join(unknown)}, want a file that requires none but {', '.join(_READ)}")
+        raise ValueError(f"the file requires {', '.join(unknown)}, want a file that requires none but {', '.join(_READ)}")
 
 
 @dataclass(frozen=True)
@@ -129,7 +129,7 @@ def _attributes(placed: PlacedPrimitive, data: Data, name: str) -> tuple[np.ndar
     values = data.vectors(attributes, name, width).astype(np.float64)
     if len(values) != len(points):
         raise ValueError(
-            f"{attributes.at(name)}: got {len(values):,} of them, want one for each of {len(points):,} positions"
+            f"{attributes.at(name)}: got {len(values):,} values, want one for each of {len(points):,} positions"
         )
     turned = {"NORMAL": _turned, "TANGENT": _turned_tangents}.get(name)
     if turned is not None:

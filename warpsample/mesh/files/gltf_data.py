@@ -58,7 +58,7 @@ class Data:
         """Return the glTF accessor that the JSON member by[key] refers to, and its array, (V, k), of any type."""
         shape = self.accessors[by.index(key, self.accessors)].text("type")
         if shape not in _WIDTHS:
-            raise ValueError(f"{by.at(key)}: got numbers that are {quote(shape)}, want one of {', '.join(_WIDTHS)}")
+            raise ValueError(f"{by.at(key)}: got an accessor of type {quote(shape)}, want one of {', '.join(_WIDTHS)}")
         return self._numbers(by, key, shape=shape, width=_WIDTHS[shape], kinds=_KINDS | _WHOLE)
 
     def picture(self, image: Part, path: Path) -> bytes:
@@ -71,11 +71,13 @@ class Data:
         """Return a glTF accessor and its array, (V, width), after checks of type and bounds."""
         accessor = self.accessors[by.index(key, self.accessors)]
         if "sparse" in accessor or "bufferView" not in accessor:
-            raise ValueError("it has sparse accessors, want a file that stores all numbers")
+            raise ValueError(
+                "the file has sparse accessors, want a file that stores all numbers; export it without sparse accessors"
+            )
         found, code, count = accessor.text("type"), accessor.whole("componentType"), accessor.whole("count")
         if found != shape or code not in kinds:
-            wants = f"{shape} of {' or '.join(map(str, sorted(kinds)))}"
-            raise ValueError(f"{by.at(key)}: got numbers that are {quote(found)} of {code}, want {wants}")
+            wants = f"{shape} with componentType {' or '.join(map(str, sorted(kinds)))}"
+            raise ValueError(f"{by.at(key)}: got an accessor of type {quote(found)} with componentType {code}, want {wants}")
         kind, begin = np.dtype(kinds[code]), accessor.whole("byteOffset", 0)
         size = width * kind.itemsize
         view = self.views[accessor.index("bufferView", self.views)]
@@ -83,7 +85,9 @@ class Data:
         if stride < size:
             raise ValueError(f"{view.at('byteStride')}: got {stride}, want at least {size}, the bytes of one {shape}")
         if begin + (stride * (count - 1) + size if count else 0) > len(data):
-            raise ValueError(f"it declares {count:,} {shape} in {len(data):,} bytes")
+            raise ValueError(
+                f"{accessor.path} declares {count:,} {shape}, too many for the {len(data):,} bytes of the buffer view"
+            )
         return accessor, np.ndarray((count, width), kind, data, begin, (stride, kind.itemsize))
 
     def _view(self, view: Part) -> memoryview:
@@ -91,7 +95,7 @@ class Data:
         data = self.buffers[view.index("buffer", self.buffers)]
         begin, length = view.whole("byteOffset", 0), view.whole("byteLength")
         if begin + length > len(data):
-            raise ValueError(f"{view.path} ends at byte {begin + length:,} of a buffer of {len(data):,}")
+            raise ValueError(f"{view.path} ends at byte {begin + length:,}, but the buffer has only {len(data):,} bytes")
         return data[begin : begin + length]
 
 
@@ -106,13 +110,15 @@ def binary(path: Path) -> tuple[Part, memoryview]:
         header = file.read(20)
         version, length, size = (int.from_bytes(header[at : at + 4], "little") for at in (4, 8, 12))
         if header[:4] != b"glTF" or header[16:] != b"JSON" or version != 2:
-            raise ValueError("it does not begin as a .glb of version 2")
+            raise ValueError("the file does not begin as a .glb of version 2")
         if length != actual or size > length - 20:
-            raise ValueError(f"its header declares {length:,} bytes, {size:,} in the first part, but it has {actual:,}")
+            raise ValueError(
+                f"the header declares {length:,} bytes, {size:,} in the first chunk, but the file has {actual:,}"
+            )
         text, header = file.read(size), file.read(8)
         size = int.from_bytes(header[:4], "little")
         if size > (left := length - file.tell()):
-            raise ValueError(f"its second part declares {size:,} bytes, but it has {left:,}")
+            raise ValueError(f"the second chunk declares {size:,} bytes, but the file has only {left:,} more")
         return parsed(text), memoryview(file.read(size) if header[4:] == b"BIN\0" else b"")
 
 
@@ -142,7 +148,7 @@ def content_of(path: Path, uri: str, length: int, by: Part) -> memoryview:
         try:
             return memoryview(b64decode(unquote(data), validate=True) if mark else b"")
         except ValueError:
-            raise ValueError(f"{by.at('uri')}: got data that are not base64") from None
+            raise ValueError(f"{by.at('uri')}: got data that are not base64, want base64 after 'data:...;base64,'") from None
     if _SCHEME.match(uri) or Path(unquote(uri)).anchor:
         raise ValueError(f"{by.at('uri')}: got {quote(uri)}, want the name of a file, or data")
     file = check_file(path.parent / unquote(uri), by.at("uri"), "a file")
@@ -154,4 +160,4 @@ def content_of(path: Path, uri: str, length: int, by: Part) -> memoryview:
 def _check_length(declared: int, held: int) -> None:
     """Raise a ValueError if data are shorter than declared."""
     if held < declared:
-        raise ValueError(f"it declares {declared:,} bytes of data, but there are {held:,}")
+        raise ValueError(f"the buffer declares {declared:,} bytes, but has only {held:,}; the data are truncated")

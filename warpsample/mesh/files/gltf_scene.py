@@ -31,7 +31,9 @@ def _places(tree: Part, nodes: list[Part]) -> Iterator[tuple[int, np.ndarray]]:
     roots = scene.indices("nodes", nodes)
     for number in roots:
         if number in parents:
-            raise ValueError(f"{scene.path} lists node {number}, a child of node {parents[number]}, want nodes without one")
+            raise ValueError(
+                f"{scene.path} lists node {number}, a child of node {parents[number]}, want only nodes without a parent"
+            )
     for number, times in Counter(roots).items():
         if times > 1:
             raise ValueError(f"{scene.path} lists node {number} {times} times, want each node once")
@@ -50,7 +52,7 @@ def _parents(children: list[list[int]]) -> dict[int, int]:
         for child in below:
             if child in parents:
                 both = f"of node {number} twice" if parents[child] == number else f"of nodes {parents[child]} and {number}"
-                raise ValueError(f"its node {child} is a child {both}, want one parent for each node")
+                raise ValueError(f"node {child} is a child {both}, want one parent for each node")
             parents[child] = number
     known: set[int] = set()
     for start in parents:
@@ -58,7 +60,7 @@ def _parents(children: list[list[int]]) -> dict[int, int]:
         while number in parents and number not in known:
             number = parents[number]
             if number in path:
-                raise ValueError(f"its node {number} is its own ancestor")
+                raise ValueError(f"node {number} is its own ancestor, want a tree of nodes")
             path.add(number)
         known |= path
     return parents

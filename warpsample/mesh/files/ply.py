@@ -57,7 +57,7 @@ class _Element:
 
     def cut(self, found: str) -> ValueError:
         """Return the ValueError for an element with fewer rows than the header declares; `found` states what follows."""
-        return ValueError(f"its header declares {self.count:,} of '{self.name}', but {found}")
+        return ValueError(f"the header declares {self.count:,} elements '{self.name}', but {found}")
 
 
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
@@ -88,7 +88,7 @@ def read_elements(path: Path) -> dict[str, dict[str, Any]]:
             found = {element.name: _text(rows, element) for element in elements}
             rest = next(rows, b"")
     if rest:
-        raise ValueError("it is longer than its header declares")
+        raise ValueError("the file has more data than the header declares")
     return found
 
 
@@ -97,9 +97,11 @@ def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
     vertex, face = found.get("vertex", {}), found.get("face", {})
     polygons = face.get("vertex_indices", face.get("vertex_index"))
     if not {"x", "y", "z"} <= vertex.keys() or not isinstance(polygons, tuple):
-        raise ValueError("its header declares no vertices with x, y, z or no faces with vertex_indices")
+        raise ValueError(
+            "the header declares no vertices, or no faces; want vertices with x, y, z and faces with vertex_indices"
+        )
     if "tristrips" in found:
-        raise ValueError("it has triangle strips, want separate faces")
+        raise ValueError("the file has triangle strips, want separate faces; export the mesh as triangles")
     vertices = np.stack([vertex[axis] for axis in "xyz"], axis=1, dtype=np.float64)
     return vertices, triangles(vertices, *polygons)
 
@@ -107,7 +109,7 @@ def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
 def _header(file: BinaryIO) -> tuple[str, list[_Element]]:
     """Read the header of a .ply file; return (byte order, "" for text; declared elements)."""
     if file.readline(_LONGEST).split() != [b"ply"]:
-        raise ValueError("it does not begin with 'ply'")
+        raise ValueError("the file does not begin with 'ply'")
     order, elements, line = None, [], ""
     try:
         while (line := file.readline(_LONGEST).decode("latin-1")).split() != ["end_header"]:
@@ -125,9 +127,11 @@ def _header(file: BinaryIO) -> tuple[str, list[_Element]]:
                 case _:
                     raise ValueError
     except (ValueError, KeyError, IndexError):
-        raise ValueError(f"its header has {f'the line {line.strip()[:60]!r}' if line else 'no end'}") from None
+        raise ValueError(
+            f"the header has {f'the unknown line {line.strip()[:60]!r}' if line else 'no end_header'}"
+        ) from None
     if order is None:
-        raise ValueError("its header declares no format")
+        raise ValueError("the header declares no format, want a line such as 'format ascii 1.0'")
     return order, elements
 
 
@@ -158,10 +162,10 @@ def _text(rows: Iterator[list[bytes]], element: _Element) -> dict[str, Any]:
             at, length = at + length, 1
         if at != len(words):
             raise ValueError(
-                f"row {seen - 1} of '{element.name}' has {len(words)} numbers, which its header does not declare"
+                f"row {seen - 1} of '{element.name}' has {len(words)} numbers, more or fewer than the header declares"
             )
     if seen < element.count:
-        raise element.cut(f"{seen:,} follow")
+        raise element.cut(f"only {seen:,} follow")
     return _columns(lengths, {name: np.frombuffer(found, found.typecode) for name, found in numbers.items()})
 
 

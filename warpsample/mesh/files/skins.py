@@ -50,13 +50,17 @@ class Skin:
         joints = np.concatenate([data.rows(attributes, f"JOINTS_{number}")[1] for number in sets], axis=1)
         weights = np.concatenate([data.vectors(attributes, f"WEIGHTS_{number}", 4) for number in sets], axis=1)
         if joints.shape != weights.shape:
-            raise ValueError(f"{attributes.path}: got JOINTS of shape {joints.shape}, WEIGHTS of {weights.shape}")
+            raise ValueError(
+                f"{attributes.path}: got JOINTS of shape {joints.shape} and WEIGHTS of {weights.shape}, want equal shapes"
+            )
         check_memory(_BYTES * len(joints), f"a skin of {len(joints):,} vertices", "leave it out")
         weights = weights.astype(np.float64)
         weights[~weights.any(axis=1), 0] = 1.0  # as viewers do: a vertex without weights follows its first joint
         joints = np.where(weights == 0.0, 0, joints).astype(np.int64)
         if len(joints) and not 0 <= joints.min() <= joints.max() < len(self.joints):
-            raise ValueError(f"{attributes.at('JOINTS_0')}: got joint {joints.max()} of {len(self.joints)} of the skin")
+            raise ValueError(
+                f"{attributes.at('JOINTS_0')}: got joint {joints.max()}, want 0 to {len(self.joints) - 1}, as in the skin"
+            )
         weights /= weights.sum(axis=1, keepdims=True)
         moves, found = self._moves(data), np.zeros((len(joints), 4, 4))
         for column in range(joints.shape[1]):
@@ -70,12 +74,12 @@ class Skin:
         inverse = data.matrices(self.part, "inverseBindMatrices")
         if len(inverse) < len(self.joints):
             at = self.part.at("inverseBindMatrices")
-            raise ValueError(f"{at}: got {len(inverse)} of them, want one for each of {len(self.joints)} joints")
+            raise ValueError(f"{at}: got {len(inverse)} matrices, want one for each of {len(self.joints)} joints")
         return inverse[: len(self.joints)] @ self.joints
 
 
 def posed(points: np.ndarray, poses: np.ndarray) -> np.ndarray:
     """Transform points (V, 3) by one (4, 4) matrix per point."""
     if len(points) != len(poses):
-        raise ValueError(f"it has joints for {len(poses):,} of {len(points):,} vertices")
+        raise ValueError(f"the skin has joints for {len(poses):,} of {len(points):,} vertices, want joints for each vertex")
     return np.einsum("vi,vij->vj", points.astype(np.float64), poses[:, :3, :3]) + poses[:, 3, :3]

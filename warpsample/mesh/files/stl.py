@@ -35,8 +35,8 @@ def read(path: Path) -> Named:
     if header[:5].lower() == b"solid":
         corners, counts, names = _text(path)
         return *_merged(corners), *named_parts(counts, names)
-    wants = f"whose header declares {faces:,} faces, {_HEADER + faces * _FACE.itemsize:,} bytes"
-    raise ValueError(f"it has {size:,} bytes, {wants}" if size > _HEADER else "it has no faces")
+    wants = f"but the header declares {faces:,} faces, which take {_HEADER + faces * _FACE.itemsize:,} bytes"
+    raise ValueError(f"the file has {size:,} bytes, {wants}" if size > _HEADER else "the file has no faces")
 
 
 def _text(path: Path) -> tuple[np.ndarray, list[int], list[str]]:
@@ -56,7 +56,7 @@ def _text(path: Path) -> tuple[np.ndarray, list[int], list[str]]:
         elif word == "endfacet" and len(positions) != 9 * seen[word]:
             raise ValueError(f"line {number} ends a facet that does not have three corners")
     if len({seen[word] for word in ("facet", "outer", "endloop", "endfacet")}) > 1 or seen["solid"] != seen["endsolid"]:
-        raise ValueError("it ends within a solid")
+        raise ValueError("the file ends within a solid; an endsolid, endloop or endfacet is missing")
     counts = np.diff([*starts, seen["facet"]]).tolist()
     return np.frombuffer(positions).reshape(-1, 3), counts, names
 

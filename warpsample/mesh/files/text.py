@@ -49,7 +49,7 @@ def read_obj(path: Path) -> Named:
             elif words[0] in given:
                 given[words[0]] = " ".join(words[1:])
             elif words[0] not in _NO_SURFACE:
-                raise ValueError(f"it begins with {words[0][:20]!r}, which is not a known keyword")
+                raise ValueError(f"the keyword {words[0][:20]!r} is unknown")
     except ValueError as error:
         raise ValueError(f"line {number}: {error}") from None
     vertices, faces = _cut(positions, lengths, corners)
@@ -86,7 +86,7 @@ def _texture_corners(words: list[str], coordinates: int) -> list[int]:
     """Parse a face line of an .obj; return the 1-based indices of its texture coordinates."""
     found = [index + 1 for index in _corners(words, coordinates, 1)]
     if not 1 <= min(found) <= max(found) <= coordinates:
-        raise ValueError(f"a face has the texture coordinates {min(found)} to {max(found)}, but they are 1 to {coordinates}")
+        raise ValueError(f"a face has the texture coordinates {min(found)} to {max(found)}, want 1 to {coordinates}")
     return found
 
 
@@ -110,10 +110,10 @@ def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
     lines = (words for _, words in numbered(path))
     keyword, *counts = next(lines, [""])
     if not re.fullmatch("(ST)?C?N?OFF", keyword) or counts[:1] == ["BINARY"]:
-        raise ValueError("it does not begin with 'OFF'")
+        raise ValueError("the file does not begin with 'OFF'")
     counts = counts or next(lines, [])
     if len(counts) < 2 or not all(map(str.isdecimal, counts)):
-        raise ValueError("its header declares no numbers of vertices and faces")
+        raise ValueError("the header declares no numbers of vertices and faces")
     vertices, faces = map(int, counts[:2])
     positions, lengths, corners = array("d"), array("i"), array("i")
     for words in islice(lines, vertices):
@@ -125,8 +125,8 @@ def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
         lengths.append(len(face))
         corners.extend(face)
     if (len(positions), len(lengths)) != (3 * vertices, faces) or next(lines, None):
-        found = f"holds {len(positions) // 3:,} and {len(lengths):,}" if len(lengths) < faces else "goes on after them"
-        raise ValueError(f"its header declares {vertices:,} vertices and {faces:,} faces, but it {found}")
+        found = f"holds {len(positions) // 3:,} and {len(lengths):,}" if len(lengths) < faces else "continues after them"
+        raise ValueError(f"the header declares {vertices:,} vertices and {faces:,} faces, but the file {found}")
     return _cut(positions, lengths, corners)
 
 
@@ -146,13 +146,13 @@ def numbered(path: Path, joins: bool = False) -> Iterator[tuple[int, list[str]]]
             if words:
                 yield number, words
     if held:
-        raise ValueError("it ends within a line")
+        raise ValueError("the file ends within a line")
 
 
 def three(words: list[str]) -> list[float]:
     """Parse the three coordinates of a vertex from the words of a line; further numbers are ignored."""
     if len(words) < 3:
-        raise ValueError(f"a vertex has {len(words)} numbers instead of 3")
+        raise ValueError(f"a vertex has {len(words)} numbers, want at least 3")
     return [real(word) for word in words[:3]]
 
 
@@ -184,7 +184,9 @@ def _corners(words: list[str], vertices: int, column: int = 0) -> list[int]:
     """
     parts = [word.split("/") for word in words]
     if len({tuple(map(bool, part)) for part in parts}) != 1 or len(parts) < 3:
-        raise ValueError(f"it is not a face: {' '.join(words)[:60]!r}")
+        raise ValueError(
+            f"{' '.join(words)[:60]!r} is not a face, want at least 3 corners, all in the same form, such as 1/1"
+        )
     indices = [whole(part[column]) for part in parts]
     if 0 in indices:
         raise ValueError("a face has the vertex 0, but vertices count from 1")

@@ -56,7 +56,7 @@ def _run_usd_stage(path: Path, what: str = "") -> bytes:
         reason = found.decode()
         raise ValueError(reason if len(reason) <= _LONGEST else f"{reason[: _LONGEST - 3]}...")
     if status:
-        raise ValueError(f"usd-core ended with {status}: it is damaged, or needs more memory than is free")
+        raise ValueError(f"usd-core ended with {status}: the file is damaged, or needs more memory than is free")
     return found
 
 

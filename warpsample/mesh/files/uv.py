@@ -23,7 +23,7 @@ def _gltf(path: Path, number: int) -> np.ndarray:
 def _obj(path: Path, number: int) -> np.ndarray:
     """Read the texture coordinates of an .obj, with v downward."""
     if number:
-        raise ValueError(f"it has one set of texture coordinates, 0, but set is {number}")
+        raise ValueError(f"an .obj file has only set 0 of texture coordinates, but set={number}")
     return _downward(text.read_obj_uv(path))
 
 
@@ -85,7 +85,7 @@ def load_uv(path: str | PathLike[str], *, set: int = 0) -> np.ndarray:
     with naming_file("path", path, "a mesh with texture coordinates"):
         uv = reader(path, set)
         if not len(uv):
-            raise ValueError("it has no faces")
+            raise ValueError("the file has no faces")
         if np.isnan(uv).all():
-            raise ValueError(f"none of its faces has set {set} of texture coordinates")
+            raise ValueError(f"no face of the file has set {set} of texture coordinates")
         return uv

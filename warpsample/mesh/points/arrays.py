@@ -38,7 +38,9 @@ def read_array(path: Any, name: str, argument: str) -> np.ndarray:
     with naming_file(argument, path, "arrays"):
         arrays = {".ply": _ply, ".vtp": _vtp, ".npz": _npz}[path.suffix.lower()](path)
     if name not in arrays:
-        raise ValueError(f"distribution: got @{name}, want an array of {path.name}: {quote(', '.join(sorted(arrays)))}")
+        raise ValueError(
+            f"distribution: got the array name @{name}, want an array of {path.name}: {quote(', '.join(sorted(arrays)))}"
+        )
     return arrays[name]
 
 

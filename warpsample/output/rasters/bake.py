@@ -180,7 +180,7 @@ def _bake(run: BakeRun, job: RasterJob, store: TileStore, record: RunRecord) -> 
 
 
 def _finish(run: BakeRun, raster: RasterRun, about: Mapping[str, Any], store: TileStore) -> list[str]:
-    """Write the GeoTIFF or picture, and the report, from the computed tiles; return sentences on the files."""
+    """Write the output file and the report of a raster command from the computed tiles; return notes for the user."""
     notes = []
     if run.output.suffix in (".tif", ".tiff"):
         removed = write_cog(run.output, raster, about, lambda: store.tiles(raster), store.path / "cog")

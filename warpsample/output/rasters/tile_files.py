@@ -64,7 +64,7 @@ class TileFiles:
             raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another output name")
         if files and not self.resume:
             raise ValueError(
-                f"--output: got {str(self.path)!r}, which exists already, want a new name, or --resume to continue it"
+                f"--output: got {str(self.path)!r}, which exists already, want a new name, or --resume to continue the run"
             )
 
     def begin(self, run: RasterRun, about: dict[str, Any]) -> np.ndarray:

@@ -131,7 +131,7 @@ def place_pictures(file: GlbFile, pictures: list[list[Picture]]) -> list[list[li
 
 
 def _mesh_for(file: GlbFile, one: Primitive, shown: dict[int, int], known: dict[Any, int]) -> int:
-    """Return the number of the glTF mesh for a node with the given pictures; copy the mesh if necessary."""
+    """Assign a mesh to a glTF node, a copy if the node shows other pictures than the mesh; return the number of the mesh."""
     key = one.mesh, tuple(sorted(shown.items()))
     if key not in known:
         known[key] = file.copy_mesh(one.mesh) if any(shown.values()) else one.mesh

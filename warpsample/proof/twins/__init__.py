@@ -8,7 +8,7 @@ import numpy as np
 
 from warpsample.distributions.own import Twin, user_distributions
 from warpsample.distributions.record import Distribution
-from warpsample.proof.twins import lights, microfacets, pictures, scattered, shapes
+from warpsample.proof.twins import lights, microfacets, mixtures, pictures, scattered, shapes
 from warpsample.proof.twins.angles import frames, polar_angle, spherical
 
 __all__ = ["check_twin", "density", "directions", "frames", "names", "polar_angle", "spherical"]
@@ -48,6 +48,7 @@ _TWINS = {
     **lights.TWINS,
     **pictures.TWINS,
     **scattered.twins_of(directions, density),
+    **mixtures.twins_of(directions, density),
 }
 
 

@@ -113,7 +113,8 @@ def _normals(density: Function, lobe: Any, m: np.ndarray, cosine: np.ndarray, vi
     by_product = m @ seen
     own = np.maximum(by_product, BLUR * (np.abs(m) @ np.abs(seen)))  # the cosine in the lobe's density
     facing = cosine if (seen == view).all() else np.where(by_product > 0.0, by_product, 0.0)
-    return np.where((m[..., 2] > 0.0) & (facing > 0.0), density(lobe, m) / own * facing, 0.0)
+    with np.errstate(all="ignore"):  # of normals below the surface
+        return np.where((m[..., 2] > 0.0) & (facing > 0.0), density(lobe, m) / own * facing, 0.0)
 
 
 def _inside(lobe: Any, m: np.ndarray, value: np.ndarray) -> np.ndarray:

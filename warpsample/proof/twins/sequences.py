@@ -77,7 +77,7 @@ def _premixed_words(seed: int, point: int) -> Key:
 
 
 def _raw_words(seed: int, point: int) -> Key:
-    """Return the key of a surface point for Philox: the halves of its id and of the seed, unchanged."""
+    """Return the key of a surface point for the sequence "philox": the 32-bit halves of the point's id and of the seed."""
     return point & _MASK, point >> 32, seed & _MASK, seed >> 32
 
 

@@ -76,9 +76,10 @@ def _split_error(factors: RowFactors, name: str) -> tuple[np.ndarray, np.ndarray
 
 
 def _choose_signs(errors: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return a Hadamard matrix of signs, a row for each draw, and the matrix column to use for each error.
+    """Return +1 or -1 for each draw of each error: a Hadamard matrix, and a column number for each error.
 
-    Columns are random where there are more errors than columns.
+    In draw d, error e has the sign signs[d, columns[e]]. Any two columns are uncorrelated.
+    Column numbers are random if there are more errors than columns.
     """
     signs = np.ones((1, 1))
     while len(signs) < _FEWEST or (len(signs) < _MOST and len(signs) * errors < _WORK):

@@ -81,7 +81,7 @@ def load(path: Any, argument: str) -> dict[str, Any]:
         matrix, standard_error = matrices_of(held["data"], held["standard_error"], held["indices"], held["indptr"])
         matrix.check_format()
         if not matrix.has_canonical_format:
-            raise ValueError("its columns do not ascend")
+            raise ValueError("the column indices of the matrix do not ascend")
         return {
             "matrix": matrix,
             "standard_error": standard_error,
@@ -100,7 +100,7 @@ def _check_arrays(held: dict[str, np.ndarray]) -> None:
     optional = [name for names in _OPTIONAL if any(name in held for name in names) for name in names]
     lacking = {"data", "standard_error", "indices", "indptr", "shape", "skipped", *_VECTORS, *optional} - set(held)
     if lacking:
-        raise ValueError(f"it lacks {', '.join(sorted(lacking))}")
+        raise ValueError(f"the file lacks the arrays {', '.join(sorted(lacking))}")
     rows, entries = (held["indptr"].size - 1,), (held["indices"].size,)
     whole = "int32" if entries[0] < 2**31 else "int64"
     kinds = {
@@ -115,13 +115,15 @@ def _check_arrays(held: dict[str, np.ndarray]) -> None:
     for name, (kind, shape) in kinds.items():
         array = held[name]
         if array.dtype != kind or array.shape != shape:
-            raise ValueError(f"{name} is of {array.dtype} and shape {array.shape}, want {kind} and {shape}")
+            raise ValueError(f"the array {name} has dtype {array.dtype} and shape {array.shape}, want {kind} and {shape}")
         if kind == "float64" and not (np.isfinite(array).all() and array.min(initial=0.0) >= 0.0):
-            raise ValueError(f"{name} has numbers that are negative or not finite")
+            raise ValueError(f"the array {name} has numbers that are negative or not finite")
     if "names" in held and (held["names"].dtype.kind != "U" or held["names"].shape != rows):
-        raise ValueError(f"names is of {held['names'].dtype} and shape {held['names'].shape}, want texts and {rows}")
+        raise ValueError(
+            f"the array names has dtype {held['names'].dtype} and shape {held['names'].shape}, want texts and {rows}"
+        )
     if held["shape"].tolist() != 2 * [*rows]:
-        raise ValueError("its matrix is not square")
+        raise ValueError("the matrix of view factors is not square")
 
 
 def _list_files(path: Path) -> tuple[Path, ...]:

@@ -72,7 +72,7 @@ def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.
         leaving, before = leaving + (lacking if step < _STEPS else _solve_corrections(matrix, lacking, share)), apart
     raise ValueError(
         f"reflectance: got up to {share.max():g}, with which {kept:.6g} of the radiation remains after each reflection, "
-        "want less"
+        "want a smaller reflectance, so that reflections die out"
     )
 
 

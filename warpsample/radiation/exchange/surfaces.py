@@ -100,7 +100,7 @@ def _group_by_part(mesh: Mesh, groups: str) -> tuple[np.ndarray, tuple[str, ...]
     if groups != "part":
         raise ValueError(f"groups: got {quote(groups)}, want 'part', or an array with a number or a name for each face")
     if mesh.part is None:
-        raise ValueError("groups: got 'part' for a mesh without named parts, want an array")
+        raise ValueError("groups: got 'part' for a mesh without named parts, want an array with a number for each face")
     apart = mesh.part < 0
     names = (*mesh.parts, "") if apart.any() else tuple(mesh.parts)
     return np.where(apart, len(mesh.parts), mesh.part).astype(np.int32), names

@@ -123,7 +123,7 @@ def view_factors(
 
 
 def _find_status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
-    """Return the status code of each face of a mesh, (F,) uint8."""
+    """Return the `PointStatus` of each face, (F,) uint8: the face casts rays, is inactive, or has no area."""
     status = np.where(mesh.face_areas > 0.0, int(PointStatus.OK), int(PointStatus.ZERO_NORMAL)).astype(np.uint8)
     if active is not None:
         status[active == 0] = int(PointStatus.INACTIVE)

@@ -81,7 +81,7 @@ class LobeRays:
 
 @dataclass(frozen=True, eq=False)
 class RayHits:
-    """Hits of rays on light sources: the ray, the patch (or the light outside the mesh), and the share of light.
+    """Table of rays that reach a light source (a patch of the mesh, or the light outside), with the share that arrives.
 
     Attributes:
         ray: (M,) int64, index of the ray, ascending.

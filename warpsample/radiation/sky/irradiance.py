@@ -1,38 +1,35 @@
 """Irradiance from distant light, given as a picture of the whole sphere or as a function of the direction."""
 
 from dataclasses import dataclass, replace
-from hashlib import sha256
 from math import pi
-from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
-from warpsample.estimate.along import along
-from warpsample.estimate.estimating import estimate
+from warpsample.distributions.lights.picture import as_picture
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, RaySum, plan_of
 from warpsample.estimate.result import Estimate, PointStatus, has_status
 from warpsample.estimate.source.definitions import naming_function
+from warpsample.estimate.split import add_spreads
 from warpsample.estimate.weights import build_environment_integrand
-from warpsample.host.arguments import quote
-from warpsample.host.arrays import as_real, as_unit
-from warpsample.host.locks import imported
+from warpsample.host.arguments import check_choice, quote
+from warpsample.host.arrays import as_unit
 from warpsample.host.options import RayKeywords, with_options
-from warpsample.host.picture import read_picture
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.reflection.lobe_shares import Targets
 from warpsample.radiation.reflection.patches import Patches, patches_of
-from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, cached_reflections, reflections_of
+from warpsample.radiation.reflection.reflections import REPLICATES, Reflected, cached_reflections, reflections_of
+from warpsample.radiation.sky.picture_light import Picture, Sampling
+from warpsample.radiation.sky.radiance_light import RadianceLight
 from warpsample.tracing.placed_points import PlacedPoints
 
 if TYPE_CHECKING:
-    from scipy.sparse import csr_array
+    pass
 
-_BRIGHTEST = 1e37  # in a picture: pi times this number still fits into a float32
+_SAMPLINGS = get_args(Sampling)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -58,11 +55,12 @@ def irradiance(
     *,
     up: Any = (0.0, 0.0, 1.0),
     refine: float | None = None,
+    sampling: Sampling | None = None,
     **options: Unpack[RayKeywords],
 ) -> Irradiance:
     """Compute the irradiance of distant light that the mesh does not block, and of light that faces reflect.
 
-    An open point under a radiance of 1 gets pi; a small bright sun takes many rays. Faces with a reflectance (see `Mesh`)
+    An open point under a radiance of 1 gets pi. Faces with a reflectance (see `Mesh`)
     reflect as for `irradiation`, with rays of their own on the CPU, and without a `tolerance`.
 
     Args:
@@ -75,6 +73,9 @@ def irradiance(
         up: (3,) vector of any length towards row 0 of a picture. Default: (0.0, 0.0, 1.0).
         refine: Longest edge of the parts of faces that each reflect evenly, a float in mesh units, see `irradiation`.
             Default: None, 8,192 parts more than there are sides.
+        sampling: Distribution of the rays: "cosine" for the cosine lobe, "picture" for the luminance of the picture, or
+            "both" for rays of each, weighted by the balance heuristic. The share of each with "both" follows from the
+            picture: all are of the cosine lobe for an even sky. Default: None, "both" for a picture, "cosine" for a wp.func.
         sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
         seed: Random seed, an integer of 64 bits. Default: 0.
         first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
@@ -108,118 +109,53 @@ def irradiance(
             f"tolerance: got {quote(plan.tolerance)} for a mesh with a reflectance, want None; count alone sets the "
             "number of rays"
         )
+    if sampling is not None:
+        check_choice(sampling, "sampling", _SAMPLINGS)
     if isinstance(radiance, wp.Function):
+        if sampling not in (None, "cosine"):
+            raise ValueError(f"sampling: got {quote(sampling)} for a radiance that is a function, want 'cosine'")
         with naming_function("radiance"):
             integrand = integrand_of(radiance, argument="radiance", device=plan.options.memory.device)
-            light = _RadianceLight(RaySum(integrand, unit=pi, result=Irradiance), integrand.channels)
+            summed = RaySum(integrand, unit=pi, result=Irradiance)
+            light = RadianceLight(summed, integrand, integrand.channels)
             found = light.at(plan)
     else:
-        light = _picture_light(_read_picture(radiance), axis)
+        picture = Picture.of(as_picture(radiance, "radiance", "an array of numbers, a path or a wp.func"), axis)
+        sampling = sampling or "both"
+        summed = picture.summed(sampling, Irradiance)
+        light = RadianceLight(
+            summed, build_environment_integrand(picture.pixels, axis), picture.colours, f"{picture.cache_key} {sampling}"
+        )
         found = light.at(plan)
     return found if patches is None else _add_reflected(found, _compute_reflected(patches, light, plan))
 
 
-@dataclass(frozen=True, eq=False)
-class _RadianceLight:
-    """Distant light whose radiance is a function of the direction, for example a picture of the sky.
-
-    Attributes:
-        summed: sum over rays that gives the irradiance.
-        size: number of colours, 1 or 3.
-        cache_key: text that identifies the light in the cache of reflected light; None: the function identifies it.
-    """
-
-    summed: RaySum
-    size: int
-    cache_key: str | None = None
-
-    def at(self, plan: Plan) -> Irradiance:
-        """Compute the irradiance at the points of a call from this light, without reflections."""
-        found = estimate(plan, self.summed)
-        if self.size == self.summed.integrand.channels:
-            return found
-        numbers = ("value", "standard_error", "spread", "degrees_of_freedom")
-        return replace(found, **{name: getattr(found, name)[:, 0] for name in numbers})
-
-    def targets(self, patches: Patches, workers: int) -> Targets:
-        """Return the light sources that rays of reflecting patches may reach: the patches, and this light outside the mesh.
-
-        A radiance that is not finite counts as 0.
-        """
-        csr_array = imported("scipy.sparse").csr_array
-
-        def light_outside(directions: np.ndarray) -> "csr_array":
-            radiance = along(self.summed.integrand, directions, workers)[:, : self.size]
-            number, columns = np.where(np.isfinite(radiance), radiance, np.float32(0.0)).ravel(), np.arange(self.size)
-            ends = np.arange(0, len(number) + 1, self.size)
-            return csr_array((number, np.tile(columns, len(radiance)), ends), shape=radiance.shape)
-
-        return Targets(patches, light_outside)
-
-    def irradiance_of(self, probes: Probes, columns: slice) -> np.ndarray:
-        """Return the irradiance of reflecting patches by this light, from the rays of the patches."""
-        return pi * probes.light_outside.toarray()[:, columns]
-
-
-def _picture_light(picture: np.ndarray, up: tuple[float, ...]) -> _RadianceLight:
-    """Build a distant light from a picture of the sphere, (H, W) or (H, W, 3), whose top row is in the direction `up`."""
-    pixels = picture if picture.ndim == 3 else picture[..., None]
-    pixels = np.ascontiguousarray(np.broadcast_to(pixels, (*picture.shape[:2], 3)))
-    cache_key = f"{sha256(pixels.tobytes()).hexdigest()} {pixels.shape} {up}"
-    return _RadianceLight(
-        RaySum(build_environment_integrand(pixels, up), unit=pi, result=Irradiance), picture[0, 0].size, cache_key
-    )
-
-
-def _compute_reflected(patches: Patches, light: _RadianceLight, plan: Plan) -> Reflected:
+def _compute_reflected(patches: Patches, light: RadianceLight, plan: Plan) -> Reflected:
     """Compute the irradiance at the points of a call by light that reflecting patches reflect.
 
     The radiosity of the patches is cached on the mesh.
     """
     if len(plan.at) == 0:
         return Reflected(*np.zeros((2, 0, light.size)), 0)
-    light_of = light.cache_key or light.summed.integrand.function
+    light_of = light.cache_key or light.integrand.function
     key = light_of, light.size, patches.cuts.tobytes(), plan.count, plan.options.seed
     found = cached_reflections(patches.mesh, key, lambda: reflections_of(patches, light, plan.count, plan.options))
     return found.at(plan.at.points, plan.count, plan.options)
 
 
 def _add_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
-    """Add reflected light to the irradiance from distant light, and combine the errors.
-
-    The degrees of freedom of the sum are those of Welch and Satterthwaite.
-    """
+    """Add reflected light to the irradiance from distant light, and combine the errors."""
     good = has_status(found.status, PointStatus.OK)
     more, error = (np.where(good[:, None], a, 0.0).reshape(found.value.shape) for a in (reflected.value, reflected.error))
-    own, other = np.square(found.spread.astype(np.float64)), np.square(error)
-    weight = np.square(own) / np.maximum(found.degrees_of_freedom, 1.0) + np.square(other) / (REPLICATES - 1.0)
-    degrees = np.divide(np.square(own + other), weight, out=np.float64(found.degrees_of_freedom), where=weight > 0.0)
+    constant = np.full(error.shape, REPLICATES - 1.0)
+    spread, degrees = add_spreads((found.spread, found.degrees_of_freedom), (error, constant))
     numbers = {
         "value": found.value + more,
         "standard_error": np.hypot(found.standard_error.astype(np.float64), error),
-        "spread": np.sqrt(own + other),
+        "spread": spread,
         "degrees_of_freedom": degrees,
         "reflected": more,
         "reflected_error": error,
     }
     rays = found.rays + np.where(good, reflected.rays, 0).astype(np.int32)
     return replace(found, rays=rays, **{name: array.astype(np.float32) for name, array in numbers.items()})
-
-
-def _read_picture(radiance: Any) -> np.ndarray:
-    """Return the picture in the argument `radiance`, an array or a path, as (H, W) or (H, W, 3) float32.
-
-    Raises:
-        TypeError, ValueError: another shape, or numbers outside 0 to 1e37.
-    """
-    got = "got"
-    if isinstance(radiance, str | PathLike):
-        got, radiance = f"got {str(radiance)!r} with", read_picture(radiance)
-    picture = as_real(radiance, "radiance", "an array of numbers, a path or a wp.func")
-    if picture.ndim not in (2, 3) or picture.shape[2:] not in ((), (3,)) or 0 in picture.shape:
-        raise ValueError(f"radiance: {got} shape {picture.shape}, want (H, W) or (H, W, 3)")
-    with np.errstate(over="ignore"):
-        picture = picture.astype(np.float32)
-    if not (picture.min() >= 0.0 and picture.max() <= _BRIGHTEST):
-        raise ValueError(f"radiance: {got} numbers below 0, above {_BRIGHTEST:g} or not finite, want 0 to {_BRIGHTEST:g}")
-    return picture

@@ -108,6 +108,8 @@ def _build_row_filler(glass: bool) -> wp.Function:
                 per_replicate = wp.max(1, wp.int32(density * share))
                 part, deviation, rays = sum_rays(sky, seen, point, local, n, k, patch_at(sky.table, k), per_replicate)
                 cast += rays
+                if known == UNKNOWN:
+                    deviation = wp.max(deviation, sky.unseen / wp.float64(rays))
             elif known == OPEN:
                 open += 1
             else:

@@ -31,7 +31,8 @@ class SkyRows:
     point. patches: number of patches. table: see `form_factors.table_of`. shafts: shafts of the patches. frame: (3, 3)
     float64, the patches' frame. groups: number of groups. begins: (groups + 1,) int32, first patch of each group.
     group_shafts: shafts of the groups. skip: 1 if proofs about a patch replace its rays. by_task: 1 if the i-th task writes
-    row i, 0 if it writes the row of its point. value, error: (rows, patches) float32. glass: transmitting faces, if any.
+    row i, 0 if it writes the row of its point. unseen: least standard error of a patch that rays decide, in rays.
+    value, error: (rows, patches) float32. glass: transmitting faces, if any.
     tally: (P, 4) int32, rays cast and patches open, closed and below the horizon. status: (P,) uint8, `PointStatus`.
     """
 
@@ -50,6 +51,7 @@ class SkyRows:
     group_shafts: wp.uint64
     skip: wp.int32
     by_task: wp.int32
+    unseen: wp.float64
     value: wp.uint64
     error: wp.uint64
     tally: wp.uint64

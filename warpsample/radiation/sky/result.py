@@ -19,7 +19,7 @@ _FORMATS = (".npz", ".mtx")
 
 @dataclass(frozen=True)
 class SkySkipped:
-    """Numbers of points and patches for which a sky matrix cast no rays, without changing the result.
+    """Counts of the points and sky patches whose rays `sky_matrix` left out because the result was already known.
 
     Attributes:
         points: Number of points without a result: inactive, without a normal, or without a finite position.

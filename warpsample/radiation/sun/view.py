@@ -64,7 +64,7 @@ SunsArgs = type(Suns().__ctype__())
 
 @wp.struct
 class View:
-    """Point from which the suns are tested, with its working memory and counters.
+    """Point at which `direct_sun` tests which suns are visible, with addresses of the point's working memory and counters.
 
     local: mask of the triangles of the point's local leaf. skips: whether rays may be skipped. blockers: address of the leaf
     of triangles that blocked rays of the point. words: address of the point's counters.
@@ -89,13 +89,13 @@ def view_of(point: ShadingPoint) -> View:
 
 @wp.func
 def word(view: View, i: wp.int32) -> wp.int32:
-    """Return one of a point's counters, for example of the rays cast; i is the counter's number."""
+    """Return the value of counter number i of a point; `CAST`, for example, is the counter of rays cast."""
     return int_at(view.words, i)
 
 
 @wp.func
 def add(view: View, i: wp.int32, more: wp.int32):
-    """Increase one of a point's counters, for example of the rays cast, by `more`; i is the counter's number."""
+    """Increase counter number i of a point by `more`; see `word`."""
     set_int(view.words, i, word(view, i) + more)
 
 

@@ -32,7 +32,7 @@ def check_text(path: Path) -> str:
     lines = re.split("\r\n|\r|\n", path.read_bytes().decode("utf-8-sig", errors="replace"))
     for number, name in ((1, "LOCATION"), (_HEADER, "DATA PERIODS")):
         if len(lines) < number or not lines[number - 1].upper().startswith(f"{name},"):
-            raise ValueError(f"line {number} does not begin with {name}")
+            raise ValueError(f"line {number} does not begin with {name}, as in an EPW file")
     _check_place(lines[0])
     rows = [line.replace('"', "").split(",") for line in lines[_HEADER:] if line.strip()]
     for number, row in enumerate(rows, _HEADER + 1):
@@ -40,13 +40,17 @@ def check_text(path: Path) -> str:
             raise ValueError(f"line {number} has {len(row)} fields, want at least {_FIELDS}, up to the diffuse radiation")
     if len(rows) != len(YEAR):
         leap = ", with 29 February" if len(rows) == len(YEAR) + 24 else ""
-        raise ValueError(f"the file has {len(rows):,} hours{leap}, want the {len(YEAR):,} of a year without 29 February")
+        raise ValueError(
+            f"the file has {len(rows):,} hours{leap}, want the {len(YEAR):,} hours of a year without 29 February"
+        )
     for number, (row, right) in enumerate(zip(rows, YEAR, strict=True), _HEADER + 1):
         if tuple(map(str.strip, row[1:4])) not in (tuple(map(str, right)), tuple(f"{part:02}" for part in right)):
             date = "month {}, day {}, hour {}"
-            raise ValueError(f"line {number} is for {date.format(*row[1:4])}, want {date.format(*right)}")
+            raise ValueError(
+                f"line {number} has the data of {date.format(*row[1:4])}, want {date.format(*right)}, next in the year"
+            )
         if not _YEAR.fullmatch(row[0].strip()):
-            raise ValueError(f"line {number} is for the year {quote(row[0])}, want a year from 1800 to 2199")
+            raise ValueError(f"line {number} has the year {quote(row[0])}, want a year from 1800 to 2199")
     between, after = [""] * (_DIRECT - 4), [""] * (_PVLIB_FIELDS - _FIELDS)
     kept = [",".join([*row[:4], *between, *row[_DIRECT:_FIELDS], *after]) for row in rows]
     return "\n".join([lines[0], *["-"] * (_HEADER - 1), *kept])

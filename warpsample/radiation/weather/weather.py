@@ -168,5 +168,5 @@ def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:
     share = direct[altitude < _NIGHT].sum() / max(direct.sum(), 1.0)
     if share > 0.01:
         raise ValueError(
-            f"{share:.0%} of the direct radiation is at night for the latitude, longitude and time zone of line 1"
+            f"{share:.0%} of the direct radiation is at night; check the latitude, longitude and time zone in line 1"
         )
