@@ -184,7 +184,7 @@ def test_polygons_that_cross_themselves_are_reported_and_read(tmp_path):
     faces = [[[0, 2, 1, 3]], *cases.FACES[1:]]
     path = cases.written(tmp_path / "a.json", cases.house(cases.surfaces(boundaries=faces)))
     with pytest.warns(
-        UserWarning, match=r"a\.json' with 1 of 10 polygons that cross themselves .* of object 'house'; their"
+        UserWarning, match=r"a\.json' with 1 of 10 polygons that cross themselves .* of object 'house'; the triangles"
     ) as warned:
         city = ws.load_city(path, split=True)
     assert warned[0].filename == __file__

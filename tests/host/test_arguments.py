@@ -38,7 +38,7 @@ RESULTS = (
     ws.ViewFactors,
     *(quantity.result for quantity in quantities().values()),
 )  # which users read and do not make
-FOR_PROOFS = ("seam", "bound_maps")  # take what `sample` has taken, or what lobes of lobes pass
+FOR_PROOFS = ("seam", "bound_maps", "kernel_parameters")  # take what `sample` has taken, or what the package passes
 PLANE = pv.PolyData.from_regular_faces(VERTICES, FACES)
 HALVES = csr_array(np.full((2, 2), 0.5))
 CITY = ws.load_city("courtyard")
@@ -47,6 +47,7 @@ EXAMPLES = {
     ws.CitySurfaces: CITY.surfaces,
     ws.Directions: ws.Directions(np.zeros((4, COUNT, 3), np.float32), None, np.zeros(4, np.uint8)),
     ws.Estimate: ws.Estimate(*np.zeros((4, 4), np.float32), np.zeros(4, int), np.zeros(4, np.uint8), ws.Skipped()),
+    ws.EnvironmentMap: ws.EnvironmentMap(np.ones((2, 4))),
     ws.GGX: ws.GGX(0.5),
     ws.Mesh: MESH,
     ws.SkyMatrix: ws.SkyMatrix(

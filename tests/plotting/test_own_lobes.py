@@ -217,4 +217,4 @@ def test_the_command_draws_lobes_by_vertex(can_render, call, bunny, tmp_path):
     status, _, err = call("view", "--distribution", "ggx(alpha=@short)", *options)
     assert (status, err.split(",")[0]) == (2, "error: --distribution: got alpha with 60 rows")
     status, _, err = call("view", "--distribution", "ggx(alpha=@none)", *options)
-    assert (status, err.split(",")[0]) == (2, "error: --distribution: got @none")
+    assert (status, err.split(",")[0]) == (2, "error: --distribution: got the array name @none")

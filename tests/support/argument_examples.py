@@ -126,7 +126,7 @@ KINDS = {
     "Mixture.weights": kind([1.0, 3.0], "one less", wrong=([1.0], [-1.0, 2.0], [nan, 1.0], [0.0, 0.0])),
     "lobe": kind(ws.VisibleGGX(0.3), wrong=(ws.VisibleGGX, "ggx(alpha=0.3)", ws.UniformDisk())),
     "corners": kind(np.eye(3), wrong=(np.eye(2), np.zeros((3, 3)), np.full((3, 3), nan))),
-    "eta": kind(1.5, *NUMBER, "of Warp", wrong=(1.0, 1.0005, 0.0, 101.0)),
+    "eta": kind(1.5, *POSITIVE, "of Warp", wrong=(1.0, 1.0005, 0.0, 101.0)),
     "RoughDielectric.view": kind(np.array([0.0, 0.6, 0.8]), wrong=("123", (0, 0, 0), (nan, 0, 1))),
     "corner": kind(np.array([-1.0, -1.0, 1.0]), wrong=("123", (0, 0, 0), (nan, 0, 1), np.eye(2))),
     "edge_x": kind(np.array([2.0, 0.0, 0.0]), wrong=("123", (0, 0, 0), (inf, 0, 1), np.eye(2))),

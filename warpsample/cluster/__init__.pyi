@@ -13,6 +13,7 @@ from warpsample.cluster.calls import (
     sample_directions as sample_directions,
     trace as trace,
 )
+from warpsample.radiation.sky.picture_light import Sampling
 
 def ambient_occlusion(
     mesh: Any, points: Any, count: int = 256, *, falloff: float | None = None, **options: Unpack[LazyKeywords]
@@ -30,6 +31,7 @@ def irradiance(
     *,
     up: Any = (0, 0, 1),
     refine: Any = None,
+    sampling: Sampling | None = None,
     **options: Unpack[ChunkKeywords],
 ) -> Dataset:
     """Compute `warpsample.irradiance` lazily over Dask."""

@@ -166,7 +166,7 @@ class RoughDielectric(ScatteredLight):
     def __post_init__(self) -> None:
         """Check the parameters."""
         super().__post_init__()
-        if not isinstance(self.eta, np.ndarray):
+        if not (isinstance(self.eta, np.ndarray) and self.eta.ndim):
             eta = check_number(self.eta, "eta", _LOWEST, _HIGHEST)
             if abs(eta - 1.0) < _APART:
                 raise ValueError(f"eta: got {quote(self.eta)}, want {_WANTS}")
