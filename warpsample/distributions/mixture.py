@@ -124,7 +124,7 @@ def build_sum(parts: tuple[Maps, ...], first: int) -> wp.Function:
 
 @once
 def mixture_maps(parts: tuple[Maps, ...], first: int) -> Maps:
-    """Build the functions of a mixture from the functions of the parts; the weights begin with number `first` of the parameters."""
+    """Build the functions of a mixture from the functions of the parts; the weights begin at parameter `first`."""
     choose, draw_part, total = build_chooser(len(parts), first), build_drawer(parts), build_sum(parts, first)
 
     @wp.func

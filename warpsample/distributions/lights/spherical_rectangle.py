@@ -188,7 +188,7 @@ class SphericalRectangle(Distribution):
         self._check_rectangles()
 
     def _check_rectangles(self) -> None:
-        """Raise ValueError for constant vectors without a rectangle; with vectors by point, set rows without a rectangle to NaN."""
+        """Raise ValueError for constant vectors without a rectangle; set rows by point without a rectangle to NaN."""
         values = [np.array(value, np.float32).reshape(-1, 3) for value in self.kernel_values()]
         if len(values[1]) == len(values[2]) == 1 and not _are_perpendicular(*(v.astype(np.float64) for v in values[1:]))[0]:
             raise ValueError(f"edge_y: got {quote(self.edge_y)}, want {_WANTS['edge_y']}")
