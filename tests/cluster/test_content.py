@@ -270,7 +270,7 @@ def test_a_store_of_other_numbers_is_not_resumed(defined, path):
         ):
             bake(other.sky, sky_of(other))
         other = defined(("def sky", "def heaven"))
-        with pytest.raises(ValueError, match=r"integrand: it was skies.sky, and is skies.heaven$"):
+        with pytest.raises(ValueError, match=r"integrand: it was skies.sky, and is skies.heaven;"):
             bake(other.heaven, sky_of(other))
 
 

@@ -78,7 +78,8 @@ def test_more_chunks_than_lists_hold_are_refused(path, mesh, monkeypatch):
     usage = shutil.disk_usage(path.parent)
     monkeypatch.setattr(shutil, "disk_usage", lambda _: usage._replace(free=ROOM))
     message = (
-        r"^chunk: got 7 of 100,000,000 points, which makes 14,285,715 chunks, want at least 96: at most 1,048,576 chunks$"
+        r"^chunk: got 7 of 100,000,000 points, which makes 14,285,715 chunks, want at least 96 points per chunk, "
+        r"for at most 1,048,576 chunks$"
     )
     with pytest.raises(ValueError, match=message):
         cluster.bake(path, "ambient_occlusion", mesh, 10**8, 2, chunk=7)

@@ -189,7 +189,7 @@ def test_a_store_is_not_written_over_or_mixed_with_another_run(path, mesh, right
     other = ws.Mesh(mesh.vertices + 1.0, mesh.faces)
     for arguments, options, message in [
         ((mesh, POINTS, RAYS), {"seed": 1}, "seed 0, want a store of seed 1"),
-        ((mesh, POINTS, 48), {}, "count 40, want one of count 48"),
+        ((mesh, POINTS, 48), {}, "count 40, want a store of count 48"),
         ((mesh, 131, RAYS), {}, "points 130, want one of points 131"),
         ((mesh, points, RAYS), {}, "position None, want one of position '"),
         ((mesh, "faces", RAYS), {}, "place 'area', want one of place 'faces'"),

@@ -14,7 +14,8 @@ from warpsample.distributions.by_point.tables import row_loader
 
 P = 530  # more than a block of 256 and four tasks of 128 rows
 WITH_PARAMETERS = sorted(name for name, kind in ws.distributions.classes().items() if kind.parameters)
-IN_SPACE = [name for name in WITH_PARAMETERS if ws.distributions.classes()[name].width == 3]
+# A picture is the same for all points.
+IN_SPACE = [name for name in WITH_PARAMETERS if ws.distributions.classes()[name].width == 3 and name != "EnvironmentMap"]
 QUICK = ("GGX", "VisibleGGX")
 EACH = pytest.mark.parametrize("name", [n if n in QUICK else pytest.param(n, marks=pytest.mark.slow) for n in IN_SPACE])
 COUNTS = (1, 3, 70)  # the loops of blocks of one sample, of blocks of several, and of rows

@@ -18,13 +18,14 @@ from warpsample.distributions.parameters import bind_parameters
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.mesh.placing import place_points
 
+NOT_HERE = ("cosine_hemisphere", "environment_map")  # named above; a search in tables, whose number of steps differs
 # Sequence and map have loops of their own, so each needs one partner only.
 VECTORISED = [
     *((name, ws.CosineHemisphere("polar")) for name in ws.sequences.names()),
     ("sobol", ws.CosineHemisphere("offset")),
     ("sobol", ws.CosineHemisphere("concentric")),
     ("sobol", ws.CosineHemisphere("inversion")),
-    *(("sobol", ws.distributions.get(name).cases()[-1]) for name in ws.distributions.names() if name != "cosine_hemisphere"),
+    *(("sobol", ws.distributions.get(name).cases()[-1]) for name in ws.distributions.names() if name not in NOT_HERE),
 ]
 
 _LANES = {"avx512": 16}  # of float32; 8 with AVX2

@@ -179,7 +179,7 @@ def test_faces_reflect_the_same_light_for_all_ways_of_sampling():
     wall = ws.SurfacePoints(np.array([[0.0, 0.0, 0.5]], np.float32), np.array([[1.0, 0.0, 0.0]], np.float32))
     found = {mode: ws.irradiance(mesh, wall, PICTURE, 1 << 14, sampling=mode) for mode in MODES}
     for mode in ("picture", "cosine"):
-        error = np.hypot(found[mode].reflected_error, found["both"].reflected_error)
+        error = np.hypot(*(np.float64(found[each].reflected_error) for each in (mode, "both")))
         assert np.abs(found[mode].reflected - found["both"].reflected) <= 5.0 * error
     assert found["both"].reflected_error < 0.3 * found["cosine"].reflected_error
 

@@ -46,7 +46,7 @@ def build_chooser(count: int, first: int) -> wp.Function:
 
     @wp.func
     def choose(x: wp.float32, parameters: Parameters):
-        """Return the last part if x is in it, else one of those before."""
+        """Return the last part if x is in the last part, else a part before."""
         c = before(x, parameters)
         width = number_at(parameters, first + last)
         inside = x >= c[3]
@@ -124,7 +124,7 @@ def build_sum(parts: tuple[Maps, ...], first: int) -> wp.Function:
 
 @once
 def mixture_maps(parts: tuple[Maps, ...], first: int) -> Maps:
-    """Build the functions of a mixture from those of its parts; the weights begin with number `first` of the parameters."""
+    """Build the functions of a mixture from the functions of the parts; the weights begin at parameter `first`."""
     choose, draw_part, total = build_chooser(len(parts), first), build_drawer(parts), build_sum(parts, first)
 
     @wp.func

@@ -176,7 +176,7 @@ class SphericalRectangle(Distribution):
     )
 
     def __post_init__(self) -> None:
-        """Check the vectors of the rectangle; raise a ValueError if they do not describe one."""
+        """Check the vectors of the rectangle; raise a ValueError if the edges do not span a rectangle."""
         super().__post_init__()
         for name in (name for name in self.parameters if np.ndim(getattr(self, name)) != 2):
             vector = as_real(getattr(self, name), name, _WANTS[name])
@@ -188,7 +188,7 @@ class SphericalRectangle(Distribution):
         self._check_rectangles()
 
     def _check_rectangles(self) -> None:
-        """Raise ValueError for a constant that is no rectangle; replace such rows of parameters by point by NaN."""
+        """Raise ValueError for constant vectors without a rectangle; set rows by point without a rectangle to NaN."""
         values = [np.array(value, np.float32).reshape(-1, 3) for value in self.kernel_values()]
         if len(values[1]) == len(values[2]) == 1 and not _are_perpendicular(*(v.astype(np.float64) for v in values[1:]))[0]:
             raise ValueError(f"edge_y: got {quote(self.edge_y)}, want {_WANTS['edge_y']}")

@@ -137,7 +137,7 @@ class SphericalTriangle(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_spherical_triangle, square_to_spherical_triangle_pdf, spherical_triangle_to_square)
 
     def __post_init__(self) -> None:
-        """Check the corners of the triangle, and store them as floats; raise an error if they cannot be used."""
+        """Check the corners of the triangle, and store floats; raise an error for a triangle without an area."""
         super().__post_init__()
         if getattr(self.corners, "ndim", 2) == 3:
             return
