@@ -153,9 +153,7 @@ RECORD = Benchmark(
         TableView(
             "rows", _MEANS, "count way", "nanoseconds ours", where=lambda row: not row.scene, page_rows=_select_for_page
         ),
-        TableView(
-            "rows", _OCCLUSION, "scene way", "nanoseconds ours", where=lambda row: row.scene, page_rows=_select_city
-        ),
+        TableView("rows", _OCCLUSION, "scene way", "nanoseconds ours", where=lambda row: row.scene, page_rows=_select_city),
     ],
     pictures=[Picture("kernels", "rows", "nanoseconds", y="way", series="count", panels="scene", log="x")],
 )

@@ -98,7 +98,7 @@ def measure(
     points: Annotated[
         int, typer.Option(help="Number of points on the city, and of normals with 64 directions times 16.", min=64)
     ] = 4096,
-    repeats: Repeats = 7,
+    repeats: Repeats = 5,
 ) -> RowsByPart:
     """Time directions and irradiance with alternating runs of all tools; return the rows."""
     rows: RowsByPart = {"draws": [], "irradiance": []}

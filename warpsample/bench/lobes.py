@@ -61,7 +61,7 @@ def measure(
         int,
         typer.Option(help="Number of points with 64 directions each; 16 times as many points have one.", min=64),
     ] = 65_536,
-    repeats: Repeats = 15,
+    repeats: Repeats = 9,
 ) -> RowsByPart:
     """Time each lobe with each tool, with alternating runs; return the rows."""
     cases = [(count, lobe) for count in COUNTS for lobe in LOBES]
