@@ -10,6 +10,7 @@ import numpy as np
 
 from warpsample.bench.record import SEED
 from warpsample.bench.running.turns import Tool, keep_last_result
+from warpsample.bench.tools.directions import Built
 from warpsample.bench.tools.mitsuba import build_mitsuba_scene
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.lights.environment_map import EnvironmentMap
@@ -38,10 +39,6 @@ def build_picture(height: int, degrees: float) -> np.ndarray:
     )
     lit = cosine >= min(np.cos(np.radians(degrees)), cosine.max())
     return np.where(lit, _SUN, 1.0).astype(np.float32)
-
-
-Built = tuple[Callable[[], object], Callable[[], Any]]
-"""(work, densities): a function to time, and a function that returns the densities of its last run."""
 
 
 def _draw(picture: np.ndarray, points: int, count: int, workers: int) -> Built:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 from math import pi
-from typing import TYPE_CHECKING, Any, get_args
+from typing import Any, get_args
 
 import numpy as np
 import warp as wp
@@ -22,12 +22,9 @@ from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.patches import Patches, patches_of
 from warpsample.radiation.reflection.reflections import REPLICATES, Reflected, cached_reflections, reflections_of
-from warpsample.radiation.sky.picture_light import Picture, Sampling
+from warpsample.radiation.sky.picture_light import PictureLight, Sampling
 from warpsample.radiation.sky.radiance_light import RadianceLight
 from warpsample.tracing.placed_points import PlacedPoints
-
-if TYPE_CHECKING:
-    pass
 
 _SAMPLINGS = get_args(Sampling)
 
@@ -120,7 +117,7 @@ def irradiance(
             light = RadianceLight(summed, integrand, integrand.channels)
             found = light.at(plan)
     else:
-        picture = Picture.of(as_picture(radiance, "radiance", "an array of numbers, a path or a wp.func"), axis)
+        picture = PictureLight.of(as_picture(radiance, "radiance", "an array of numbers, a path or a wp.func"), axis)
         sampling = sampling or "both"
         summed = picture.summed(sampling, Irradiance)
         light = RadianceLight(

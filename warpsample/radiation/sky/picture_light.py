@@ -24,7 +24,7 @@ _MOST, _LEAST = 0.875, 0.1  # share of the rays from the picture with "both"
 
 
 @dataclass(frozen=True, eq=False)
-class Picture:
+class PictureLight:
     """Picture of distant light.
 
     Attributes:
@@ -38,7 +38,7 @@ class Picture:
     colours: int
 
     @classmethod
-    def of(cls, picture: np.ndarray, up: tuple[float, ...]) -> "Picture":
+    def of(cls, picture: np.ndarray, up: tuple[float, ...]) -> "PictureLight":
         """Return the light of a picture (H, W) or (H, W, 3)."""
         pixels = picture if picture.ndim == 3 else picture[..., None]
         pixels = np.ascontiguousarray(np.broadcast_to(pixels, (*picture.shape[:2], 3)))
