@@ -54,7 +54,7 @@ def _read_hdr(path: Path) -> np.ndarray:
     picture = pixels[..., :3].astype(np.float32)
     np.ldexp(picture, pixels[..., 3:].astype(np.int32) - 136, out=picture)
     picture[pixels[..., 3] == 0] = 0.0
-    with np.errstate(over="ignore"):  # infinity is refused like other numbers that are too large
+    with np.errstate(all="ignore"):  # infinity and NaN are refused like numbers that are too large
         np.divide(picture, exposure, out=picture, casting="same_kind")
     return picture[rows, columns]
 
