@@ -15,7 +15,7 @@ from warpsample.distributions.lights.pixel_draws import (
     square_to_environment_map,
     square_to_environment_map_pdf,
 )
-from warpsample.distributions.lights.pixel_table import build_table, read_shares
+from warpsample.distributions.lights.pixel_table import build_table, pixel_angles, read_shares
 from warpsample.distributions.parameters import Parameters, bind_parameters, pack_parameters, split_address
 from warpsample.distributions.record import Cases, Distribution, Maps
 from warpsample.host.device_memory import Loan
@@ -149,7 +149,11 @@ class EnvironmentMap(Distribution):
 
         See `pixel_table`.
         """
-        return find_or_make(f"{self._content()}", build_table, self.picture, self.frame)
+        return find_or_make(f"{self.name} {self._content()}", self._build_table)
+
+    def _build_table(self) -> np.ndarray:
+        """Build the table; see `table_array`."""
+        return build_table(self.picture, self.frame, pixel_angles(len(self.picture)))[0]
 
     @cached_property
     def _digest(self) -> str:

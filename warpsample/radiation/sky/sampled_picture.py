@@ -5,8 +5,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.lights.environment_map import EnvironmentMap
-from warpsample.distributions.lights.pixel_draws import square_to_environment_map_pdf
+from warpsample.distributions.lights.picture_reading import PictureReading, square_to_reading_pdf
 from warpsample.estimate.integrand import Integrand, Lobe
 from warpsample.estimate.weights import picture_radiance
 from warpsample.maths.numerics import INV_PI
@@ -19,7 +18,7 @@ _LEAST_COSINE = wp.constant(wp.float32(2.0**-12))
 class SampledPicture:
     """Data of the integrands: the picture as in `Weights`, the table of its density, and rays of the other distribution.
 
-    table: Address of the table of an `EnvironmentMap`.
+    table: Address of the table of a `PictureReading`.
     ratio: Number of rays from the other distribution for each ray.
     """
 
@@ -42,7 +41,7 @@ def by_cosine(d: wp.vec3, lobe: Lobe, data: SampledPicture) -> wp.vec3:
     radiance = picture_radiance(d, data)
     if radiance[0] + radiance[1] + radiance[2] > 0.0:
         cosine = wp.max(wp.dot(d, lobe.normal), _LEAST_COSINE)
-        radiance *= _PI / (1.0 + data.ratio * _PI * square_to_environment_map_pdf(d, data.table) / cosine)
+        radiance *= _PI / (1.0 + data.ratio * _PI * square_to_reading_pdf(d, data.table) / cosine)
     return radiance
 
 
@@ -50,12 +49,12 @@ def by_cosine(d: wp.vec3, lobe: Lobe, data: SampledPicture) -> wp.vec3:
 def by_picture(d: wp.vec3, lobe: Lobe, data: SampledPicture) -> wp.vec3:
     """Return radiance * cosine / (density of the picture + ratio * cosine / pi), for rays of the picture."""
     cosine = wp.dot(d, lobe.normal)
-    if cosine < _LEAST_COSINE:
+    if cosine < _LEAST_COSINE or lobe.pdf <= 0.0:  # 0: luminances that underflow
         return wp.vec3(0.0)
     return picture_radiance(d, data) * (cosine / (lobe.pdf + data.ratio * cosine * INV_PI))
 
 
-def sampled_by(function: wp.Function, pixels: np.ndarray, lobe: EnvironmentMap, ratio: float) -> Integrand:
+def sampled_by(function: wp.Function, pixels: np.ndarray, lobe: PictureReading, ratio: float) -> Integrand:
     """Return the integrand `by_cosine` or `by_picture` of a picture (H, W, 3), contiguous float32.
 
     Args:
