@@ -19,7 +19,7 @@ def names(path):
     """The files that a file names; none for a file that cannot be read."""
     try:
         return [path.parent / json.loads(path.read_text())["data"]]
-    except (OSError, ValueError):
+    except (OSError, TypeError, ValueError):  # the data are no such file
         return []
 
 
@@ -75,9 +75,10 @@ def test_an_input_stays_even_if_the_old_file_names_it(tmp_path):
     assert (read(path), read_too.read_text()) == ("two", "one")
 
 
-def test_data_that_another_file_names_stay(tmp_path):
+@pytest.mark.parametrize("name", ["copy.GLTF", "copy.glb"])
+def test_data_that_another_file_names_stay(tmp_path, name):
     """A copy of the first file names the same data; a link to the first file is the first file."""
-    path, copy = tmp_path / "out.gltf", tmp_path / "copy.GLTF"
+    path, copy = tmp_path / "out.gltf", tmp_path / name
     shared = write(path, "one")
     copy.write_bytes(path.read_bytes())
     for content in ("two", "three"):
@@ -109,6 +110,18 @@ def test_what_a_link_leads_to_stays(tmp_path):
         assert write(path, "two") == data
         assert (read(path), shared.read_text()) == ("two", "one")
         assert not data.is_symlink()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
+def test_the_data_of_a_link_are_beside_its_target(tmp_path):
+    """The file that the link leads to names its data relative to its own folder."""
+    path, link = tmp_path / "sub/out.gltf", tmp_path / "latest.gltf"
+    path.parent.mkdir()
+    data = write(path, "one")
+    link.symlink_to(path)
+    assert write(link, "two") == data
+    assert (read(path), link.is_symlink(), listed(tmp_path)) == ("two", True, ["latest.gltf", "sub"])
+    assert listed(path.parent) == ["out.bin", "out.gltf"]
 
 
 def test_a_file_system_without_hard_links(tmp_path, monkeypatch):

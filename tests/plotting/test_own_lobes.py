@@ -7,6 +7,7 @@ import pytest
 from significance import ALPHA
 
 import warpsample as ws
+from warpsample.mesh.tangents import face_tangents
 from warpsample.proof.twins import frames
 from warpsample.viewer import clouds, controls, lobes, own_lobes, start, window
 from warpsample.viewer.choice import Choice, format_distribution
@@ -121,6 +122,19 @@ def test_views_point_to_the_camera_and_points_behind_have_no_directions(points, 
     assert own_lobes.lobes_at(Choice(ws.GGX(0.3)), bunny, points, EYE).distribution == ws.GGX(0.3)
 
 
+def test_lobes_of_a_mixture_have_the_rows_and_views_of_points(points, bunny):
+    rough = np.linspace(0.1, 0.9, len(bunny.vertices))
+    mixed = ws.Mixture([ws.CosineHemisphere(), ws.Reflection(ws.VisibleGGX(rough), (0, 0, 1))], [0.5, 0.5])
+    at = own_lobes.lobes_at(Choice(mixed), bunny, points, EYE).distribution.lobes[1]
+    lone = own_lobes.lobes_at(Choice(ws.VisibleGGX(rough)), bunny, points, EYE).distribution
+    assert at.lobe == lone
+    assert np.array_equal(at.view, lone.view, equal_nan=True)
+    kept = own_lobes.lobes_at(Choice(mixed, camera=False), bunny, points, EYE).distribution.lobes[1]
+    assert (kept.view, len(kept.lobe.alpha)) == ((0.0, 0.0, 1.0), len(points))
+    constant = own_lobes.constant_lobes(ws.Mixture([ws.GGX(np.array([0.25, 0.5]))], [1.0]))
+    assert constant == [ws.Mixture([ws.GGX(alpha)], [1.0]) for alpha in (0.25, 0.5)]
+
+
 def test_each_lobe_has_its_own_scale(facing):
     """A smooth point has a peak that is a hundred times as high, and a cloud of the same length."""
     choice = Choice(ws.GGX(ROUGH), samples=500)
@@ -129,6 +143,50 @@ def test_each_lobe_has_its_own_scale(facing):
     assert (length.max(axis=1) > 1.8).all()
     assert length.max() <= 2.0 * (1.0 + 1e-6)
     assert (drawn.color.reshape(60, 500) * 2.0).max(axis=1) == pytest.approx(length.max(axis=1), rel=0.02)
+
+
+def test_clouds_lie_along_the_tangents(facing):
+    """The directions of `sample_directions` at points with tangents, 25 times as wide along y as along x."""
+    tangent = np.random.default_rng(5).normal(size=(60, 4))
+    at, choice = facing.with_tangents(tangent), Choice(ws.GGX(0.02, 0.5), samples=256, seed=3)
+    drawn = clouds.all_clouds(choice, at, 2.0)
+    d = ws.sample_directions(at, 256, distribution=choice.distribution, sequence=choice.sequence, seed=3, pdf=True)
+    assert np.array_equal(drawn.pdf, d.pdf.ravel())
+    away = drawn.position.reshape(60, 256, 3) - at.position[:, None]
+    assert np.abs(away - np.linalg.norm(away, axis=-1, keepdims=True) * d.vectors).max() <= 1e-5
+    unit = at.normal / np.linalg.norm(at.normal, axis=1, keepdims=True)
+    x = tangent[:, :3] - (tangent[:, :3] * unit).sum(axis=1, keepdims=True) * unit
+    x /= np.linalg.norm(x, axis=1, keepdims=True)
+    y = np.sign(tangent[:, 3:]) * np.cross(unit, x)
+    local = np.stack([np.einsum("pnk,pk->pn", d.vectors, axis) for axis in (x, y, unit)], axis=-1)
+    assert np.abs(drawn.local - local).max() <= 1e-6
+    slopes = np.median(np.abs(local[..., :2] / local[..., 2:]), axis=1)
+    assert (slopes[:, 1] > 15.0 * slopes[:, 0]).all()
+    near = clouds.one_cloud(choice, at.take([7]), 7)
+    assert np.array_equal(near.disk, drawn.local[7, :, :2])
+    assert clouds.count_clouds(choice, drawn).cells.verdict().startswith("agrees with")
+
+
+@pytest.fixture
+def textured(tmp_path):
+    """A file of three faces: u grows along (0, 1, 0) on the first; the second is mirrored, the third has no coordinates."""
+    file = tmp_path / "faces.obj"
+    corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n" * 3
+    file.write_text(f"{corners}vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/3 3/2\nf 4/1 5/2 6/3\nf 7 8 9\n")
+    return file
+
+
+def test_axes_of_a_file_follow_its_texture(textured):
+    file, mesh = textured, ws.load_mesh(textured)
+    uv = start.read_axes(file, Choice(ws.GGX(0.02, 0.5)))
+    found = ws.SurfacePoints(
+        np.zeros((3, 3)), np.tile([0.0, 0.0, 1.0], (3, 1)), tangent=face_tangents(mesh, uv, np.arange(3))
+    )
+    assert found.to_local([0.0, 1.0, 0.0]).tolist()[:2] == [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+    assert found.to_local([1.0, 0.0, 0.0]).tolist()[:2] == [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]
+    assert ws.sample_directions(found, 4).status.tolist() == [0, 0, ws.Status.INVALID_TANGENT]
+    assert start.read_axes(file, Choice(ws.GGX(0.3), ws.CosineHemisphere())) is None
+    assert start.read_axes(start.bunny(), Choice(ws.GGX(0.02, 0.5))) is None
 
 
 def test_options_of_the_command_line():
@@ -196,6 +254,26 @@ def test_charts_wait_until_the_model_stands_still(viewer):
     look(viewer, start_at)
 
 
+def test_lobes_of_a_textured_mesh_lie_along_u(can_render, bunny):
+    """Coordinates by projection along z: u grows along the part of x on each face; also at a point that is pinned later."""
+    uv = bunny.vertices[bunny.faces][..., :2] * [1.0, -1.0]
+    choice = Choice(ws.GGX(0.02, 0.5), samples=64)
+    made = window.Viewer(bunny, 30, choice, size=(1200, 675), off_screen=True, uv=uv)
+    made.pick(made.points.position[3], int(made.points.face[3]))
+    made.plotter.close()
+    assert "x of the lobes: along u of the texture coordinates" in made.caption.input
+    normal, tangent = made.points.normal.astype(np.float64), made.points.tangent
+    corners = bunny.vertices[bunny.faces[made.points.face]]
+    along = np.cross(normal, [0.0, 1.0, 0.0])  # x grows along the face where y does not
+    along *= np.sign(along[:, :1]) / np.linalg.norm(along, axis=1, keepdims=True)
+    assert np.abs(np.einsum("pk,pk->p", corners[:, 1] - corners[:, 0], normal)).max() < 1e-6 * bunny.diagonal
+    assert np.abs(tangent[:, :3] - along).max() < 1e-4
+    assert np.array_equal(tangent[:, 3], np.where(normal[:, 2] > 0.0, 1.0, -1.0))
+    d = ws.sample_directions(made.points, 64, distribution=choice.distribution, sequence=choice.sequence)
+    assert np.array_equal(made.clouds.local, made.points.to_local(d.vectors))
+    assert np.array_equal(made.chosen.tangent, tangent[3:4])
+
+
 def test_a_pinned_point_that_faces_away_has_no_cloud(viewer):
     start_at = viewer.plotter.renderers[1].camera.position
     look(viewer, tuple(-np.array(start_at)))
@@ -218,3 +296,14 @@ def test_the_command_draws_lobes_by_vertex(can_render, call, bunny, tmp_path):
     assert (status, err.split(",")[0]) == (2, "error: --distribution: got alpha with 60 rows")
     status, _, err = call("view", "--distribution", "ggx(alpha=@none)", *options)
     assert (status, err.split(",")[0]) == (2, "error: --distribution: got the array name @none")
+
+
+def test_the_command_reads_texture_coordinates(can_render, call, textured, tmp_path, monkeypatch):
+    def describe(*drawn, uv, **_):
+        return f"{drawn[1]} {drawn[2].distribution}, {uv}"
+
+    monkeypatch.setattr(start, "save", describe)
+    options = ["--points", 7, "--screenshot", tmp_path / "own.png"]
+    for lobe, uv in ((ws.GGX(0.02, 0.5), ws.load_uv(textured)), (ws.GGX(0.02), None)):
+        name = repr(lobe).replace("GGX", "ggx")
+        assert call("view", textured, "--distribution", name, *options) == (0, f"{options[-1]}: 7 {lobe}, {uv}\n", "")

@@ -1,7 +1,7 @@
 """The commands `warpsample info`, `directions` and `view`, and the registration of all commands."""
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import typer
 
@@ -36,6 +36,10 @@ DISTRIBUTION_HELP = (
 AT_HELP = "'ggx(alpha=@roughness)' takes the parameter of each point from this array."
 ARRAYS_HELP = "File with the arrays that --distribution names: .ply, .vtp or .npz, with one row for each"
 ARRAYS_DEFAULT = "Values at vertices are interpolated to the points. Default: the mesh file."
+_Sequence = Annotated[
+    str, typer.Option(help=f"Sequence of random or evenly spread sample points: {', '.join(sequences.names())}.")
+]
+_Seed = Annotated[int, typer.Option(help="Seed of the random points and directions.")]
 
 
 def _print_version(is_requested: bool) -> None:
@@ -91,10 +95,8 @@ def directions_command(
         typer.Option(help=f"{DISTRIBUTION_HELP} {AT_HELP}"),
     ] = "cosine_hemisphere",
     arrays: Annotated[Path | None, option(f"{ARRAYS_HELP} vertex, face or point. {ARRAYS_DEFAULT}")] = None,
-    sequence: Annotated[
-        str, typer.Option(help=f"Sequence of random or evenly spread sample points: {', '.join(sequences.names())}.")
-    ] = "sobol",
-    seed: Annotated[int, typer.Option(help="Seed of the random points and directions.")] = 0,
+    sequence: _Sequence = "sobol",
+    seed: _Seed = 0,
     workers: Workers = None,
 ) -> None:
     """Sample directions at points of a mesh and write a file; an .npz also records the arguments and versions."""
@@ -128,7 +130,7 @@ def view(
         str | None,
         option(
             f"{DISTRIBUTION_HELP} {AT_HELP} Default: offset_sphere(rho=1.0). The camera is the viewer of lobes that"
-            " depend on a view, unless the view is given."
+            " depend on a view, unless the view is given. The x axes of lobes are along u of texture coordinates."
         ),
     ] = None,
     density: Annotated[
@@ -139,10 +141,8 @@ def view(
         ),
     ] = None,
     arrays: Annotated[Path | None, option(f"{ARRAYS_HELP} vertex or face. {ARRAYS_DEFAULT}")] = None,
-    sequence: Annotated[
-        str, typer.Option(help=f"Sequence of random or evenly spread sample points: {', '.join(sequences.names())}.")
-    ] = "independent",
-    seed: Annotated[int, typer.Option(help="Seed of the random points and directions.")] = 0,
+    sequence: _Sequence = "independent",
+    seed: _Seed = 0,
     up: Annotated[Literal["x", "y", "z"], typer.Option(help="Axis of the mesh that points up in the picture.")] = "y",
     screenshot: Annotated[
         Path | None, option("File to write instead of opening a window: .png, or .html to turn in a browser.")
@@ -166,25 +166,37 @@ def view(
     chosen = any(each is not None for each in (points, distribution, density))
     path = mesh or start.bunny()
     choice = start.choice(
-        distribution, density, sequence, samples, seed, arrays=lambda name: read_array(arrays or path, name, "--arrays")
+        distribution,
+        density,
+        sequence,
+        samples,
+        seed,
+        arrays=lambda name: read_array(arrays or path, name, "--arrays").array,
     )
     rendering.check_size(size, start.LEAST_SIZE)
     with working("testing whether pictures can be drawn on this machine"):
         rendering.check_rendering()
     with working(f"reading {path}"):
-        surface, occlusion = load_mesh(path), read_occlusion(path)
+        surface, occlusion, uv = load_mesh(path), read_occlusion(path), start.read_axes(path, choice)
     if occlusion is not None and not chosen:
         with signals.at_once() if screenshot is None else working(f"drawing {screenshot}"):
             summary = show_occlusion(surface, occlusion, up=up, size=size, path=screenshot)
         print(f"{screenshot or path}: {summary}")
         return
     points = points or (100 if occlusion is None else 1)  # more clouds would hide the occlusion
+    _show_clouds((surface, points, choice), screenshot, {"up": up, "size": size, "occlusion": occlusion, "uv": uv})
+
+
+def _show_clouds(drawn: tuple[Any, ...], screenshot: Path | None, scene: dict[str, Any]) -> None:
+    """Open the window of the viewer, or save its picture and print a line of description."""
+    from warpsample.viewer import start
+
     if screenshot is None:
         with signals.at_once():
-            start.window(surface, points, choice, up=up, size=size, occlusion=occlusion)
+            start.window(*drawn, **scene)
         return
     with working(f"drawing {screenshot}; kernels are compiled when first used, for about 10 s"):
-        summary = start.save(surface, points, choice, up=up, size=size, path=screenshot, occlusion=occlusion)
+        summary = start.save(*drawn, **scene, path=screenshot)
     print(f"{screenshot}: {summary}")
 
 

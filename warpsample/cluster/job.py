@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 import warp as wp
-from dask.array import Array, from_array
+from dask.array import Array
+from dask.array.core import normalize_chunks
 from dask.base import tokenize
 
 from warpsample.cluster.chunks import BY_POINT, FUNCTIONS, Call, numbers
@@ -139,7 +140,7 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
     taken = {argument: named(argument, value, taken.get("integrand")) for argument, value in taken.items()}
     call = Call(name, taken, tuple(shared), tuple(rows), at if place else None, place or "", tuple(given), seed, first)
     about = _identify_run(call, {**shared, **given, **rows}, total, chunk)
-    given, rows = ({key: _split_into_chunks(array, chunk) for key, array in arrays.items()} for arrays in (given, rows))
+    given, rows = ({key: _split_into_chunks(array, chunk, key) for key, array in arrays.items()} for arrays in (given, rows))
     return Job(call, shared, given, rows, total, min(chunk, max(total, 1)), _result_types(call, shared, rows), about)
 
 
@@ -218,12 +219,19 @@ def _rows_of_parameters(taken: dict[str, Any]) -> dict[str, np.ndarray]:
     return {f"{BY_POINT}{name}": table for name, table in distribution.by_point.items()}
 
 
-def _split_into_chunks(array: Any, chunk: int) -> Array:
-    """Return a Dask array split into chunks of rows; a NumPy array is copied first."""
+def _split_into_chunks(array: Any, chunk: int, argument: str) -> Array:
+    """Return a Dask array split into chunks of rows; a NumPy array is copied first, if the caller can change it.
+
+    `dask.array.from_array` copies every array, also the read-only arrays of a distribution.
+    """
     wanted = (chunk, *array.shape[1:])
     if isinstance(array, Array):
         return array.rechunk(wanted)
-    return from_array(array.copy(), wanted, name=_identify_content(array, chunk))
+    name, chunks = _identify_content(array, chunk), normalize_chunks(wanted, array.shape)
+    own = array if argument.startswith(BY_POINT) and not array.flags.writeable else array.copy()
+    zeros = (0,) * (array.ndim - 1)
+    parts = {(name, i, *zeros): own[i * chunk : (i + 1) * chunk] for i in range(len(chunks[0]))}
+    return Array(parts, name, chunks, dtype=array.dtype)
 
 
 def _identify_content(value: Any, *more: Any) -> str:

@@ -3,7 +3,7 @@
 import json
 import math
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -13,7 +13,7 @@ import numpy as np
 
 from warpsample.cluster.arrays import point_arrays_of
 from warpsample.cluster.holdings import about_of, whole_chunks
-from warpsample.cluster.job import STREAMS_OF, Job
+from warpsample.cluster.job import SHAPE, STREAMS_OF, Job
 from warpsample.cluster.lock import lock_name
 from warpsample.cluster.metadata import check_metadata, metadata_of
 from warpsample.estimate.source.content import difference
@@ -120,6 +120,11 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
                 f"{argument}: got {str(path)!r} with random numbers of version {old}, want version {new}, which gives "
                 "other numbers; compute the store again under a new name"
             )
+        if old != new and name in (SHAPE, "mesh") and _shape_of(kept) == _shape_of(about):
+            raise ValueError(
+                f"{argument}: got {str(path)!r} of the same mesh with another transmittance or reflectance of its faces; "
+                "repeat the arguments of that run, or use a new name"
+            )
         if old != new and isinstance(old, dict) and isinstance(new, dict):
             raise ValueError(
                 f"{argument}: got {str(path)!r} of another run; {difference(name, old, new)}; repeat the arguments of "
@@ -130,6 +135,11 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
                 f"{argument}: got {str(path)!r} of {name} {quote(old)}, want a store of {name} {quote(new)}; repeat the "
                 "arguments of that run, or use a new name"
             )
+
+
+def _shape_of(about: Mapping[str, Any]) -> Any:
+    """Return the hash of a mesh without its optical properties, from the attributes of a store."""
+    return about.get(SHAPE, about.get("mesh"))
 
 
 def make_store(path: Path, metadata: Callable[[], dict[str, bytes]]) -> None:

@@ -1,4 +1,4 @@
-"""Tangents of face corners from texture coordinates, by MikkTSpace, and tangents of vertices."""
+"""Tangents of face corners from texture coordinates, by MikkTSpace, and tangents of vertices and of faces."""
 
 import numpy as np
 
@@ -29,6 +29,20 @@ def vertex_tangents(mesh: Mesh, uv: np.ndarray) -> np.ndarray:
     added = np.where((found[:, 3] == made[faces.ravel(), 3])[:, None], found[:, :3], 0.0)
     made[:, :3] = np.stack([np.bincount(faces.ravel(), column, len(made)) for column in added.T], axis=1)
     return made.astype(np.float32)
+
+
+def face_tangents(mesh: Mesh, uv: np.ndarray, face: np.ndarray) -> np.ndarray:
+    """Return tangents (P, 4) float32 of flat faces, as in glTF: the direction of increasing u, and the bitangent's sign.
+
+    The tangent is 0 or NaN where the coordinates define no direction.
+
+    Args:
+        mesh: mesh with F faces.
+        uv: (F, 3, 2) float64 texture coordinates, v downward; NaN for faces without coordinates.
+        face: (P,) numbers of faces.
+    """
+    along, upright, _ = _compute_u_directions(mesh.vertices[mesh.faces[face]], uv[face])
+    return np.column_stack([unit_or_zero(along), np.where(upright, 1.0, -1.0)]).astype(np.float32)
 
 
 def compute_tangents(position: np.ndarray, normal: np.ndarray, uv: np.ndarray) -> np.ndarray:

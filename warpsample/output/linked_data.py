@@ -30,11 +30,14 @@ _BEAT, _PATIENCE = 0.01, 60.0  # seconds between two tries to lock a folder, and
 def check_linked_data(path: Path, suffix: str, argument: str) -> None:
     """Raise a ValueError if no data file (for example a .bin) can be created in the folder of an output file.
 
+    For a link, the folder is that of the link's target.
+
     Raises:
         ValueError: the folder cannot be written; names the argument.
     """
+    target = Path(os.path.realpath(path))
     try:
-        with part_of(path, path.with_suffix(suffix)):
+        with part_of(path, target.with_suffix(suffix)):
             pass
     except WriteError as error:
         raise ValueError(f"{argument}: got {str(path)!r}, next to which no {suffix} can be written: {error}") from None
@@ -52,7 +55,8 @@ def write_with_data(
     """Write an output file and the data file that it names, for example a .gltf and its .bin; return the latter's path.
 
     The data keep the name that the old file at `path` gives them, if it names NAME.bin or NAME-1.bin and the like beside it.
-    Else they get the first free name of these. Two runs that write the same path do so one after the other, where the file
+    Else they get the first free name of these. If `path` is a link, its target is written, and the data are next to the
+    target. Two runs that write the same path do so one after the other, where the file
     system has locks.
 
     Args:
@@ -61,12 +65,13 @@ def write_with_data(
         write_data: writes the data into a stream.
         text_naming: returns the content of `path` for a name of the data.
         named_by: returns the files that a file names; none for a file that cannot be read.
-        inputs: files that keep their content, even if the old file names them. Files that another file with the suffix of
-            `path` in the same folder names keep their content, too.
+        inputs: files that keep their content, even if the old file names them. Files that another file in the same folder
+            names keep their content, too.
 
     Raises:
         WriteError: the files cannot be written; the old ones are unchanged.
     """
+    path = Path(os.path.realpath(path))
     with part_of(path, path.with_suffix(suffix)) as raw:
         stream = BufferedWriter(raw)
         write_data(stream)
@@ -147,9 +152,9 @@ def _old_data(path: Path, suffix: str, named_by: Callable[[Path], Iterable[Path]
 
 
 def _named_by_siblings(path: Path, named_by: Callable[[Path], Iterable[Path]]) -> Iterator[Path]:
-    """Yield the data files named by other files in the folder that have the same suffix as `path`."""
+    """Yield the data files named by the other files in the folder of `path`."""
     for sibling in path.absolute().parent.iterdir():
-        if sibling.suffix.lower() == path.suffix.lower() and os.path.realpath(sibling) != os.path.realpath(path):
+        if os.path.realpath(sibling) != os.path.realpath(path):
             yield from named_by(sibling)
 
 

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _TEXT, _SMALL = 11, 10
+_GAP = 5.0  # points between the map of residuals and the verdict above
 _MOST_SIGMA = 4.0
 _PIXELS = 512  # of the height of an image, whose rows have different heights
 _AROUND = (0.1, 0.055, 0.095, 0.035)  # labels at the left, below, at the right and above, as shares of the sheet
@@ -42,6 +43,7 @@ class MapChart:
             animated: whether the caller draws the artists in `moving`.
         """
         from matplotlib.colors import Normalize, PowerNorm
+        from matplotlib.transforms import ScaledTranslation
 
         self._places, self._beside = tuple(places.values()), places["observed"][1] == places["expected"][1]
         self._axes: dict[str, Axes] = {name: figure.add_axes(place) for name, place in places.items()}
@@ -59,7 +61,8 @@ class MapChart:
             axes.tick_params(labelsize=_SMALL)
         words = {"fontsize": _TEXT, "color": INK}
         residuals = self._axes["residuals"]
-        verdict = residuals.text(0.0, 1.03, "", transform=residuals.transAxes, animated=animated, **words)
+        above = residuals.transAxes + ScaledTranslation(0.0, _GAP / 72.0, figure.dpi_scale_trans)
+        verdict = residuals.text(0.0, 1.0, "", transform=above, animated=animated, **words)
         self.moving = (*images, (residuals, verdict))
         self._draw_fixed_parts(figure, images, words)
 

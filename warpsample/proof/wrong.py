@@ -16,7 +16,10 @@ class WrongSampler:
 
         Args:
             claims: distribution that the sampler claims to be.
-            replaced: functions `sample`, `pdf` or `invert`, by name.
+            replaced: functions `sample`, `pdf` or `invert`, by name. They replace the methods of `Distribution` with these
+                names: `sample` maps points of the unit square, (..., 2), to directions, (..., 3); `pdf` returns densities,
+                (...), of directions; `invert` maps directions to points of the unit square. In the plane, directions are
+                (..., 2).
         """
         self.claims = claims
         self.__dict__.update(replaced)

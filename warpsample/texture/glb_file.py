@@ -160,8 +160,8 @@ class GlbFile:
         # the name and extras of the first buffer are kept
         self.tree["buffers"] = [{**self.tree.get("buffers", [{}])[0], "byteLength": 0}]
         self.tree["buffers"][0].pop("uri", None)
-        for view in self.tree.get("bufferViews", []):
-            view["byteOffset"] = view.get("byteOffset", 0) + starts[view["buffer"]]
+        for view, part in zip(self.tree.get("bufferViews", []), self.data.views, strict=True):
+            view["byteOffset"] = part.whole("byteOffset", 0) + starts[part.index("buffer", starts)]
             view["buffer"] = 0
         for image, part in zip(self.tree.get("images", []), self.part.parts("images"), strict=True):
             if "uri" in part:

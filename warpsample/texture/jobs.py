@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.host.json_tree import Part
-from warpsample.mesh.files.gltf import check_extensions, read_corners
+from warpsample.mesh.files.gltf import check_supported, read_corners
 from warpsample.mesh.files.uv import LAST_SET
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, convert_read_errors
@@ -114,7 +114,7 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
     """List an image to bake for each group of primitives that share materials; also return the edited scene."""
     with convert_read_errors(path):
         file = GlbFile(path)
-        check_extensions(file.part)
+        check_supported(file.part)
         slotted = list(_groups_with_slot(file, mesh, slot))
         texels = Texels(path, mesh, how, _read_corner_normals(path, mesh, how))
     if not slotted:

@@ -117,11 +117,13 @@ class Texels:
         """
         if self.how.uv == "new":
             return ChosenSet()
+        faces = sum(len(self.mesh.faces[some]) for some in rows)
         if self.how.uv != "auto":
             number = int(self.how.uv)
-            if not self._has(number, rows):
+            if lacking := self._count_lacking(number, rows):
                 raise ValueError(
-                    f"--uv: got {number}, want a set of texture coordinates for all faces of {name!r}; --uv new makes a set"
+                    f"--uv: got {number}, want a set of texture coordinates for all faces of {name!r}, but {lacking:,} of "
+                    f"{faces:,} lack it or have NaN in it; --uv new makes a set"
                 )
             found = self.points_by_set(number, rows)
             if not len(found):
@@ -132,7 +134,10 @@ class Texels:
         within = None
         passed: list[str] = []
         for number in dict.fromkeys([*([] if first is None else [first]), *range(LAST_SET + 1)]):
-            if self._has(number, rows):
+            lacking = self._count_lacking(number, rows)
+            if 0 < lacking < faces:
+                passed.append(f"set {number} is passed over: {lacking:,} of {faces:,} faces lack it or have NaN in it")
+            if not lacking:
                 found = self.points_by_set(number, rows)
                 why = self._describe_flaw(number, rows, found, may_overlap=number == first)
                 if why is None:
@@ -154,9 +159,12 @@ class Texels:
             return f"faces overlap in {counts}, and auto accepts none; --uv {number} takes it"
         return "faces have no area in it" if self._is_flat(number, rows) else None
 
-    def _has(self, number: int, rows: Iterable[slice]) -> bool:
+    def _count_lacking(self, number: int, rows: Iterable[slice]) -> int:
+        """Count the given faces for which a set of texture coordinates is missing, NaN or infinite."""
         uv = self._read_set(number)
-        return uv is not None and all(np.isfinite(uv[some]).all() for some in rows)
+        if uv is None:
+            return sum(len(self.mesh.faces[some]) for some in rows)
+        return sum(int(np.count_nonzero(~np.isfinite(uv[some]).all(axis=(1, 2)))) for some in rows)
 
     def _is_flat(self, number: int, rows: Iterable[slice]) -> bool:
         """Return whether any of the given faces has an area in space but none in the image."""

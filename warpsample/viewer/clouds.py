@@ -1,6 +1,6 @@
 """Sampled directions as point clouds for the viewer, and the counts of their angles."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -8,7 +8,6 @@ from warpsample import sequences
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.record import Distribution
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.proof.twins import frames
 from warpsample.viewer.choice import Choice
 from warpsample.viewer.counts import Counts, count_directions
 from warpsample.viewer.lobes import peaks_of, probabilities_of, shape_of
@@ -71,7 +70,7 @@ def all_clouds(choice: Choice, points: SurfacePoints, scale: float) -> Clouds:
 
     Args:
         choice: settings, whose parameters by point have a row for each point.
-        points: P points.
+        points: P points, whose tangents set the x axes of the frames.
         scale: length of a lobe in the unit of the points.
     """
     rows, world, local, pdf = _sample_compared(choice, points, 0)
@@ -129,7 +128,7 @@ def _sample_compared(
     """
     own = choice.claim == choice.distribution
     found = sample_directions(
-        points.normal,
+        replace(points, id=None),
         choice.samples,
         distribution=choice.distribution,
         sequence=choice.sequence,
@@ -138,8 +137,7 @@ def _sample_compared(
         pdf=own,
     )
     rows = np.arange(len(points))[usable_rows(choice.distribution, choice.claim)]
-    unit = points.normal / np.linalg.norm(points.normal, axis=1, keepdims=True)
-    local = np.matmul(found.vectors, frames(unit.astype(np.float64)).astype(np.float32))[rows]
+    local = points.to_local(found.vectors)[rows]
     pdf = found.pdf[rows] if own else choice.claim.take(rows).pdf(local)
     return rows, found.vectors[rows], local, pdf
 

@@ -11,6 +11,7 @@ from warpsample.distributions import Arrays, as_spatial
 from warpsample.distributions.offset_sphere import OffsetSphere
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_integer, check_seed
+from warpsample.mesh.files.uv import SUFFIXES, load_uv
 from warpsample.mesh.mesh import Mesh
 from warpsample.plotting.rendering import save_scene
 from warpsample.plotting.scenes import clouds_on_mesh
@@ -71,11 +72,31 @@ def _parse_density(name: str, arrays: Arrays | None) -> Distribution:
         raise type(error)(str(error).replace("distribution:", "density:", 1)) from None
 
 
+def read_axes(path: Path, chosen: Choice) -> np.ndarray | None:
+    """Read the texture coordinates of a mesh file, along which the x axes of lobes lie, (F, 3, 2).
+
+    Return None if the file has none, or if all lobes are symmetric about the normal.
+    """
+    if (chosen.distribution.symmetric and chosen.claim.symmetric) or path.suffix.lower() not in SUFFIXES:
+        return None
+    try:
+        return load_uv(path)
+    except ValueError:  # no face has coordinates: the mesh itself has been read
+        return None
+
+
 def window(
-    mesh: Mesh, points: int, chosen: Choice, *, up: str, size: tuple[int, int], occlusion: OcclusionPicture | None
+    mesh: Mesh,
+    points: int,
+    chosen: Choice,
+    *,
+    up: str,
+    size: tuple[int, int],
+    occlusion: OcclusionPicture | None,
+    uv: np.ndarray | None = None,
 ) -> None:
     """Open the window of the viewer, and return when a user closes the window."""
-    Viewer(mesh, points, chosen, up=up, size=size, occlusion=occlusion).plotter.show(title="warpsample")
+    Viewer(mesh, points, chosen, up=up, size=size, occlusion=occlusion, uv=uv).plotter.show(title="warpsample")
 
 
 def save(
@@ -87,9 +108,10 @@ def save(
     size: tuple[int, int],
     path: Path,
     occlusion: OcclusionPicture | None = None,
+    uv: np.ndarray | None = None,
 ) -> str:
     """Save a picture of the viewer as .png, or its 3D scene as .html, without a window; return a line of description."""
-    viewer = Viewer(mesh, points, chosen, up=up, size=size, off_screen=True, occlusion=occlusion)
+    viewer = Viewer(mesh, points, chosen, up=up, size=size, off_screen=True, occlusion=occlusion, uv=uv)
     if path.suffix == ".png":
         viewer.plotter.enable_anti_aliasing("msaa", multi_samples=8, all_renderers=True)
         save_scene(viewer.plotter, path, viewer.summary())

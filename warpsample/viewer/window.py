@@ -10,6 +10,7 @@ from warpsample.distributions.record import Distribution
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.mesh.tangents import face_tangents
 from warpsample.plotting.rendering import MOST_NORMALS, VIEW, describe_counts, limit_counts
 from warpsample.texture.occlusion_picture import OcclusionPicture
 from warpsample.viewer.choice import Choice, format_distribution
@@ -53,6 +54,7 @@ class Viewer(Panels):
         size: tuple[int, int] = (1600, 900),
         off_screen: bool = False,
         occlusion: OcclusionPicture | None = None,
+        uv: np.ndarray | None = None,
     ):
         """Build the window: menus and sliders, the mesh with clouds of directions, the enlarged cloud, and the charts.
 
@@ -64,6 +66,7 @@ class Viewer(Panels):
             size: width and height of the window in pixels.
             off_screen: whether no window is opened. The widgets work without a window too.
             occlusion: picture of baked occlusion, shown on the mesh.
+            uv: (F, 3, 2) texture coordinates of face corners. The x axes of lobes are then along increasing u.
 
         Raises:
             ValueError: the lobe of the compared density is too narrow to draw, or parameters by point have another number
@@ -71,10 +74,10 @@ class Viewer(Panels):
         """
         check_rows(choice, mesh)
         self._requested, self._normals, self._kinds = points, mesh.face_normals, set()
-        self._mesh, self._middle = mesh, 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
+        self._mesh, self._uv, self._middle = mesh, uv, 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
         self.scale, self.vertices = LENGTH * mesh.diagonal, mesh.vertices - self._middle
         at = sample_surface(mesh, limit_counts(points, 1)[0], seed=choice.seed)
-        self.points: SurfacePoints = replace(at, position=at.position - self._middle)
+        self.points: SurfacePoints = self._with_tangents(replace(at, position=at.position - self._middle))
         super().__init__(size, off_screen)
         self.add_mesh(mesh, self.points, middle=self._middle, scale=self.scale, up=up, occlusion=occlusion)
         self._pin_point(int(np.argmax(self.points.normal @ np.array(VIEW[up]))))
@@ -123,7 +126,8 @@ class Viewer(Panels):
         """
         if not self._normals[face].any():
             return
-        self._pin_point(len(self.points), SurfacePoints(position[None], self._normals[face][None], np.array([face])))
+        point = SurfacePoints(position[None], self._normals[face][None], np.array([face]))
+        self._pin_point(len(self.points), self._with_tangents(point))
         self._draw_near(self.controls.choice)
         self.show_charts(self.counts, self.near)
         self.plotter.render()
@@ -149,6 +153,10 @@ class Viewer(Panels):
         """Return settings with the distributions of points, for the present camera."""
         absolute = replace(points, position=points.position + self._middle)
         return lobes_at(choice, self._mesh, absolute, self.eye + self._middle)
+
+    def _with_tangents(self, points: SurfacePoints) -> SurfacePoints:
+        """Return points on faces with tangents along increasing u, if the mesh has texture coordinates."""
+        return points if self._uv is None else replace(points, tangent=face_tangents(self._mesh, self._uv, points.face))
 
     def _draw_charts(self) -> None:
         """Count the directions that are drawn, and draw the charts."""
@@ -182,6 +190,8 @@ class Viewer(Panels):
             f"{choice.sequence} points, seed {choice.seed}; compared with {density}",
             f"length and colour: compared density{' / largest at the point' if own else ' [1/sr]'}",
         ]
+        if self._uv is not None:
+            lines.append("x of the lobes: along u of the texture coordinates")
         if used < len(self.points):
             why = "face away from the camera" if follows_camera(choice) else "have invalid parameters"
             lines.append(f"{len(self.points) - used:,} points {why}: no directions")

@@ -54,15 +54,21 @@ def copy_rows(array: np.ndarray, low: float = -np.inf, high: float = np.inf) -> 
     return _closed(rows)
 
 
-def copy_views(array: np.ndarray, below: bool = False) -> np.ndarray:
+def copy_views(array: np.ndarray, below: bool = False, same: Any = None) -> np.ndarray:
     """Return a read-only float32 copy of (P, 3) view directions, scaled to length 1; invalid directions become NaN.
 
     A row has the same bits as `as_view` of the vector, rounded to float32. With `below`, views may come from below the
-    surface.
+    surface. If the copy has the same bits as the array `same`, the result is `same`, and takes no memory of its own.
     """
-    rows = np.empty(array.shape, np.float32)
+    shared = isinstance(same, np.ndarray) and same.shape == array.shape
+    rows = same if shared else np.empty(array.shape, np.float32)
     for start in range(0, len(rows), _PART):
-        rows[start : start + _PART] = _views(array[start : start + _PART].astype(np.float64), below)
+        part = _views(array[start : start + _PART].astype(np.float64), below)
+        if shared and part.tobytes() != same[start : start + _PART].tobytes():
+            shared, rows = False, np.empty(array.shape, np.float32)
+            rows[:start] = same[:start]
+        if not shared:
+            rows[start : start + _PART] = part
     return _closed(rows)
 
 

@@ -47,8 +47,13 @@ class ScatteredLight(Distribution):
         return 1 if i == 0 else 0
 
     def _copy_rows(self, name: str, rows: np.ndarray) -> np.ndarray:
-        """Return a copy of the values by point of parameter `name`, with views of unit length."""
-        return copy_views(rows, self.below) if name == "view" else super()._copy_rows(name, rows)
+        """Return a copy of the values by point of parameter `name`, with views of unit length.
+
+        Views that equal those of the nested lobe share the memory of the nested lobe's views.
+        """
+        if name != "view":
+            return super()._copy_rows(name, rows)
+        return copy_views(rows, self.below, same=getattr(self.lobe, "view", None))
 
     @property
     def maps(self) -> Maps:  # type: ignore[override]

@@ -3,6 +3,7 @@
 trimesh is not used: for a damaged .gltf trimesh reads the file `model.gltf` in the same folder instead.
 """
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsample.host.arguments import quote
 from warpsample.host.json_tree import Part, parsed
 from warpsample.mesh.files.gltf_data import Data, binary
 from warpsample.mesh.files.gltf_scene import iterate_nodes
@@ -36,6 +38,8 @@ _READ = (
     *("ADOBE_materials_*", "AGI_*", "CESIUM_primitive_outline", "FB_*", "GODOT_single_root", "MOZ_lightmap", "MSFT_lod"),
     *("MSFT_packing_*", "MSFT_texture_*", "NV_materials_*", "OMI_*", "VRM", "VRMC_*"),
 )
+# Versions that are read. A file of version 2.1 can be read as 2.0, unless its `minVersion` is higher.
+_VERSIONS = {"version": r"2\.[0-9]+", "minVersion": r"2\.0"}
 _WIDTHS = {"NORMAL": 3, "TANGENT": 4}  # components of attributes; others have 2
 
 
@@ -67,15 +71,19 @@ def opened(path: Path) -> Iterator[tuple[Part, Data]]:
     """Open a glTF file within a `with` statement, and return its JSON and its arrays."""
     tree, chunk = binary(path) if path.suffix.lower() == ".glb" else (parsed(path.read_bytes()), memoryview(b""))
     try:
-        check_extensions(tree)
+        check_supported(tree)
         with np.errstate(all="ignore"):  # `Mesh` refuses coordinates that are not finite
             yield tree, Data.of(tree, path, chunk)
     except (TypeError, FileNotFoundError) as error:  # of the check of one member
         raise ValueError(str(error)) from None
 
 
-def check_extensions(tree: Part) -> None:
-    """Raise a ValueError if a glTF file uses extensions that this reader does not support."""
+def check_supported(tree: Part) -> None:
+    """Raise a ValueError if a glTF file has a version or uses extensions that this reader does not support."""
+    asset = tree.part("asset") if "asset" in tree else Part({})
+    key = "minVersion" if "minVersion" in asset else "version"
+    if key in asset and not re.fullmatch(_VERSIONS[key], asset.text(key)):
+        raise ValueError(f"{asset.at(key)}: got {quote(asset.text(key))}, want glTF 2.0; export the file as glTF 2.0")
     needed = _EXTENSIONS & set(tree.texts("extensionsUsed"))
     if needed:
         raise ValueError(f"the file uses {', '.join(sorted(needed))}, want a file without these extensions; export it again")

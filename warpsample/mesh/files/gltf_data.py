@@ -99,8 +99,8 @@ class Data:
         return data[begin : begin + length]
 
 
-def binary(path: Path) -> tuple[Part, memoryview]:
-    """Read the JSON and the binary part of a .glb.
+def binary(path: Path, *, with_data: bool = True) -> tuple[Part, memoryview]:
+    """Read the JSON and the binary part of a .glb; without `with_data`, return an empty binary part.
 
     Raises:
         ValueError: A file with another length than its header declares, or of another format.
@@ -109,7 +109,9 @@ def binary(path: Path) -> tuple[Part, memoryview]:
     with path.open("rb") as file:
         header = file.read(20)
         version, length, size = (int.from_bytes(header[at : at + 4], "little") for at in (4, 8, 12))
-        if header[:4] != b"glTF" or header[16:] != b"JSON" or version != 2:
+        if header[:4] == b"glTF" and version != 2:
+            raise ValueError(f"the file is a .glb of version {version}, want version 2; export the file as glTF 2.0")
+        if header[:4] != b"glTF" or header[16:] != b"JSON":
             raise ValueError("the file does not begin as a .glb of version 2")
         if length != actual or size > length - 20:
             raise ValueError(
@@ -119,7 +121,7 @@ def binary(path: Path) -> tuple[Part, memoryview]:
         size = int.from_bytes(header[:4], "little")
         if size > (left := length - file.tell()):
             raise ValueError(f"the second chunk declares {size:,} bytes, but the file has only {left:,} more")
-        return parsed(text), memoryview(file.read(size) if header[4:] == b"BIN\0" else b"")
+        return parsed(text), memoryview(file.read(size) if with_data and header[4:] == b"BIN\0" else b"")
 
 
 def _buffers(path: Path, buffers: list[Part], chunk: memoryview) -> list[memoryview]:
@@ -138,15 +140,22 @@ def _buffers(path: Path, buffers: list[Part], chunk: memoryview) -> list[memoryv
     return [data[:length] for data, length in zip(held, lengths, strict=True)]
 
 
+def is_embedded(uri: str) -> bool:
+    """Return whether a URI contains data, instead of the name of a file."""
+    return uri[:5].lower() == "data:"
+
+
 def content_of(path: Path, uri: str, length: int, by: Part) -> memoryview:
     """Return the first `length` bytes of embedded data or of a file relative to `path`, as specified by a URI.
 
     A length of 0 returns all bytes.
     """
-    if uri[:5].lower() == "data:":
-        _, mark, data = uri.partition(";base64,")
+    if is_embedded(uri):
+        kind, _, data = uri.partition(",")
         try:
-            return memoryview(b64decode(unquote(data), validate=True) if mark else b"")
+            if data and not kind.lower().endswith(";base64"):
+                raise ValueError
+            return memoryview(b64decode(unquote(data), validate=True))
         except ValueError:
             raise ValueError(f"{by.at('uri')}: got data that are not base64, want base64 after 'data:...;base64,'") from None
     if _SCHEME.match(uri) or Path(unquote(uri)).anchor:

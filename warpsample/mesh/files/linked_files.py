@@ -7,7 +7,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from warpsample.host.json_tree import Part, parsed
-from warpsample.mesh.files.gltf_data import binary
+from warpsample.mesh.files.gltf_data import binary, is_embedded
 
 _PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm")  # first words of lines with a picture in an .mtl
 _WORDS = 20  # largest number of words of such a line that is read
@@ -36,7 +36,7 @@ def list_linked_pictures(path: Path) -> list[Path]:
 def uris_of(tree: Part, kinds: Iterable[str] = ("images", "buffers")) -> Iterator[str]:
     """Yield the URIs of pictures and buffers in the JSON of a glTF file, embedded data excluded."""
     for item in (item for kind in kinds for item in tree.parts(kind)):
-        if "uri" in item and not (uri := item.text("uri")).startswith("data:"):
+        if "uri" in item and not is_embedded(uri := item.text("uri")):
             yield uri
 
 
@@ -47,7 +47,7 @@ def _gltf(path: Path) -> Iterator[str]:
 
 def _tree(path: Path) -> Part:
     """Return the JSON of a .gltf or .glb file, as a `Part`."""
-    return binary(path)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())
+    return binary(path, with_data=False)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())
 
 
 def _obj(path: Path) -> Iterator[str]:

@@ -1,9 +1,11 @@
 """`warpsample bake --texture`: compute a quantity at the texels of a mesh, and write a glTF file or an image."""
 
 import json
+import os
 from collections.abc import Iterator
 from dataclasses import fields
 from functools import partial
+from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -19,7 +21,7 @@ from warpsample.output.textures.instances import Picture, describe_places, pictu
 from warpsample.output.textures.source import DATA, TextureSource
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.inside import Closed
-from warpsample.texture.jobs import describe_flaws
+from warpsample.texture.jobs import SCENES, describe_flaws
 from warpsample.texture.materials import THICKNESS, Slot, add_texture, slot_for_quantity
 from warpsample.texture.pictures import encode_exr, encode_png
 from warpsample.texture.primitives import Primitive
@@ -98,11 +100,17 @@ def _write_scene(file: GlbFile, source: TextureSource, found: list[list[Picture]
         with complete_or_absent(run.output) as stream:
             file.write(stream)
         return notes
-    ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": list_linked_files}
-    data = write_with_data(run.output, DATA, **ways, inputs=[*source.inputs, *list_linked_pictures(run.output)])
-    if data.stem != run.output.stem:
-        notes.append(f"its data are in {data.name}: {run.output.with_suffix(DATA).name} belongs to another file")
+    output = Path(os.path.realpath(run.output))  # a .gltf names its data relative to its own folder
+    ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": _list_data}
+    data = write_with_data(output, DATA, **ways, inputs=[*source.inputs, *list_linked_pictures(output)])
+    if data.stem != output.stem:
+        notes.append(f"its data are in {data.name}: {output.with_suffix(DATA).name} belongs to another file")
     return notes
+
+
+def _list_data(path: Path) -> list[Path]:
+    """Return the paths of the files that a glTF file refers to; an empty list for other formats."""
+    return list_linked_files(path) if path.suffix.lower() in SCENES else []
 
 
 def _add_picture(file: GlbFile, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions) -> Iterator[str]:

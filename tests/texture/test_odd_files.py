@@ -1,0 +1,91 @@
+"""Odd glTF files: what cannot be used is named, and no file of another scene is lost."""
+
+import base64
+import json
+
+import numpy as np
+import pytest
+from glb_files import glb
+from textured_scenes import SQUARE, TWO, changed, corner, opened, rich
+
+import warpsample as ws
+
+
+def two_quads(tmp_path, uv=SQUARE):
+    """A floor and a wall with a material each, which share texture coordinates."""
+    meshes = [
+        {"primitives": [{"attributes": {"POSITION": i, "TEXCOORD_0": 2}, "indices": 3, "material": i}]} for i in (0, 1)
+    ]
+    nodes, materials = [{"mesh": 0}, {"mesh": 1}], [{"name": "ground"}, {"name": "brick"}]
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb({"meshes": meshes, "nodes": nodes, "materials": materials}, [*corner(), uv, TWO]))
+    return path
+
+
+def as_gltf(path, change=len, head="data:;base64,"):
+    """The same scene as a .gltf with embedded data."""
+    tree, data, _ = opened(path)
+    tree["buffers"][0]["uri"] = head + base64.b64encode(data).decode()
+    change(tree)
+    made = path.with_suffix(".gltf")
+    made.write_text(json.dumps(tree))
+    return made
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_a_set_with_a_number_that_is_none_is_named(call, tmp_path, bad):
+    """One of four corners: of one of the two faces, whose new coordinates are no surprise then."""
+    uv = SQUARE.copy()
+    uv[3, 1] = bad
+    path = two_quads(tmp_path, uv)
+    command = ("bake", path, "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 4)
+    status, out, _ = call(*command)
+    assert status == 0
+    assert out.count("new coordinates, set 1 (set 0 is passed over: 1 of 2 faces lack it or have NaN in it)") == 2
+    status, _, err = call(*command, "--uv", 0)
+    assert (status, err.count("\n")) == (2, 1)
+    why = "for all faces of 'ground', but 1 of 2 lack it or have NaN in it; --uv new makes a set"
+    assert f"--uv: got 0, want a set of texture coordinates {why}" in err
+
+
+@pytest.mark.parametrize(
+    ("view", "why"),
+    [
+        ({"buffer": 7, "byteLength": 1}, "bufferViews[4].buffer: got 7, want a whole number below 1"),
+        ({"byteLength": 1}, "the JSON member bufferViews[4].buffer is missing"),
+        ({"buffer": 0, "byteOffset": "x", "byteLength": 1}, "bufferViews[4].byteOffset: got 'x', want a whole number"),
+    ],
+)
+def test_a_view_that_nothing_uses_is_checked_when_it_moves(call, tmp_path, view, why):
+    path = as_gltf(two_quads(tmp_path), lambda tree: tree["bufferViews"].append(view))
+    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 16)
+    assert (status, err.count("\n"), why in err) == (2, 1, True)
+
+
+def test_the_head_of_embedded_data_may_be_in_capitals(tmp_path):
+    path = two_quads(tmp_path)
+    assert ws.load_mesh(as_gltf(path, head="DATA:;BASE64,")).digest == ws.load_mesh(path).digest
+
+
+@pytest.mark.parametrize("version", [1, 3])
+def test_a_glb_of_another_version_is_refused_by_its_version(tmp_path, version):
+    path = two_quads(tmp_path)
+    content = path.read_bytes()
+    path.write_bytes(content[:4] + version.to_bytes(4, "little") + content[8:])
+    with pytest.raises(
+        ValueError, match=f"the file is a .glb of version {version}, want version 2; export the file as glTF 2"
+    ):
+        ws.load_mesh(path)
+
+
+def test_data_that_a_glb_names_stay(call, tmp_path):
+    """A .glb may name data in a file, too, here the data that a first run wrote."""
+    path, output, data = two_quads(tmp_path), tmp_path / "out.gltf", tmp_path / "out.bin"
+    command = ("bake", path, "-o", output, "--samples", 4, "--texture")
+    assert call(*command, 8)[0] == 0
+    held = data.read_bytes()
+    other = {"uri": "out.bin", "byteLength": len(held)}
+    (tmp_path / "other.glb").write_bytes(changed(rich(), lambda tree: tree["buffers"].append(other)))
+    status, out, _ = call(*command, 16)
+    assert (status, "its data are in out-1.bin: out.bin belongs to another file" in out) == (0, True)
+    assert data.read_bytes() == held
