@@ -5,7 +5,7 @@ import pytest
 from significance import ALPHA
 
 import warpsample as ws
-from warpsample.distributions.lights import picture_reading
+from warpsample.distributions.lights import picture_reading, pixel_table
 from warpsample.distributions.lights.picture_reading import PictureReading
 from warpsample.proof import laws
 from warpsample.statistics.histogram import histogram_test
@@ -154,18 +154,7 @@ def weights_of_the_pixels(monkeypatch):
 
 def rows_even_in_the_angle(monkeypatch):
     """Rows get their share by the angle, not by the solid angle."""
-    right = picture_reading.build_table
-
-    def build(cells, frame, angles, pixels):
-        table, views = right(cells, frame, angles, pixels)
-        share = cells.sum(axis=1) * np.diff(angles)
-        ends = np.concatenate([[0.0], np.cumsum(share) / share.sum()])
-        views.rows[:, 0], views.rows[:, 1], views.rows[:, 4] = ends[:-1], ends[1:], 1.0 / np.diff(ends)
-        first = np.arange(len(views.guide)) / (len(views.guide) - 1)
-        views.guide[:] = np.minimum(np.searchsorted(ends[1:], first, side="right"), len(cells) - 1)
-        return table, views
-
-    monkeypatch.setattr(picture_reading, "build_table", build)
+    monkeypatch.setattr(pixel_table, "solid_angles", lambda angles, width: np.diff(angles) / width)
 
 
 PICTURE = dotted() + 0.1

@@ -1,16 +1,16 @@
 """Distribution of directions by the bilinear reading of a picture of the whole sphere, for rays towards distant light."""
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.lights.environment_map import EnvironmentMap
-from warpsample.distributions.lights.pixel_draws import aim_at, angle_of, cap_of, find_pixel, in_picture, turns_of
-from warpsample.distributions.lights.pixel_table import HEADER, ROW, build_table, pixel_angles, solid_angles
-from warpsample.distributions.parameters import Parameters, bind_parameters
+from warpsample.distributions.lights.environment_map import EnvironmentMap, build_about_world
+from warpsample.distributions.lights.pixel_draws import aim_at, angle_of, cap_of, in_picture, pixel_finder, turns_of
+from warpsample.distributions.lights.pixel_table import HEADER, MOST_STEPS, ROW, build_table, pixel_angles
 from warpsample.distributions.record import Maps
+from warpsample.host.locks import once
 from warpsample.maths.numerics import HALF, ONE, ZERO
 
 _LEAST = wp.constant(wp.float32(1e-30))
@@ -27,7 +27,7 @@ def _ramp(u: wp.float32, start: wp.float32, end: wp.float32) -> wp.float32:
 def _luminance_at(table: wp.uint64, row: wp.int32, column: wp.int32, width: wp.int32) -> wp.float32:
     """Return the luminance of the pixel (row, column) relative to the brightest pixel of the picture."""
     header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
-    pixels = wp.array(ptr=table + wp.uint64(header[8]), shape=(width,), dtype=wp.uint32)
+    pixels = wp.array(ptr=table + wp.uint64(header[7]), shape=(width,), dtype=wp.uint32)
     return wp.cast(pixels[row * width + column], wp.float32)
 
 
@@ -56,15 +56,24 @@ def _density_in(corners: wp.vec4, down: wp.float32, across: wp.float32, table: w
     return wp.float32(wp.float64(upper + down * (lower - upper)) * header[9])
 
 
-@wp.func
-def _draw(u: wp.vec2, table: wp.uint64) -> wp.vec4:
-    """Map a point of the unit square to (world direction, density)."""
-    row, column, down, across, _steps = find_pixel(u, table)
-    c = _corners_of(table, row, column)
-    below = _ramp(wp.float32(down), c[0] + c[1], c[2] + c[3])
-    after = _ramp(across, c[0] + below * (c[2] - c[0]), c[1] + below * (c[3] - c[1]))
-    d, lower, right = aim_at(row, column, wp.float64(below), after, table)
-    return wp.vec4(d[0], d[1], d[2], _density_in(c, wp.float32(lower), right, table))
+@once
+def reading_drawer(steps: int) -> wp.Function:
+    """Build the wp.func that maps a point of the unit square to (world direction, density); see `pixel_finder`."""
+    find_pixel = pixel_finder(steps)
+
+    @wp.func
+    def draw(u: wp.vec2, table: wp.uint64):
+        row, column, down, across, _steps = find_pixel(u, table)
+        c = _corners_of(table, row, column)
+        below = _ramp(wp.float32(down), c[0] + c[1], c[2] + c[3])
+        after = _ramp(across, c[0] + below * (c[2] - c[0]), c[1] + below * (c[3] - c[1]))
+        d, lower, right = aim_at(row, column, wp.float64(below), after, table)
+        return wp.vec4(d[0], d[1], d[2], _density_in(c, wp.float32(lower), right, table))
+
+    return draw
+
+
+_draw = reading_drawer(MOST_STEPS)
 
 
 @wp.func
@@ -91,15 +100,6 @@ def square_to_reading_pdf(w: wp.vec3, table: wp.uint64) -> wp.float32:
     return _density_in(_corners_of(table, row, column), wp.float32(down), wp.float32(across), table)
 
 
-_read_table = bind_parameters(_draw, wp.vec2, 1)
-
-
-@wp.func
-def _draw_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
-    """Sample a direction towards a picture in world coordinates; return the direction and its density as a vec4."""
-    return _read_table(u, parameters)
-
-
 @dataclass(frozen=True)
 class PictureReading(EnvironmentMap):
     """Directions towards a picture by its bilinear reading, as `irradiance` reads pictures: between the middles of pixels.
@@ -114,7 +114,8 @@ class PictureReading(EnvironmentMap):
     name = "picture_reading"
     density = "bilinear in luminance / Σ luminance Ω"
     limits = ""
-    maps: ClassVar[Maps] = Maps(square_to_reading, square_to_reading_pdf, about=_draw_about)
+    maps: ClassVar[Maps] = Maps(square_to_reading, square_to_reading_pdf, about=build_about_world(_draw))
+    drawer: ClassVar[Any] = staticmethod(reading_drawer)
 
     @property
     def jumps(self) -> tuple[float, ...]:
@@ -138,9 +139,4 @@ class PictureReading(EnvironmentMap):
         cells[(lit | np.roll(lit, -1, axis=1)) & (cells == 0.0)] = np.finfo(np.float32).smallest_subnormal
         half = np.pi / pixels.shape[1]  # of a column, by which cells begin later than pixels
         turn = np.array([[np.cos(half), np.sin(half), 0.0], [-np.sin(half), np.cos(half), 0.0], [0.0, 0.0, 1.0]])
-        angles = self._angles()
-        table, views = build_table(cells, turn @ self.frame, angles, pixels.size)
-        views.pixels[:] = pixels.ravel()
-        sums = cells.sum(axis=1, dtype=np.float64) * solid_angles(angles, pixels.shape[1])
-        views.header[9] = 1.0 / sums.sum()
-        return table
+        return build_table(cells, turn @ self.frame, self._angles(), pixels)

@@ -4,7 +4,8 @@ from math import pi
 
 import warp as wp
 
-from warpsample.distributions.lights.pixel_table import COLUMN_STEPS, FRAME, HEADER, ROW, SEARCH_STEPS
+from warpsample.distributions.lights.pixel_table import COLUMN_STEPS, FRAME, HEADER, MOST_STEPS, ROW
+from warpsample.host.locks import once
 from warpsample.maths.frames import to_world
 from warpsample.maths.numerics import (
     GRID,
@@ -28,6 +29,7 @@ _STEPS = wp.constant(wp.float64(COLUMN_STEPS))
 _PER_STEPS = wp.constant(wp.float64(1.0 / COLUMN_STEPS))
 _QUARTER = wp.constant(wp.float64(0.25))
 _FOUR = wp.constant(wp.float64(4.0))
+_SIXTY_FOUR = wp.constant(wp.float64(64.0))
 _HALF_ROOT = wp.constant(wp.float32(0.7071067811865476))
 _INV_PI = wp.constant(wp.float64(1.0 / pi))
 
@@ -54,46 +56,10 @@ def _row_at(table: wp.uint64, row: wp.int32) -> wp.uint64:
 
 
 @wp.func
-def _columns_at(table: wp.uint64, row: wp.int32, width: wp.int32, buckets: wp.int32) -> wp.uint64:
-    """Return the address of the shares of a row's pixels; the lookup table for a search among the shares follows there."""
+def _shares_at(table: wp.uint64, row: wp.int32, width: wp.int32) -> wp.uint64:
+    """Return the address of the cumulative shares of a row's pixels."""
     header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
-    return table + wp.uint64(header[4]) + wp.uint64(row) * wp.uint64(4 * (width + 1 + buckets + 1))
-
-
-@wp.func
-def _find_row(table: wp.uint64, x: wp.float64, height: wp.int32) -> wp.int32:
-    """Return the row whose share contains x, a number in [0, 1), by a search between two entries of the guide.
-
-    The number of steps is constant, and nothing branches, so that several searches run side by side in a vectorised loop.
-    """
-    header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
-    guide = wp.array(ptr=_row_at(table, height), shape=(height,), dtype=wp.int32)
-    ends = wp.array(ptr=table + wp.uint64(8 * (HEADER + 1)), shape=(ROW * height,), dtype=wp.float64)
-    bucket = wp.int32(x * header[6])
-    low = guide[bucket]
-    high = guide[bucket + 1]
-    for _step in range(SEARCH_STEPS):
-        middle = (low + high) >> 1
-        after = ends[ROW * middle] <= x
-        low = wp.where(after, middle + 1, low)
-        high = wp.where(after, high, middle)
-    return low
-
-
-@wp.func
-def _find_column(shares: wp.uint64, step: wp.uint32, shift: wp.uint32, width: wp.int32) -> wp.int32:
-    """Return the column whose share contains a step of its row; see `_find_row`."""
-    ends = wp.array(ptr=shares + wp.uint64(4), shape=(width,), dtype=wp.uint32)
-    guide = wp.array(ptr=shares + wp.uint64(4 * (width + 1)), shape=(width,), dtype=wp.int32)
-    bucket = wp.int32(step >> shift)
-    low = guide[bucket]
-    high = guide[bucket + 1]
-    for _step in range(SEARCH_STEPS):
-        middle = (low + high) >> 1
-        after = ends[middle] <= step
-        low = wp.where(after, middle + 1, low)
-        high = wp.where(after, high, middle)
-    return low
+    return table + wp.uint64(header[5]) + wp.uint64(row) * wp.uint64(4 * (width + 1))
 
 
 @wp.func
@@ -120,22 +86,68 @@ def _frame_of(table: wp.uint64) -> wp.mat33:
     )  # fmt: skip
 
 
-@wp.func
-def find_pixel(u: wp.vec2, table: wp.uint64):
-    """Return (row, column, part of the row above u, part of the column before u, steps of the column) of a point u."""
-    header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
-    width = wp.int32(header[1])
-    wide = _widened(u)
-    row = _find_row(table, wide[0], wp.int32(header[0]))
-    line = wp.array(ptr=_row_at(table, row), shape=(ROW,), dtype=wp.float64)
-    shares = _columns_at(table, row, width, wp.int32(header[2]))
-    step = wide[1] * _STEPS
-    column = _find_column(shares, wp.uint32(step), wp.uint32(header[7]), width)
-    ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
-    start = ends[column]
-    steps = ends[column + 1] - start
-    across = wp.float32(step - wp.float64(start)) / wp.float32(steps)
-    return row, column, (wide[0] - line[0]) * line[4], across, steps
+@once
+def pixel_finder(steps: int) -> wp.Function:
+    """Build the wp.func that finds the pixel of a point of the unit square.
+
+    The number of steps is constant, and nothing branches, so that several searches run side by side in a vectorised loop.
+
+    Args:
+        steps: steps of each search, `FEW_STEPS` or `MOST_STEPS`.
+    """
+
+    @wp.func
+    def find_row(table: wp.uint64, x: wp.float64, height: wp.int32) -> wp.int32:
+        """Return the row whose share contains x, a number in [0, 1), by a search between two entries of the guide."""
+        header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+        guide = wp.array(ptr=table + wp.uint64(header[6]), shape=(height,), dtype=wp.int32)
+        ends = wp.array(ptr=table + wp.uint64(8 * (HEADER + 1)), shape=(ROW * height,), dtype=wp.float64)
+        bucket = wp.int32(x * header[4])
+        low = guide[bucket]
+        high = guide[bucket + 1]
+        for _step in range(steps):
+            middle = (low + high) >> 1
+            after = ends[ROW * middle] <= x
+            low = wp.where(after, middle + 1, low)
+            high = wp.where(after, high, middle)
+        return low
+
+    @wp.func
+    def find_column(table: wp.uint64, shares: wp.uint64, step: wp.uint32, place: wp.float64, width: wp.int32) -> wp.int32:
+        """Return the column whose share contains a step of its row, by the row's guide."""
+        header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+        guide = wp.array(ptr=table + wp.uint64(header[6]), shape=(width,), dtype=wp.int32)
+        ends = wp.array(ptr=shares + wp.uint64(4), shape=(width,), dtype=wp.uint32)
+        first = wp.int32(place)
+        shift = wp.int32((place - wp.float64(first)) * _SIXTY_FOUR)
+        bucket = first + wp.int32(step >> wp.uint32(shift))
+        low = guide[bucket]
+        high = guide[bucket + 1]
+        for _step in range(steps):
+            middle = (low + high) >> 1
+            after = ends[middle] <= step
+            low = wp.where(after, middle + 1, low)
+            high = wp.where(after, high, middle)
+        return low
+
+    @wp.func
+    def find_pixel(u: wp.vec2, table: wp.uint64):
+        """Return (row, column, part of the row above u, part of the column before u, steps of the column) of a point u."""
+        header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+        width = wp.int32(header[1])
+        wide = _widened(u)
+        row = find_row(table, wide[0], wp.int32(header[0]))
+        line = wp.array(ptr=_row_at(table, row), shape=(ROW,), dtype=wp.float64)
+        shares = _shares_at(table, row, width)
+        step = wide[1] * _STEPS
+        column = find_column(table, shares, wp.uint32(step), line[7], width)
+        ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
+        start = ends[column]
+        steps_of = ends[column + 1] - start
+        across = wp.float32(step - wp.float64(start)) / wp.float32(steps_of)
+        return row, column, (wide[0] - line[0]) * line[4], across, steps_of
+
+    return find_pixel
 
 
 @wp.func
@@ -147,20 +159,29 @@ def aim_at(row: wp.int32, column: wp.int32, down: wp.float64, across: wp.float32
     below = wp.clamp(down, line[6], ONE - line[6])
     v = line[2] + line[3] * below
     r = 2.0 * wp.float32(root_double(v * (ONE - v)))
-    edge = wp.min(wp.float32(header[5]) / r, 0.5)
+    edge = wp.min(wp.float32(header[3]) / r, 0.5)
     after = wp.clamp(across, edge, 1.0 - edge)
-    cs = _circle((wp.float64(column) + wp.float64(after)) * header[3])
+    cs = _circle((wp.float64(column) + wp.float64(after)) * header[2])
     d = polish(to_world(_frame_of(table), wp.vec3(r * cs[0], r * cs[1], wp.float32(ONE - TWO * v))))
     return d, below, after
 
 
-@wp.func
-def draw_direction(u: wp.vec2, table: wp.uint64) -> wp.vec4:
-    """Map a point of the unit square to (direction, density of the pixel that is drawn), by the table of a picture."""
-    row, column, down, across, steps = find_pixel(u, table)
-    d, _below, _after = aim_at(row, column, down, across, table)
-    line = wp.array(ptr=_row_at(table, row), shape=(ROW,), dtype=wp.float64)
-    return wp.vec4(d[0], d[1], d[2], wp.float32(line[5] * wp.float64(steps)))
+@once
+def pixel_drawer(steps: int) -> wp.Function:
+    """Build the wp.func that maps a point of the unit square to (direction, density of the pixel that is drawn)."""
+    find_pixel = pixel_finder(steps)
+
+    @wp.func
+    def draw_direction(u: wp.vec2, table: wp.uint64):
+        row, column, down, across, steps_of = find_pixel(u, table)
+        d, _below, _after = aim_at(row, column, down, across, table)
+        line = wp.array(ptr=_row_at(table, row), shape=(ROW,), dtype=wp.float64)
+        return wp.vec4(d[0], d[1], d[2], wp.float32(line[5] * wp.float64(steps_of)))
+
+    return draw_direction
+
+
+_draw_direction = pixel_drawer(MOST_STEPS)
 
 
 @wp.func
@@ -173,7 +194,7 @@ def square_to_environment_map(u: wp.vec2, table: wp.uint64) -> wp.vec3:
         u: point of the unit square; a hash of u gives further bits, which reach pixels with a share below 2^-24.
         table: address of the picture's table, `EnvironmentMap.table`.
     """
-    d = draw_direction(u, table)
+    d = _draw_direction(u, table)
     return wp.vec3(d[0], d[1], d[2])
 
 
@@ -230,7 +251,7 @@ def square_to_environment_map_pdf(w: wp.vec3, table: wp.uint64) -> wp.float32:
     header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
     width = wp.int32(header[1])
     pixel = _pixel_of(in_picture(w, table), table)
-    shares = _columns_at(table, pixel[0], width, wp.int32(header[2]))
+    shares = _shares_at(table, pixel[0], width)
     ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
     line = wp.array(ptr=_row_at(table, pixel[0]), shape=(ROW,), dtype=wp.float64)
     return wp.float32(line[5] * wp.float64(ends[pixel[1] + 1] - ends[pixel[1]]))
@@ -247,7 +268,7 @@ def environment_map_to_square(w: wp.vec3, table: wp.uint64) -> wp.vec2:
     o = in_picture(w, table)
     pixel = _pixel_of(o, table)
     line = wp.array(ptr=_row_at(table, pixel[0]), shape=(ROW,), dtype=wp.float64)
-    shares = _columns_at(table, pixel[0], width, wp.int32(header[2]))
+    shares = _shares_at(table, pixel[0], width)
     ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
     start = wp.float64(ends[pixel[1]])
     steps = wp.float64(ends[pixel[1] + 1] - ends[pixel[1]])

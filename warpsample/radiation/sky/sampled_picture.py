@@ -42,9 +42,7 @@ def _pixel(data: SampledPicture, column: wp.int32, row: wp.int32) -> wp.vec3:
     pixels = wp.array(ptr=data.pixels, shape=(3,), dtype=wp.uint32)  # no float32: see `pixel_table`
     across = wp.where(column < 0, data.width - 1, wp.where(column >= data.width, 0, column))
     at = 3 * (wp.clamp(row, 0, data.height - 1) * data.width + across)
-    return wp.vec3(
-        wp.cast(pixels[at], wp.float32), wp.cast(pixels[at + 1], wp.float32), wp.cast(pixels[at + 2], wp.float32)
-    )
+    return wp.vec3(wp.cast(pixels[at], wp.float32), wp.cast(pixels[at + 1], wp.float32), wp.cast(pixels[at + 2], wp.float32))
 
 
 @wp.func
