@@ -94,7 +94,7 @@ class EnvironmentMap(Distribution):
         environment_map_to_square,
         about=build_about_world(pixel_drawer(MOST_STEPS)),
     )
-    drawer: ClassVar[Any] = staticmethod(pixel_drawer)
+    _drawer: ClassVar[Any] = staticmethod(pixel_drawer)
 
     def __post_init__(self) -> None:
         """Check the picture and the vectors, and copy the picture as luminance."""
@@ -172,7 +172,7 @@ class EnvironmentMap(Distribution):
             >>> print(type(ws.EnvironmentMap(np.ones((2, 4))).about()).__name__)
             Function
         """
-        about = build_about_world(type(self).drawer(read_steps(self.table_array)))
+        about = build_about_world(type(self)._drawer(read_steps(self.table_array)))
         return about_normal_of(about) if check_flag(tangents, "tangents") else about
 
     def _build_table(self) -> np.ndarray:

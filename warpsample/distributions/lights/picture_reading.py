@@ -115,7 +115,7 @@ class PictureReading(EnvironmentMap):
     density = "bilinear in luminance / Σ luminance Ω"
     limits = ""
     maps: ClassVar[Maps] = Maps(square_to_reading, square_to_reading_pdf, about=build_about_world(_draw))
-    drawer: ClassVar[Any] = staticmethod(reading_drawer)
+    _drawer: ClassVar[Any] = staticmethod(reading_drawer)
 
     @property
     def jumps(self) -> tuple[float, ...]:
