@@ -9,6 +9,7 @@ from glb_files import glb
 from textured_scenes import SQUARE, TWO, changed, corner, opened, rich
 
 import warpsample as ws
+from warpsample.texture.occlusion_picture import read_occlusion
 
 
 def two_quads(tmp_path, uv=SQUARE):
@@ -65,6 +66,19 @@ def test_a_view_that_nothing_uses_is_checked_when_it_moves(call, tmp_path, view,
 def test_the_head_of_embedded_data_may_be_in_capitals(tmp_path):
     path = two_quads(tmp_path)
     assert ws.load_mesh(as_gltf(path, head="DATA:;BASE64,")).digest == ws.load_mesh(path).digest
+
+
+@pytest.mark.parametrize("content", [b"%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 9 9\n", b"GIF89a" + bytes(20), b""])
+def test_a_picture_of_a_format_outside_of_gltf_is_refused(tmp_path, content):
+    """PostScript is a program, which Pillow would run."""
+
+    def change(tree):
+        shown = "data:image/png;base64," + base64.b64encode(content).decode()
+        tree |= {"images": [{"uri": shown}], "textures": [{"source": 0}]}
+        tree["materials"][0]["occlusionTexture"] = {"index": 0}
+
+    with pytest.raises(ValueError, match=r"images\[0\]: got a picture that is none of PNG, JPEG, WEBP, want one of these$"):
+        read_occlusion(as_gltf(two_quads(tmp_path), change))
 
 
 @pytest.mark.parametrize("version", [1, 3])
