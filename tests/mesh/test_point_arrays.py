@@ -151,3 +151,14 @@ def test_the_file_of_the_arrays_is_not_overwritten(files):
     with pytest.raises(ValueError, match="--output: got .*arrays.npz"):
         export(replace(run, arrays=files / "arrays.npz"))
     assert np.load(files / "arrays.npz").files == ["roughness", "view"]
+
+
+def test_the_command_names_the_parameters_with_invalid_rows(files, mesh, rough):
+    view = np.tile(np.float32([0.1, 0.2, 0.9]), (len(rough), 1))
+    view[:3], rough[1:5] = -view[:3], 0.0
+    np.savez(files / "bad.npz", rough=rough, fine=np.full(len(rough), 0.3), view=view)
+    for distribution, names in (
+        ("visible_ggx(alpha=@rough, view=@view)", "5 invalid_parameter (alpha, view)"),
+        ("visible_ggx(alpha=@fine, view=@view)", "3 invalid_parameter (view)"),
+    ):
+        assert export(run_of(files, "bad.npz", distribution=distribution)).endswith(f" points, {names}")

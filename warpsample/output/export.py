@@ -94,9 +94,16 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
             status = _write_archive(file, points, lobe, run, workers)
         else:
             status = _write_cloud(file, points, lobe, run, workers, scale=CLOUD_SCALE * mesh.diagonal)
-    total = len(points) * run.samples
-    skipped = {Status(code).name.lower(): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
-    return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())
+    skipped = {Status(code): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
+    total, which = len(points) * run.samples, {Status.INVALID_PARAMETER: _name_invalid(lobe)}
+    return f"{total:,} directions at {len(points):,} points" + "".join(
+        f", {n:,} {code.name.lower()}{which.get(code, '')}" for code, n in skipped.items()
+    )
+
+
+def _name_invalid(lobe: Distribution) -> str:
+    """Return the names of the parameters with invalid rows in brackets, for example " (alpha, view)"."""
+    return f" ({', '.join(name for name, rows in lobe.by_point.items() if np.isnan(rows).any())})"
 
 
 def _array(run: DirectionsRun, name: str) -> Rows:
