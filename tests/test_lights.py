@@ -114,6 +114,16 @@ def test_a_triangle_that_almost_surrounds_the_point_stays_precise(height):
     assert lobe.pdf(w) == pytest.approx(1.0 / exact_solid_angle(*np.float32(corners)), rel=1e-7)
 
 
+@pytest.mark.parametrize("height", [1e-9, 1e-11])
+def test_directions_from_a_point_that_almost_touches_a_triangle_have_length_1(height):
+    rng = np.random.default_rng(3)
+    corners = rng.normal(size=(2000, 3, 3))
+    corners -= np.einsum("pk,pki->pi", rng.dirichlet([1.0, 1.0, 1.0], 2000), corners)[:, None]
+    corners[:, :, 2] = height
+    w = ws.SphericalTriangle(corners).sample(np.broadcast_to(U[:64], (2000, 64, 2)))
+    assert laws.length_error(w) <= 1e-7
+
+
 BAD = {
     "no area": [[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [2.0, 0.0, 1.0]],
     "too small": [[0.0, 0.0, 1.0], [1e-6, 0.0, 1.0], [0.0, 1e-6, 1.0]],

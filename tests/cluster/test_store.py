@@ -186,7 +186,8 @@ def test_a_store_is_not_written_over_or_mixed_with_another_run(path, mesh, right
     with pytest.raises(ValueError, match="^path: got .*out.zarr', which exists already"):
         bake(path, mesh)
     points = ws.sample_surface(mesh, POINTS)
-    other = ws.Mesh(mesh.vertices + 1.0, mesh.faces)
+    other, glass = ws.Mesh(mesh.vertices + 1.0, mesh.faces), ws.Mesh(mesh.vertices, mesh.faces, transmittance=0.5)
+    panes = ws.Mesh(other.vertices, mesh.faces, transmittance=0.5)
     for arguments, options, message in [
         ((mesh, POINTS, RAYS), {"seed": 1}, "seed 0, want a store of seed 1"),
         ((mesh, POINTS, 48), {}, "count 40, want a store of count 48"),
@@ -195,6 +196,8 @@ def test_a_store_is_not_written_over_or_mixed_with_another_run(path, mesh, right
         ((mesh, "faces", RAYS), {}, "place 'area', want a store of place 'faces'"),
         ((mesh, POINTS, RAYS), {"chunk": 49}, "chunk 50, want a store of chunk 49"),
         ((mesh, POINTS, RAYS), {"max_distance": 3.0}, "max_distance None, want a store of max_distance 3.0"),
+        ((glass, POINTS, RAYS), {}, "the same mesh with another transmittance or reflectance of its faces; "),
+        ((panes, POINTS, RAYS), {}, f"mesh '{mesh.digest}', want a store of mesh '{panes.digest}'"),
         ((other, POINTS, RAYS), {}, f"mesh '{mesh.digest}', want a store of mesh '{other.digest}'"),
     ]:
         with pytest.raises(ValueError, match=f"^path: got .*out.zarr' of {message}"):

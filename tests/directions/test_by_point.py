@@ -140,6 +140,13 @@ def test_points_with_ids_and_device_arrays_keep_their_rows(normals, alpha):
     assert np.array_equal(on_device.vectors.numpy(), ws.sample_directions(normals, 5, distribution=lobe).vectors)
 
 
+@pytest.mark.parametrize("rows", [3, None, [[0, 1], [2, 3]]])
+def test_rows_that_would_change_the_shape_of_a_parameter_are_refused(rows):
+    lobe = ws.VisibleGGX(np.full(5, 0.3), view=np.ones((5, 3)))
+    with pytest.raises(IndexError, match=r"^rows: got .*, want a slice, \(N,\) integers or a \(P,\) bool mask"):
+        lobe.take(rows)
+
+
 @pytest.mark.parametrize("count", COUNTS)
 def test_bad_rows_get_zeros_a_status_and_nothing_else_changes(count, normals, alpha, view):
     good = ws.sample_directions(normals, count, distribution=ws.VisibleGGX(alpha, view=view), pdf=True)

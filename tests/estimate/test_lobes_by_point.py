@@ -25,6 +25,11 @@ def inverse_density(w: wp.vec3, lobe: funcs.Lobe) -> float:
     return 1.0 / lobe.pdf
 
 
+@wp.func
+def not_finite_at_row_0(w: wp.vec3, lobe: funcs.Lobe) -> float:
+    return 1.0 / float(lobe.row)
+
+
 @pytest.fixture(scope="module")
 def mesh():
     return ws.load_mesh("courtyard")
@@ -123,3 +128,9 @@ def test_a_tolerance_is_reached_with_lobes_by_point(points, alpha):
     found = ws.integrate(points, slanted, 4096, distribution=ws.GGX(alpha), tolerance=1e-3)
     assert np.sqrt((found.standard_error.astype(np.float64) ** 2).mean()) < 1.2e-3
     assert found.rays.mean() < 4096
+
+
+def test_a_point_without_a_finite_value_beside_points_without_a_tangent_stops_no_call(points):
+    found = ws.integrate(points.with_tangents(np.zeros(3)), not_finite_at_row_0, 8)
+    assert found.counts() == {ws.PointStatus.NONFINITE_VALUE: 1, ws.PointStatus.INVALID_TANGENT: P - 1}
+    assert (found.value[1:] > 0.0).all()

@@ -29,6 +29,7 @@ def test_results_print_a_few_lines(courtyard):
     hits = ws.trace(mesh, points, directions.vectors)
     results = [mesh, points, directions, hits, ws.sky_matrix(mesh, points, 64), ws.view_factors(mesh, 16)]
     results += [ws.load_city("courtyard"), ws.sky_patches("tregenza"), ws.trace_all(mesh, points, directions.vectors)]
+    results.append(ws.texture_points(mesh, np.tile(np.eye(3)[:, :2], (len(mesh.faces), 1, 1)), 4))
     for result in results:
         lines = repr(result).splitlines()
         assert 2 <= len(lines) <= 20, type(result)

@@ -1,5 +1,7 @@
 """Parameters by point from arrays of files and datasets, by their names."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -52,7 +54,7 @@ def test_the_command_reads_a_parameter_of_each_vertex(arrays, files, mesh, rough
 
 def test_vectors_have_three_properties_or_columns(files, mesh):
     for name in ("mesh.ply", "arrays.npz"):
-        assert np.allclose(read_array(files / name, "view", "--arrays"), [0.1, 0.2, 0.9])
+        assert np.allclose(read_array(files / name, "view", "--arrays").array, [0.1, 0.2, 0.9])
     export(run_of(files, None, distribution="visible_ggx(alpha=@roughness, view=@view)"))
     assert np.load(files / "out.npz")["vectors"].any(axis=(1, 2)).all()
 
@@ -102,3 +104,61 @@ def test_the_accessor_takes_point_arrays_by_name(mesh, rough):
     assert surface.warpsample.sample_directions(4, points=50, distribution="ggx(alpha=@roughness)").n_points == 200
     with pytest.raises(ValueError, match="got the array name @gloss, want an array of the dataset"):
         surface.warpsample.sample_directions(4, distribution="ggx(alpha=@gloss)")
+
+
+def open_cylinder(corners=6):
+    """A cylinder without ends: as many triangles as vertices. Each face has a roughness of its own."""
+    turn = 2.0 * np.pi * np.arange(corners) / corners
+    ring = np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    vertices = np.concatenate([np.column_stack([ring, np.full(corners, z)]) for z in (0.0, 1.0)])
+    a, b = np.arange(corners), (np.arange(corners) + 1) % corners
+    faces = np.concatenate([np.stack([a, b, b + corners], axis=1), np.stack([a, b + corners, a + corners], axis=1)])
+    return ws.as_mesh((vertices, faces)), np.linspace(0.05, 0.95, 2 * corners).astype(np.float32)
+
+
+def test_an_array_of_cells_stays_at_faces_if_there_are_as_many_vertices(tmp_path):
+    mesh, rough = open_cylinder()
+    surface = mesh.to_polydata()
+    surface.cell_data["roughness"] = rough
+    surface.save(tmp_path / "mesh.vtp")
+    with (tmp_path / "mesh.ply").open("wb") as file:
+        write_ply(file, {"vertex": {"x y z": mesh.vertices}, "face": {"vertex_indices": mesh.faces, "roughness": rough}})
+    points = ws.sample_surface(mesh, 50, seed=1)
+    lobe = ws.GGX(rough[points.face])
+    found = ws.sample_directions(points, 4, distribution=lobe, seed=1).vectors
+    cloud = surface.warpsample.sample_directions(4, points=50, seed=1, distribution="ggx(alpha=@roughness)")
+    assert np.array_equal(cloud["Normals"], found.reshape(-1, 3))
+    for name in ("mesh.vtp", "mesh.ply"):
+        array, at = read_array(tmp_path / name, "roughness", "--arrays")
+        assert np.array_equal(carry_to_points(array, "roughness", mesh, points, at), rough[points.face])
+        with pytest.raises(ValueError, match="got @roughness with shape .* at faces, want points inside faces"):
+            carry_to_points(array, "roughness", mesh, ws.vertex_points(mesh), at)
+        with pytest.raises(ValueError, match="at faces, want 12 rows, one for each triangle"):
+            carry_to_points(array[:6], "roughness", mesh, points, at)
+
+
+def test_other_arrays_of_a_file_are_not_read_and_a_number_alone_is_refused(files, mesh, rough):
+    np.savez(files / "mixed.npz", roughness=rough, notes=np.array([None, {}], object), alone=np.float32(0.3))
+    assert np.array_equal(read_array(files / "mixed.npz", "roughness", "--arrays").array, rough)
+    with pytest.raises(ValueError, match="got the array name @nothing, want an array of mixed.npz: 'alone, notes, rough"):
+        read_array(files / "mixed.npz", "nothing", "--arrays")
+    with pytest.raises(ValueError, match=r"got @alone with shape \(\), want rows for 1,089"):
+        export(run_of(files, "mixed.npz", distribution="ggx(alpha=@alone)"))
+
+
+def test_the_file_of_the_arrays_is_not_overwritten(files):
+    run = DirectionsRun(files / "mesh.ply", files / "arrays.npz", 5, 4, "ggx(alpha=@roughness)", "sobol", 0, None)
+    with pytest.raises(ValueError, match="--output: got .*arrays.npz"):
+        export(replace(run, arrays=files / "arrays.npz"))
+    assert np.load(files / "arrays.npz").files == ["roughness", "view"]
+
+
+def test_the_command_names_the_parameters_with_invalid_rows(files, mesh, rough):
+    view = np.tile(np.float32([0.1, 0.2, 0.9]), (len(rough), 1))
+    view[:3], rough[1:5] = -view[:3], 0.0
+    np.savez(files / "bad.npz", rough=rough, fine=np.full(len(rough), 0.3), view=view)
+    for distribution, names in (
+        ("visible_ggx(alpha=@rough, view=@view)", "5 invalid_parameter (alpha, view)"),
+        ("visible_ggx(alpha=@fine, view=@view)", "3 invalid_parameter (view)"),
+    ):
+        assert export(run_of(files, "bad.npz", distribution=distribution)).endswith(f" points, {names}")

@@ -46,6 +46,7 @@ def test_all_ways_to_tell_a_transmittance(tmp_path):
             "leaf=0.2,tree=0.5",
             "--transmittance: got 'tree=0.5', want NAME=NUMBER with the name of a part, one of crown/leaf, crown/stem, pane",
         ),
+        ("leaf=0.2,pane=0.1,leaf=0.5", "--transmittance: got 'leaf=0.5' as a second number for 'leaf', want one number"),
         ("leaf=thin", "--transmittance: got 'leaf=thin', want a number"),
         ("none.npy", "--transmittance: got 'none.npy', which is missing"),
     ],

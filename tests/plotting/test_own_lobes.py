@@ -122,6 +122,19 @@ def test_views_point_to_the_camera_and_points_behind_have_no_directions(points, 
     assert own_lobes.lobes_at(Choice(ws.GGX(0.3)), bunny, points, EYE).distribution == ws.GGX(0.3)
 
 
+def test_lobes_of_a_mixture_have_the_rows_and_views_of_points(points, bunny):
+    rough = np.linspace(0.1, 0.9, len(bunny.vertices))
+    mixed = ws.Mixture([ws.CosineHemisphere(), ws.Reflection(ws.VisibleGGX(rough), (0, 0, 1))], [0.5, 0.5])
+    at = own_lobes.lobes_at(Choice(mixed), bunny, points, EYE).distribution.lobes[1]
+    lone = own_lobes.lobes_at(Choice(ws.VisibleGGX(rough)), bunny, points, EYE).distribution
+    assert at.lobe == lone
+    assert np.array_equal(at.view, lone.view, equal_nan=True)
+    kept = own_lobes.lobes_at(Choice(mixed, camera=False), bunny, points, EYE).distribution.lobes[1]
+    assert (kept.view, len(kept.lobe.alpha)) == ((0.0, 0.0, 1.0), len(points))
+    constant = own_lobes.constant_lobes(ws.Mixture([ws.GGX(np.array([0.25, 0.5]))], [1.0]))
+    assert constant == [ws.Mixture([ws.GGX(alpha)], [1.0]) for alpha in (0.25, 0.5)]
+
+
 def test_each_lobe_has_its_own_scale(facing):
     """A smooth point has a peak that is a hundred times as high, and a cloud of the same length."""
     choice = Choice(ws.GGX(ROUGH), samples=500)

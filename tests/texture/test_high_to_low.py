@@ -5,7 +5,7 @@ import pytest
 import trimesh
 from glb_files import glb
 from lookups import floor_by_a_wall
-from textured_scenes import SQUARE, TWO, opened, picture
+from textured_scenes import SQUARE, TWO, corner, opened, picture
 
 import warpsample as ws
 from warpsample.texture.high import HighMesh
@@ -94,6 +94,40 @@ def test_a_mesh_upon_itself_is_as_it_is(call, tmp_path):
     made, data, _ = opened(tmp_path / "out.glb")
     read = np.round(255 * picture(made, data, made["materials"][0]["normalTexture"]["index"]))
     assert np.abs(read - (128, 128, 255)).max() <= 1
+
+
+def test_light_passes_through_the_finer_mesh(call, tmp_path):
+    """The floor beside a wall, onto itself: a wall that transmits half of the light hides half as much."""
+    path = tmp_path / "in.glb"
+    path.write_bytes(floor_and_wall())
+    means = []
+    for options in ((), ("--transmittance", 0.5), ("--transmittance", "wall=1")):
+        output = tmp_path / "out.npz"
+        command = ("bake", path, "-o", output, "--texture", SIZE, "--uv", 0, "--samples", 64, *options)
+        assert call(*command, "--high", path, "--cage", 0.1)[0] == 0
+        with np.load(output) as found:
+            means.append(1 - found["value"].mean())
+    assert means[0] > 0.1
+    assert means[1] == pytest.approx(means[0] / 2, rel=1e-4)  # the same rays
+    assert means[2] == 0.0
+
+
+def floor_and_wall():
+    """A floor with texture coordinates, and a wall called "wall" that is outside of the image."""
+    floor, wall = corner()
+    outside = np.full((4, 2), 5, np.float32)
+    parts = [{"primitives": [{"attributes": {"POSITION": i, "TEXCOORD_0": i + 2}, "indices": 4}]} for i in (0, 1)]
+    nodes = [{"mesh": 0, "name": "floor"}, {"mesh": 1, "name": "wall"}]
+    return glb({"meshes": parts, "nodes": nodes}, [floor, wall, SQUARE, outside, TWO])
+
+
+def test_a_finer_mesh_elsewhere_is_refused(call, tmp_path, ball):
+    """No texel has a value: an occlusion of 0 everywhere would be no result."""
+    low = quad(tmp_path / "low.glb", height=9.0)
+    status, _, err = call("bake", low, "-o", tmp_path / "out.glb", "--texture", 8, "--high", ball, "--cage", 1)
+    want = "want a larger distance, or a finer mesh in the same place"
+    assert (status, err) == (2, f"error: --cage: got 1, within which no texel finds a face of {str(ball)!r}, {want}\n")
+    assert not (tmp_path / "out.glb").exists()
 
 
 def test_back_faces_are_passed():

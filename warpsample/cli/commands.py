@@ -166,7 +166,12 @@ def view(
     chosen = any(each is not None for each in (points, distribution, density))
     path = mesh or start.bunny()
     choice = start.choice(
-        distribution, density, sequence, samples, seed, arrays=lambda name: read_array(arrays or path, name, "--arrays")
+        distribution,
+        density,
+        sequence,
+        samples,
+        seed,
+        arrays=lambda name: read_array(arrays or path, name, "--arrays").array,
     )
     rendering.check_size(size, start.LEAST_SIZE)
     with working("testing whether pictures can be drawn on this machine"):

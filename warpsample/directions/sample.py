@@ -35,8 +35,9 @@ _STREAM_HINT = "compute them in parts: pass slices of the normals with first_poi
 class Status(IntEnum):
     """Status of a point: OK, or the reason for which the point has no directions.
 
-    INVALID_PARAMETER is the status of a point whose row of a parameter is out of range or NaN. A point with the status
-    INVALID_TANGENT has directions, in the frame that it would have without a tangent.
+    INVALID_PARAMETER is the status of a point whose row of a parameter is out of range or NaN: the row is NaN in
+    `distribution.by_point`, a dictionary by the name of the parameter. A point with the status INVALID_TANGENT has
+    directions, in the frame that it would have without a tangent.
     """
 
     OK = samples.OK

@@ -11,7 +11,7 @@ from warpsample.distributions.record import Distribution
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, RaySum, plan_of, reach_of
-from warpsample.estimate.result import Estimate, PointStatus, has_status
+from warpsample.estimate.result import Estimate, PointStatus, has_status, has_value
 from warpsample.estimate.source.definitions import naming_function
 from warpsample.host.arguments import quote
 from warpsample.host.options import RayKeywords, with_options
@@ -121,5 +121,5 @@ def _first_of(plan: Plan) -> Plan:
 def _check_finite(found: Estimate) -> None:
     """Raise ValueError if the estimate is NaN or infinite at every point with a valid normal."""
     broken = np.count_nonzero(has_status(found.status, PointStatus.NONFINITE_VALUE))
-    if broken and not has_status(found.status, PointStatus.OK).any():
+    if broken and not has_value(found.status).any():
         raise ValueError(f"integrand: got NaN or infinity at each of the first {broken} points, want finite numbers")

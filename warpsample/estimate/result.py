@@ -217,7 +217,7 @@ class Estimate(PointResult):
     """Estimated values at P points, with standard errors and confidence intervals.
 
     Attributes:
-        value: (P,) or (P, 3) float32; 0 where the status is not 0.
+        value: (P,) or (P, 3) float32; 0 where the status is neither OK nor INVALID_TANGENT.
         standard_error: float32, of the shape and unit of `value`; 0 where all rays agree. The square is an unbiased estimate
             of the variance, from two independent randomisations of the rays of each stratum. Strata are few: use `interval`
             for the range of the true value at a point.
@@ -225,7 +225,8 @@ class Estimate(PointResult):
             without a value and where all rays have weight 0.
         degrees_of_freedom: Degrees of freedom of that t distribution, float32, of the shape of `value`: at least 1, or 0 at
             points without a value.
-        rays: Number of rays cast per point, (P,) int32, including the rays of a trial for `tolerance`.
+        rays: Number of rays cast per point, (P,) int32. With `tolerance` the number includes the rays of the trial, and may
+            exceed `count`.
         status: `PointStatus` of each point, (P,) uint8.
         skipped: Amount of skipped work.
     """

@@ -116,7 +116,8 @@ def _describe_skips(found: Any) -> Iterator[str]:
         }
         yield from _describe("rays skipped: ", counts)
     if skipped is not None and skipped.open_points:
-        yield f"{skipped.open_points:,} {'point' if skipped.open_points == 1 else 'points'} needed no rays"
+        points, whose = ("point", "its") if skipped.open_points == 1 else ("points", "their")
+        yield f"{skipped.open_points:,} {points} cast no rays, because {whose} open directions are known"
     bad = {PointStatus(code).name.lower(): int(n) for code, n in enumerate(np.bincount(found.status)) if code}
     yield from _describe("points without a value: ", bad)
 

@@ -125,12 +125,14 @@ OPTIONS: dict[str, Option] = {
         "First and last day of the period, such as 06-01 08-31, or with hours, 03-21T09 03-21T15. Default: the whole year",
     ),
     "environment": _of_quantities(
-        Path, LIGHT, "Image of the light from all directions, in equirectangular projection: .hdr or .npy"
+        Path,
+        LIGHT,
+        "Picture of the light from all directions, in equirectangular projection: .hdr or .npy. Row 0 is about --up",
     ),
     "sampling": _of_quantities(
         Literal["cosine", "picture", "both"],
         LIGHT,
-        "Directions of the rays: of the cosine lobe, by the luminance of the image, or of both. Default: both",
+        "Directions of the rays: of the cosine lobe, by the luminance of the picture, or of both. Default: both",
     ),
     "patches": _of_quantities(
         str, LIGHT, "Division of the sky into patches: tregenza (145), reinhart2 (577) or reinhart4 (2,305)"

@@ -20,7 +20,7 @@ from warpsample.host.files import check_output, complete_or_absent, new_archive,
 from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.linked_files import list_linked_files
-from warpsample.mesh.points.arrays import carry_to_points, read_array
+from warpsample.mesh.points.arrays import Rows, carry_to_points, read_array
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.output.places import check_places, points_on
@@ -83,18 +83,30 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
         ways = run.points * run.samples
         check_space(run.output, ways * _BYTES_IN_FILE, f"{ways:,} directions")
     points = points_on(mesh, run.points, run.at, run.seed)
-    lobe = as_spatial(run.distribution, lambda name: carry_to_points(_array(run, name), name, mesh, points))
+
+    def carry(name: str) -> np.ndarray:
+        array, at = _array(run, name)
+        return carry_to_points(array, name, mesh, points, at)
+
+    lobe = as_spatial(run.distribution, carry)
     with complete_or_absent(run.output) as file:
         if run.output.suffix == ".npz":
             status = _write_archive(file, points, lobe, run, workers)
         else:
             status = _write_cloud(file, points, lobe, run, workers, scale=CLOUD_SCALE * mesh.diagonal)
-    total = len(points) * run.samples
-    skipped = {Status(code).name.lower(): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
-    return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())
+    skipped = {Status(code): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
+    total, which = len(points) * run.samples, {Status.INVALID_PARAMETER: _name_invalid(lobe)}
+    return f"{total:,} directions at {len(points):,} points" + "".join(
+        f", {n:,} {code.name.lower()}{which.get(code, '')}" for code, n in skipped.items()
+    )
 
 
-def _array(run: DirectionsRun, name: str) -> np.ndarray:
+def _name_invalid(lobe: Distribution) -> str:
+    """Return the names of the parameters with invalid rows in brackets, for example " (alpha, view)"."""
+    return f" ({', '.join(name for name, rows in lobe.by_point.items() if np.isnan(rows).any())})"
+
+
+def _array(run: DirectionsRun, name: str) -> Rows:
     """Read the array of distribution parameters that the command names, for example "@roughness"."""
     return read_array(run.mesh if run.arrays is None else run.arrays, name, "--arrays")
 
@@ -144,11 +156,11 @@ def _write_cloud(
 def _check(run: DirectionsRun) -> None:
     if run.output.suffix not in SUFFIXES:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
-    check_output(run.output, "--output", run.mesh, *list_linked_files(run.mesh))
+    check_output(run.output, "--output", run.mesh, run.arrays, *list_linked_files(run.mesh))
     check_places(run.points, run.at)
     check_integer(run.samples, "--samples", 1, 2**31 - 1)
     check_seed(run.seed)
-    as_spatial(run.distribution, lambda name: _array(run, name)[:1])
+    as_spatial(run.distribution, lambda name: np.atleast_1d(_array(run, name).array)[:1])
     get_sequence(run.sequence)
 
 

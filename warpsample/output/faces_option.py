@@ -43,8 +43,12 @@ def _by_parts(mesh: Mesh, text: str, option: str) -> np.ndarray:
     if mesh.part is None:
         raise ValueError(f"{option}: got {text!r} for a mesh without named parts, want a number or NAME.npy")
     shares = np.zeros(len(mesh.parts) + 1)  # the last is of faces of no part
+    seen = set[str]()
     for pair in text.split(","):
         name, _, share = pair.rpartition("=")
+        if name in seen:
+            raise ValueError(f"{option}: got {pair!r} as a second number for {name!r}, want one number for each name")
+        seen.add(name)
         named = [i for i, part in enumerate(mesh.parts) if name in (part, *part.split("/"))]
         if not name or not named:
             known = ", ".join(sorted(set(mesh.parts)))

@@ -15,6 +15,7 @@ from warpsample.mesh.files.uv import LAST_SET
 from warpsample.texture.pictures import import_library
 
 _SIDE = 8192  # largest side of the joined picture, in texels: graphics cards accept this size
+_FORMATS = ("PNG", "JPEG", "WEBP")  # of glTF; Pillow would run another program for some other formats
 _TRANSFORM = "KHR_texture_transform"
 
 
@@ -75,8 +76,13 @@ def _read_occlusion_info(tree: Part, primitive: Part) -> tuple[int, int, float] 
 
 def _read_grey_levels(tree: Part, data: Data, path: Path, image: int, strength: float) -> np.ndarray:
     """Return the (H, W) float64 occlusion that viewers show for a picture: 1 + strength * (red - 1)."""
-    content = data.picture(tree.parts("images")[image], path)
-    with import_library("PIL.Image", "pictures need Pillow").open(BytesIO(content)) as opened_picture:
+    part = tree.parts("images")[image]
+    pillow = import_library("PIL.Image", "pictures need Pillow")
+    try:
+        opened_picture = pillow.open(BytesIO(data.picture(part, path)), formats=_FORMATS)
+    except pillow.UnidentifiedImageError:
+        raise ValueError(f"{part.path}: got a picture that is none of {', '.join(_FORMATS)}, want one of these") from None
+    with opened_picture:
         pixels = np.array(opened_picture if opened_picture.mode.startswith("I;16") else opened_picture.convert("RGB"))
     red = (pixels if pixels.ndim == 2 else pixels[..., 0]) / np.iinfo(pixels.dtype).max
     return 1.0 + strength * (red - 1.0)

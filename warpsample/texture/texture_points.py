@@ -124,7 +124,7 @@ class TexturePoints(Summary):
             >>> print(t.image(t.points.position[:, 0])[3])
             [0.125 0.375 0.625 0.875]
         """
-        values = self._rows(values, "values")
+        values = self._check_rows(values, "values")
         flat = values.reshape(len(self), *values.shape[1:] or (1,))
         return self._image(self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0], values, gutter)
 
@@ -149,12 +149,12 @@ class TexturePoints(Summary):
             >>> print(t.image_error(ws.ambient_occlusion(triangle, t.points, 16)).max())
             0.0
         """
-        own = self._rows(getattr(errors, "standard_error", errors), "errors")
+        own = self._check_rows(getattr(errors, "standard_error", errors), "errors")
         flat = own.reshape(len(self), *own.shape[1:] or (1,))
         if self.samples == 1:
             made = self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0]
         elif hasattr(errors, "value"):
-            values = self._rows(errors.value, "errors").reshape(flat.shape)
+            values = self._check_rows(errors.value, "errors").reshape(flat.shape)
             made = self._texel_rows.errors(values, flat, self.size[0])
         else:
             raise TypeError(
@@ -167,7 +167,7 @@ class TexturePoints(Summary):
     def _texel_rows(self) -> TexelRows:
         return TexelRows(self.id, self.samples, self.size[0] * self.size[1])
 
-    def _rows(self, values: Any, argument: str) -> np.ndarray:
+    def _check_rows(self, values: Any, argument: str) -> np.ndarray:
         wants = f"({len(self)},) or ({len(self)}, C) real numbers, one row for each point"
         rows = as_real(values, argument, wants)
         if rows.ndim not in (1, 2) or len(rows) != len(self) or 0 in rows.shape[1:]:

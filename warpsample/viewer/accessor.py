@@ -91,7 +91,7 @@ class WarpsampleAccessor:
             raise ValueError(
                 f"distribution: got the array name @{name}, want an array of the dataset: {quote(', '.join(sorted(arrays)))}"
             )
-        return carry_to_points(arrays[name], name, self.mesh, points)
+        return carry_to_points(arrays[name].array, name, self.mesh, points, arrays[name].at)
 
     def _points(self, at: At) -> SurfacePoints:
         """Return the vertices or the face centres of the mesh as surface points."""

@@ -17,9 +17,8 @@ VIEW = "view"
 
 
 def has_view(distribution: Distribution) -> bool:
-    """Return whether a distribution, or a lobe in a field of it, depends on the direction to the viewer."""
-    values = {item.name: getattr(distribution, item.name) for item in fields(distribution)}
-    return VIEW in values or any(has_view(value) for value in values.values() if isinstance(value, Distribution))
+    """Return whether a distribution, or a lobe in it, depends on the direction to the viewer."""
+    return hasattr(distribution, VIEW) or any(has_view(lobe) for lobe in distribution.nested.values())
 
 
 def follows_camera(choice: Choice) -> bool:
@@ -85,10 +84,15 @@ def _row(value: Any, row: int) -> Any:
 
 def _change_fields(distribution: Distribution, change: Callable[[str, Any], Any]) -> Distribution:
     """Return a distribution with `change(name, value)` in place of each field, also in lobes of lobes."""
-    values = {item.name: getattr(distribution, item.name) for item in fields(distribution)}
-    if not any(isinstance(v, np.ndarray | Distribution) or name == VIEW for name, v in values.items()):
+    if not distribution.by_point and not has_view(distribution):
         return distribution
-    return replace(
-        distribution,
-        **{n: _change_fields(v, change) if isinstance(v, Distribution) else change(n, v) for n, v in values.items()},
-    )
+
+    def change_field(name: str, value: Any) -> Any:
+        if isinstance(value, Distribution):
+            return _change_fields(value, change)
+        if isinstance(value, tuple) and any(isinstance(item, Distribution) for item in value):  # a mixture
+            return tuple(_change_fields(lobe, change) for lobe in value)
+        return change(name, value)
+
+    values = {item.name: getattr(distribution, item.name) for item in fields(distribution)}
+    return replace(distribution, **{name: change_field(name, value) for name, value in values.items()})

@@ -68,11 +68,11 @@ class FarField:
             model: Surface model. With "block" heights are those of cells, else the extremes of cells and their neighbours.
             canopy: Crowns to include in the upper columns, or None.
         """
-        size, beyond = 1 << (max(1, margin // _FINENESS).bit_length() - 1), None
+        size, grow, beyond = 1 << (max(1, margin // _FINENESS).bit_length() - 1), int(model != "block"), None
         if other is not None:
             heights = other.read(slice(None), slice(None))
-            beyond = Bounds(heights, heights, ~reader.transform @ other.transform)
-        return cls(_pool_raster(reader, canopy, size, int(model != "block")), beyond, size, reader.outline)
+            beyond = Bounds(*_bounds_of_surface(heights, heights, grow), ~reader.transform @ other.transform)
+        return cls(_pool_raster(reader, canopy, size, grow), beyond, size, reader.outline)
 
     def columns(self, tile: tuple[slice, slice], near: tuple[slice, slice], lowest: float) -> list[Columns]:
         """Return two functions that build a tile's distant terrain as triangles: with too high and with too low columns.
@@ -218,8 +218,7 @@ def _pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, grow: i
         heights = reader.read(*band)
         grid = replace(reader.outline, height=heights)
         tops = heights if canopy is None else np.fmax(heights, canopy.crowns(grid, *band).top)
-        highest, lowest = _widen_extremes(tops, grow, np.fmax), _widen_extremes(heights, grow, np.fmin)
-        lowest = np.where(np.isnan(heights), np.nan, lowest)
+        highest, lowest = _bounds_of_surface(tops, heights, grow)
         kept = slice(first - begin, min(first + step, rows) - begin)
         for made, heights, pick in ((uppers, highest, np.fmax), (lowers, lowest, np.minimum)):
             part = heights[kept]
@@ -228,6 +227,15 @@ def _pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, grow: i
             part = pick.reduce(part.reshape(len(part) // size, size, -1), axis=1)
             made.append(pick.reduce(part.reshape(len(part), -1, size), axis=2))
     return Bounds(np.concatenate(uppers), np.concatenate(lowers), Affine.scale(size))
+
+
+def _bounds_of_surface(tops: np.ndarray, heights: np.ndarray, grow: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the highest and lowest height of the surface in each cell, from the heights of cells with and without crowns.
+
+    For `grow` = 1 the surface of a cell also depends on its eight neighbours. The lowest one is NaN without data.
+    """
+    lowest = np.where(np.isnan(heights), np.nan, _widen_extremes(heights, grow, np.fmin))
+    return _widen_extremes(tops, grow, np.fmax), lowest
 
 
 def _widen_extremes(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarray:

@@ -7,7 +7,6 @@ correlated. The sum of the weighted errors, (1 - share) of B's and share of A's,
 
 from collections.abc import Callable
 from dataclasses import fields, replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -22,7 +21,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.sky.patches import sky_patches
 from warpsample.radiation.sun.direct_sun import direct_sun
-from warpsample.radiation.weather.irradiation import Irradiation, compute_irradiation, irradiation, received
+from warpsample.radiation.weather.irradiation import Irradiation, irradiation, received
 from warpsample.radiation.weather.light import Light, light_of, sun_directions
 from warpsample.radiation.weather.weather import read_weather
 from warpsample.tracing.options import RayOptions
@@ -30,12 +29,6 @@ from warpsample.tracing.placed_points import PlacedPoints
 
 TRANSMITTANCE = 0.03
 """Default transmittance of crowns with leaves, as in SOLWEIG."""
-
-_UNSEEN = 0.17
-"""Least standard error of a sky patch that rays decide, in rays, for edges that pass between rays that agree.
-
-In two towns, a terrain and a yard, the mean square error of patches whose rays agree was 0.005 to 0.1 rays squared.
-"""
 
 _MONTHS, _DAYS = 12, 365
 _WANTS = "a fraction from 0 to 1, or 12 fractions for the months, or 365 for the days"
@@ -98,7 +91,7 @@ def compute_through_crowns(
     The hours are separate if the transmittance depends on the date.
     """
     if len(transmittance) == 1 or scenery.with_crowns is None:
-        return estimate_through_crowns(scenery, transmittance[:1], partial(_call, quantity, points, options))
+        return estimate_through_crowns(scenery, transmittance[:1], lambda mesh: quantity.call(mesh, points, **options))
     given = quantity.parameters | options
     if quantity.call is irradiation:
         names = ("weather", "period", "ground_albedo", "patches", "up", "north")
@@ -113,13 +106,6 @@ def compute_through_crowns(
     shares = shares_of_hours(transmittance, weather.hours)
     hours = count_suns_through(scenery, points, sun_directions(weather, frame), shares, workers=given["workers"])
     return replace(_scale_estimate(without_crowns, np.ones(())), value=hours.astype(np.float32))
-
-
-def _call(quantity: Quantity, points: SurfacePoints, options: dict[str, Any], mesh: Mesh) -> Any:
-    """Compute a quantity at points of a surface; no standard error of an irradiation is 0 where rays decide."""
-    if quantity.call is irradiation:
-        return compute_irradiation(mesh, points, **quantity.parameters | options, unseen=_UNSEEN)
-    return quantity.call(mesh, points, **options)
 
 
 def check_dates(quantity: Quantity, transmittance: np.ndarray) -> None:
@@ -147,7 +133,7 @@ def compute_irradiation_through(
 
     def compute(mesh: Mesh, shares: np.ndarray) -> Irradiation:
         plan = Plan.of(PlacedPoints.of(mesh, points), count, options)
-        return received(plan, dim_light(light, shares), series=False, unseen=_UNSEEN)
+        return received(plan, dim_light(light, shares), series=False)
 
     parts = [compute(made(), shares) for made, shares in _list_views(scenery, shares_of_hours(transmittance, light.hours))]
     return _add_results(Irradiation, parts)

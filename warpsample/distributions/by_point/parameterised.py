@@ -16,7 +16,7 @@ from warpsample.distributions.by_point.tables import (
     without_tables,
 )
 from warpsample.distributions.parameters import SIZES, pack_parameters, parameter_types
-from warpsample.host.arguments import check_number
+from warpsample.host.arguments import check_number, quote
 from warpsample.host.device_memory import Loan
 from warpsample.host.shared_values import digest_of
 
@@ -120,14 +120,17 @@ class Parameterised:
             an instance of the same class; this instance if all parameters are constants.
 
         Raises:
-            IndexError: a row that the parameters do not have, or a mask of another length.
+            IndexError: a row that the parameters do not have, a mask of another length, or a number alone.
 
         Example:
             >>> lobe = ws.GGX(alpha=np.linspace(0.1, 0.5, 5))
             >>> print(lobe.take(slice(1, 3)).alpha.round(2))
             [0.2 0.3]
         """
-        return self.with_tables({name: table[rows] for name, table in self.by_point.items()})
+        tables = {name: table[rows] for name, table in self.by_point.items()}
+        if any(table.ndim != self.by_point[name].ndim for name, table in tables.items()):
+            raise IndexError(f"rows: got {quote(rows)}, want a slice, (N,) integers or a (P,) bool mask")
+        return self.with_tables(tables)
 
     def with_tables(self, tables: dict[str, np.ndarray]) -> Self:
         """Return a copy with other arrays for the parameters that have a row per point; the arrays are not checked."""

@@ -56,7 +56,7 @@ def square_to_spherical_triangle(u: wp.vec2, corners: wp.mat33) -> wp.vec3:
     near, far = k - b, k + b
     versine, coversine = HALF * wp.dot(near, near), HALF * wp.dot(far, far)
     # The component of k perpendicular to corner 1, without cancellation where k is near the corner or opposite to it.
-    side = wp.where(versine < ONE, near + versine * b, far - coversine * b)
+    side = wp.where(versine < ONE, near - wp.dot(near, b) * b, far - wp.dot(far, b) * b)
     x = wp.float64(u[1])
     w = (ONE - x * versine) * b + root_double(x * (TWO - x * versine) / coversine) * side
     return wp.vec3(wp.float32(w[0]), wp.float32(w[1]), wp.float32(w[2]))

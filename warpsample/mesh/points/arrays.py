@@ -1,7 +1,8 @@
 """Arrays for distribution parameters: read from files by name, and interpolated from vertices or faces to points."""
 
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -14,7 +15,14 @@ from warpsample.mesh.surface import SurfacePoints
 SUFFIXES = (".ply", ".vtp", ".npz")
 
 
-def read_array(path: Any, name: str, argument: str) -> np.ndarray:
+class Rows(NamedTuple):
+    """Array with a row for each vertex, face or point, and the place of the rows: None if the file does not state it."""
+
+    array: np.ndarray
+    at: Literal["vertices", "faces"] | None = None
+
+
+def read_array(path: Any, name: str, argument: str) -> Rows:
     """Read the array with a given name from a .ply, .vtp or .npz file.
 
     In a .ply, the array is a property of the vertices, or else of the faces. A vector has three properties, such as view_x,
@@ -36,63 +44,69 @@ def read_array(path: Any, name: str, argument: str) -> np.ndarray:
             f"{argument}: got {path.name!r}, want a file with arrays, which ends in one of {' '.join(SUFFIXES)}"
         )
     with naming_file(argument, path, "arrays"):
-        arrays = {".ply": _ply, ".vtp": _vtp, ".npz": _npz}[path.suffix.lower()](path)
-    if name not in arrays:
+        names, found = {".ply": _ply, ".vtp": _vtp, ".npz": _npz}[path.suffix.lower()](path, name)
+    if found is None:
         raise ValueError(
-            f"distribution: got the array name @{name}, want an array of {path.name}: {quote(', '.join(sorted(arrays)))}"
+            f"distribution: got the array name @{name}, want an array of {path.name}: {quote(', '.join(sorted(names)))}"
         )
-    return arrays[name]
+    return found
 
 
-def _ply(path: Path) -> dict[str, np.ndarray]:
-    """Read the arrays of numbers at vertices and faces in a .ply file, keyed by name."""
+def _ply(path: Path, name: str) -> tuple[Iterable[str], Rows | None]:
+    """Return the names of the numbers at vertices and faces in a .ply file, and those of one name or None."""
     found = read_elements(path)
-    columns = {**_numbers(found.get("face", {})), **_numbers(found.get("vertex", {}))}
+    arrays = _columns(found.get("face", {}), "faces") | _columns(found.get("vertex", {}), "vertices")
+    return arrays, arrays.get(name)
+
+
+def _columns(element: dict[str, Any], at: Literal["vertices", "faces"]) -> dict[str, Rows]:
+    """Return the properties of a .ply element that are numbers, not lists, and vectors of three properties, by name."""
+    columns = {name: np.asarray(column) for name, column in element.items() if not isinstance(column, tuple)}
     for name in [name.removesuffix("_x") for name in columns if name.endswith("_x")]:
-        parts = [columns.get(f"{name}_{axis}") for axis in "xyz"]
-        if all(part is not None and len(part) == len(parts[0]) for part in parts):
+        parts = [columns[f"{name}_{axis}"] for axis in "xyz" if f"{name}_{axis}" in columns]
+        if len(parts) == 3:
             columns[name] = np.stack(parts, axis=1)
-    return columns
+    return {name: Rows(column, at) for name, column in columns.items()}
 
 
-def _numbers(columns: dict[str, Any]) -> dict[str, np.ndarray]:
-    """Return the properties of a .ply element that are single numbers, not lists, keyed by name."""
-    return {name: np.asarray(column) for name, column in columns.items() if not isinstance(column, tuple)}
+def _vtp(path: Path, name: str) -> tuple[Iterable[str], Rows | None]:
+    """Return the names of the point and cell arrays of a .vtp file, and the array of one name or None."""
+    arrays = arrays_of(pyvista().read(path))
+    return arrays, arrays.get(name)
 
 
-def _vtp(path: Path) -> dict[str, np.ndarray]:
-    """Read the point and cell arrays of a .vtp file, keyed by name; a point array hides a cell array of its name."""
-    found = pyvista().read(path)
-    return arrays_of(found)
-
-
-def arrays_of(dataset: Any) -> dict[str, np.ndarray]:
+def arrays_of(dataset: Any) -> dict[str, Rows]:
     """Return the point and cell arrays of a PolyData by name; a point array comes before a cell array of the same name."""
-    both = (dataset.cell_data, dataset.point_data)
-    return {name: np.asarray(data[name]) for data in both for name in data}
+    cells = {name: Rows(np.asarray(dataset.cell_data[name]), "faces") for name in dataset.cell_data}
+    return cells | {name: Rows(np.asarray(dataset.point_data[name]), "vertices") for name in dataset.point_data}
 
 
-def _npz(path: Path) -> dict[str, np.ndarray]:
-    """Read all arrays of an .npz file, keyed by name."""
+def _npz(path: Path, name: str) -> tuple[Iterable[str], Rows | None]:
+    """Return the names of the arrays in an .npz file, and the array of one name or None; others are not read."""
     with np.load(path, allow_pickle=False) as archive:
-        return {name: archive[name] for name in archive.files}
+        return archive.files, Rows(archive[name]) if name in archive.files else None
 
 
-def carry_to_points(array: np.ndarray, name: str, mesh: Mesh, points: SurfacePoints) -> np.ndarray:
+def carry_to_points(
+    array: np.ndarray, name: str, mesh: Mesh, points: SurfacePoints, at: Literal["vertices", "faces"] | None = None
+) -> np.ndarray:
     """Convert an array with a row for each vertex, face or point to an array with a row for each point.
 
-    The numbers of vertices are interpolated between the corners of a point's face. An array that has as many rows as the
-    mesh has vertices belongs to the vertices.
+    The numbers of vertices are interpolated between the corners of a point's face. If `at` is None, an array that has as
+    many rows as the mesh has vertices belongs to the vertices.
 
     Raises:
         ValueError: the array has another number of rows, or points without a face need one.
     """
     vertices, faces, on_faces = len(mesh.vertices), len(mesh.faces), bool((points.face >= 0).all())
     rows = len(array) if array.ndim else -1
-    if rows == vertices and on_faces:
+    if rows == vertices and on_faces and at != "faces":
         return np.einsum("pk,pk...->p...", _corner_weights(mesh, points), array[mesh.faces[points.face]])
-    if rows == faces and on_faces:
+    if rows == faces and on_faces and at != "vertices":
         return array[points.face]
+    if at == "faces":
+        wants = "points inside faces" if rows == faces else f"{faces:,} rows, one for each triangle"
+        raise ValueError(f"distribution: got @{name} with shape {array.shape} at faces, want {wants}")
     if rows != len(points):
         wants = f"{vertices:,} (vertices), {faces:,} (faces) or {len(points):,} (points)"
         raise ValueError(f"distribution: got @{name} with shape {array.shape}, want rows for {wants}")

@@ -39,11 +39,12 @@ def bake_texture(source: TextureSource, record: RunRecord) -> str:
         a report for the terminal, in lines.
 
     Raises:
-        ValueError: with `--strict`, more than half of a chart is inside closed bodies.
+        ValueError: no texel has a value; or with `--strict`, more than half of a chart is inside closed bodies.
         KeyboardInterrupt: the run is interrupted; the message states how many points are done.
         WriteError: the file cannot be written.
     """
     found = _compute(source, record)
+    _refuse_without_values(source, found)
     _refuse_mostly_inside(source, found)
     notes = _write(source, found)
     width, height = source.how.size
@@ -63,6 +64,19 @@ def _compute(source: TextureSource, record: RunRecord) -> list[list[Picture]]:
     points = sum(len(job.points) * (1 + max((len(one.others) for one in job.group), default=0)) for job in source.jobs)
     with record.count(points, f"{source.run.output} is as it was before"):
         return [pictures_of(job, fill, source.how) for job in source.jobs]
+
+
+def _refuse_without_values(source: TextureSource, found: list[list[Picture]]) -> None:
+    """Raise a ValueError if no texel of any picture has a value."""
+    if not all(np.isnan(picture.filled.mean) for row in found for picture in row):
+        return
+    if source.high is not None:
+        raise ValueError(
+            f"--cage: got {source.how.cage:g}, within which no texel finds a face of {str(source.how.high)!r}, want a "
+            "larger distance, or a finer mesh in the same place"
+        )
+    quantity = source.run.quantity
+    raise ValueError(f"mesh: got {source.run.mesh.name!r}, at whose texels {quantity} has no value, want another mesh")
 
 
 def _refuse_mostly_inside(source: TextureSource, found: list[list[Picture]]) -> None:
@@ -159,7 +173,8 @@ def _describe_picture(found: Filled) -> Iterator[str]:
         yield _describe_mostly_inside(found)
     if found.enclosed:
         yield f"{found.enclosed:,} points inside closed bodies keep their values, because their whole charts are inside"
+    filled = "left at 0" if np.isnan(found.mean) else "filled from their charts"
     if found.missed:
-        yield f"{found.missed:,} points without a hit on the finer mesh within the cage, filled from their charts"
+        yield f"{found.missed:,} points without a hit on the finer mesh within the cage, {filled}"
     if found.lost:
-        yield f"{found.lost:,} points without a value, filled from their charts"
+        yield f"{found.lost:,} points without a value, {filled}"

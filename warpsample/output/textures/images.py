@@ -62,7 +62,7 @@ def fill_texture(
     quantity, points, options = quantity_of(run.quantity), job.points, dict(run.options)
     if how.samples > 1 and quantity.takes("samples"):
         options["samples"] = max(2, (options.get("samples") or quantity.default("samples")) // how.samples)
-    numbers = quantity.numbers(points.mesh if high is None else high.mesh, len(points), options)
+    numbers = quantity.numbers(closed.mesh, len(points), options)
     workers = check_workers(options.get("workers"))
     missed, bodies = np.zeros(len(points), np.bool_), Enclosed(closed, points)
     looks, convert = how.inside == "fill" and quantity.result is not ExactResult, _converter(job, run, quantity)

@@ -72,11 +72,13 @@ def read_texture_source(run: BakeRun) -> TextureSource:
     check_table(run)
     how = texture_options(run)
     _check(run, how)
-    mesh = with_optics(load_mesh(run.mesh), **run.optics)
-    jobs, file = plan_jobs(run.mesh, mesh, how, run.output.suffix, slot_for_quantity(run.quantity))
+    mesh = load_mesh(run.mesh)
     high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
+    traced = with_optics(mesh if high is None else high.mesh, **run.optics)
+    jobs, file = plan_jobs(
+        run.mesh, traced if high is None else mesh, how, run.output.suffix, slot_for_quantity(run.quantity)
+    )
     notes = [] if file is None else _check_scene(file, run, how, jobs)
-    traced = mesh if high is None else high.mesh
     return TextureSource(run, how, jobs, file, high, traced, notes, _inputs(run, how), _coarse(jobs, traced, how))
 
 

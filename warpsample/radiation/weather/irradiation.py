@@ -23,6 +23,12 @@ from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.placed_points import PlacedPoints
 
+_UNSEEN = 0.17
+"""Least standard error of a sky patch that rays decide, in rays, for edges that pass between rays that agree.
+
+In two towns, a terrain and a yard, the mean square error of patches whose rays agree was 0.005 to 0.1 rays squared.
+"""
+
 _BYTES = 5 * 4 + 5 * 8  # per point and hour: five results in float32, and their parts in float64
 
 
@@ -129,39 +135,6 @@ def irradiation(
         >>> print(june.value.shape, f"{june.value.max():.0f} kWh/m2")
         (2080,) 270 kWh/m2
     """
-    return compute_irradiation(
-        mesh,
-        points,
-        weather,
-        ground_albedo=ground_albedo,
-        period=period,
-        patches=patches,
-        count=count,
-        up=up,
-        north=north,
-        series=series,
-        refine=refine,
-        **options,
-    )
-
-
-def compute_irradiation(
-    mesh: Any,
-    points: SurfacePoints,
-    weather: Any,
-    *,
-    count: int,
-    series: bool,
-    refine: float | None,
-    unseen: float = 0.0,
-    ground_albedo: float,
-    period: Sequence[str] | None,
-    patches: str,
-    up: Any,
-    north: Any,
-    **options: Unpack[CastPointKeywords],
-) -> Irradiation:
-    """Compute `irradiation`, with a least standard error `unseen` of patches that rays decide; see `compute_sky_matrix`."""
     at = PlacedPoints.of(mesh, points)
     plan = plan_of(at, count, tracer="wide", **options)
     series = check_flag(series, "series")
@@ -169,23 +142,18 @@ def compute_irradiation(
     light = light_of(weather, period=period, ground_albedo=ground_albedo, patches=patches, up=up, north=north)
     distant = WeatherLight(light, series)
     reflections = None if parts is None else reflections_of(parts, distant, plan.count, plan.options)
-    return received(plan, light, series, reflections, unseen)
+    return received(plan, light, series, reflections)
 
 
-def received(
-    plan: Plan, light: Light, series: bool, reflections: Reflections | None = None, unseen: float = 0.0
-) -> Irradiation:
-    """Compute the radiation that points receive from sun, sky, ground and faces, in kWh/m² or, for each hour, in W/m².
-
-    `unseen` is the least standard error of a patch that rays decide, in rays; see `compute_sky_matrix`.
-    """
+def received(plan: Plan, light: Light, series: bool, reflections: Reflections | None = None) -> Irradiation:
+    """Compute the radiation that points receive from sun, sky, ground and faces, in kWh/m² or, for each hour, in W/m²."""
     hours = len(light.hours)
     if series:
         size = _BYTES * len(plan.at) * hours
         check_memory(size, f"{hours:,} hours of {len(plan.at):,} points", "pass fewer points, or a shorter period")
-    sky = compute_sky_matrix(plan, light.sky, light.radiance if series else sum_hours(light.radiance), unseen)
+    sky = compute_sky_matrix(plan, light.sky, light.radiance if series else sum_hours(light.radiance), _UNSEEN)
     options = replace(plan.options, seed=seed_for("ground", plan.options.seed))
-    ground = compute_sky_matrix(replace(plan, options=options), light.below, np.ones(len(light.below)), unseen)
+    ground = compute_sky_matrix(replace(plan, options=options), light.below, np.ones(len(light.below)), _UNSEEN)
     bright = light.ground if series else sum_hours(light.ground)
     found = {
         "direct": (direct_light(plan.at, plan.options, light, series), light.sun_rows),
