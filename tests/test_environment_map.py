@@ -9,7 +9,7 @@ from significance import ALPHA
 
 import warpsample as ws
 from warpsample import funcs
-from warpsample.distributions.lights.pixel_table import divide_steps
+from warpsample.distributions.lights.pixel_table import FEW_STEPS, MOST_STEPS, divide_steps, read_steps
 from warpsample.proof import laws
 from warpsample.statistics.histogram import histogram_test
 
@@ -269,6 +269,18 @@ def test_new_pictures_compile_nothing(monkeypatch):
     ws.EnvironmentMap(np.ones((3, 5)), up=(0, 1, 0)).sample(u)
 
 
+def test_a_search_of_few_steps_draws_the_pixels_of_a_long_search():
+    """`sample` always searches long. A sun leaves few entries in a bucket; a contrast of 1e12 leaves many."""
+    for contrast, steps in ((1.0, FEW_STEPS), (1e6, FEW_STEPS), (1e12, MOST_STEPS)):
+        picture = np.random.default_rng(7).random((128, 256)) + 0.5
+        picture[30, 70] = contrast
+        lobe = ws.EnvironmentMap(picture)
+        assert read_steps(lobe.table_array) == steps
+        found = ws.sample_directions(np.tile(UP, (256, 1)), 64, distribution=lobe, sequence="independent")
+        square = ws.sample_square("independent", 256, 64)
+        assert np.array_equal(found.vectors, lobe.sample(square))
+
+
 def test_colours_count_by_luminance(tmp_path):
     colours = np.zeros((2, 3, 3))
     colours[0] = np.eye(3)
@@ -295,6 +307,7 @@ def test_colours_count_by_luminance(tmp_path):
         ((np.ones((4, 8)), (0, 0, 1), (0, 0, -2)), "^north: got .*, want a vector that is not along up"),
         ((np.ones((4, 8)), (0, 0, 1), (np.nan, 0, 1)), "^north: got"),
         (("sky.png",), "^picture: got 'sky.png'"),
+        ((np.ones((1, 1 << 15)),), "^picture: got shape .1, 32768., want fewer than 32,768 rows and columns"),
     ],
 )
 def test_bad_pictures_are_named(arguments, message, tmp_path, monkeypatch):

@@ -186,7 +186,7 @@ def test_faces_reflect_the_same_light_for_all_ways_of_sampling():
 
 
 def raw_table(monkeypatch):
-    monkeypatch.setattr(picture_light, "mean_reading", picture_light.weigh_colours)
+    monkeypatch.setattr(picture_light, "PictureReading", ws.EnvironmentMap)
     monkeypatch.setattr(picture_light, "find_or_make", lambda _, make: make())
 
 

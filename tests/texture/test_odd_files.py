@@ -10,16 +10,19 @@ from textured_scenes import SQUARE, TWO, changed, corner, opened, rich
 
 import warpsample as ws
 from warpsample.texture.occlusion_picture import read_occlusion
+from warpsample.texture.tangents import Frames
 
 
-def two_quads(tmp_path, uv=SQUARE):
-    """A floor and a wall with a material each, which share texture coordinates."""
+def two_quads(tmp_path, uv=SQUARE, **more):
+    """A floor and a wall with a material each, which share texture coordinates and further attributes."""
+    attributes = {name: 4 + i for i, name in enumerate(more)}
     meshes = [
-        {"primitives": [{"attributes": {"POSITION": i, "TEXCOORD_0": 2}, "indices": 3, "material": i}]} for i in (0, 1)
+        {"primitives": [{"attributes": {"POSITION": i, "TEXCOORD_0": 2, **attributes}, "indices": 3, "material": i}]}
+        for i in (0, 1)
     ]
     nodes, materials = [{"mesh": 0}, {"mesh": 1}], [{"name": "ground"}, {"name": "brick"}]
     path = tmp_path / "in.glb"
-    path.write_bytes(glb({"meshes": meshes, "nodes": nodes, "materials": materials}, [*corner(), uv, TWO]))
+    path.write_bytes(glb({"meshes": meshes, "nodes": nodes, "materials": materials}, [*corner(), uv, TWO, *more.values()]))
     return path
 
 
@@ -66,6 +69,24 @@ def test_a_view_that_nothing_uses_is_checked_when_it_moves(call, tmp_path, view,
 def test_the_head_of_embedded_data_may_be_in_capitals(tmp_path):
     path = two_quads(tmp_path)
     assert ws.load_mesh(as_gltf(path, head="DATA:;BASE64,")).digest == ws.load_mesh(path).digest
+
+
+@pytest.mark.parametrize("row", [(0, 0, 0, 1), (np.nan, 1, 0, 1), (1, 0, 0, np.nan)])
+def test_a_tangent_that_is_none_is_computed_as_a_whole(tmp_path, row):
+    """Also its sign, here -1 for the mirrored coordinates of both quads, and not the sign of the file."""
+    paths = [two_quads(tmp_path)]
+    mesh, uv = ws.load_mesh(paths[0]), ws.load_uv(paths[0])
+    found = [Frames.of(paths[0], mesh, uv, [slice(None)]).tangents]
+    found.append(Frames.of(two_quads(tmp_path, TANGENT=np.tile(np.float32(row), (4, 1))), mesh, uv, [slice(None)]).tangents)
+    assert np.array_equal(*found)
+    assert (found[0][..., 3] == -1).all()
+
+
+def test_too_few_normals_are_refused_by_file_and_place(call, tmp_path):
+    path = two_quads(tmp_path, NORMAL=np.zeros((3, 3), np.float32))
+    status, _, err = call("bake", path, "-o", tmp_path / "out.png", "--texture", 8, "--uv", 0, "--normals", "smooth")
+    why = "meshes[0].primitives[0].attributes.NORMAL: got 3 values, want one for each of 4 positions"
+    assert (status, err) == (2, f"error: mesh: got {str(path)!r}, which cannot be read as a glTF file to be edited: {why}\n")
 
 
 @pytest.mark.parametrize("content", [b"%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 9 9\n", b"GIF89a" + bytes(20), b""])

@@ -10,9 +10,9 @@ from warpsample.tracing.queries import CHUNK, set_direction
 from warpsample.tracing.sight.point import ShadingPoint
 
 OWN_FLOATS = 3 * CHUNK
-"""Number of float32 values in a chunk's buffer: two rows of variates and a row of densities first, the weights later.
+"""Number of float32 values in a chunk's buffer: two rows of variates and a row of densities first, three of weights later.
 
-Weight k, three numbers, is written after density k is read, and reaches no density of a later ray.
+Weight k is written after density k is read.
 """
 
 LAST_UNIFORM: wp.float32 = wp.constant(wp.float32(1.0 - 2.0**-24))

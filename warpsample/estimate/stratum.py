@@ -4,10 +4,10 @@ import warp as wp
 
 from warpsample.estimate.integrand import Lobe, density_setter
 from warpsample.estimate.lobes import BLOCKERS, GLASS, Lobes, lobe_of
-from warpsample.estimate.rays import build_ray_writer
+from warpsample.estimate.rays import OWN_FLOATS, build_ray_writer
 from warpsample.estimate.slots import Slots
 from warpsample.host.locks import once
-from warpsample.maths.memory import float_at, set_vec3, vec3_at
+from warpsample.maths.memory import float_at
 from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.tracing.queries import CHUNK, REACH, Accelerator, column_of, direction_of
 from warpsample.tracing.sight.packets import NO_RAYS, first_rays, ray_set, set_size
@@ -103,6 +103,12 @@ def share_of(slots: Slots) -> wp.Function:
     return share_of
 
 
+@wp.func
+def _weight_at(point: ShadingPoint, k: wp.int32) -> wp.vec3:
+    """Return the weight of the k-th ray, from the three rows of a point's working memory."""
+    return wp.vec3(float_at(point.own, k), float_at(point.own, CHUNK + k), float_at(point.own, 2 * CHUNK + k))
+
+
 @once
 def weighing(slots: Slots) -> wp.Function:
     """Build the Warp function that evaluates the integrand for a group of rays of one point."""
@@ -113,12 +119,21 @@ def weighing(slots: Slots) -> wp.Function:
         """Evaluate the integrand for `length` rays of a point; return the bit set of rays with a weight other than 0."""
         alive = first_rays(length)
         if wp.static(not constant):
+            own = wp.array(ptr=point.own, shape=(OWN_FLOATS,), dtype=wp.float32)
+            chunk = point.chunk
+            padded = whole_vectors(length)
+            k = wp.int32(0)
+            while k < padded:
+                w = weigh(direction_of(chunk, k), with_pdf(lobe, own[2 * CHUNK + k]), data)
+                own[k] = w[0]
+                own[CHUNK + k] = w[1]
+                own[2 * CHUNK + k] = w[2]
+                k += 1
             alive = NO_RAYS
-            for k in range(length):
-                w = weigh(direction_of(point.chunk, k), with_pdf(lobe, float_at(point.own, 2 * CHUNK + k)), data)
-                set_vec3(point.own, k, w)
+            for j in range(length):
+                w = _weight_at(point, j)
                 if w[0] != 0.0 or w[1] != 0.0 or w[2] != 0.0:
-                    alive = alive | ray_set(k)
+                    alive = alive | ray_set(j)
         return alive
 
     return weigh_rays
@@ -183,7 +198,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
             else:
                 for k in range(length):
                     if wp.static(not constant):
-                        w = vec3_at(point.own, k)
+                        w = _weight_at(point, k)
                     share = wp.where((rays & (~left) & ray_set(k)) != NO_RAYS, 0.0, 1.0)
                     if wp.static(dims != 0) and (found & dims) != 0 and (left & ray_set(k)) != NO_RAYS:
                         share, met = share_left(lobes, tree, point, local, k)

@@ -18,6 +18,7 @@ from warpsample.host.files import read_array
 
 _SHORTEST, _LONGEST = 8, 32767  # pixels of a line of an .hdr that may be encoded channel by channel
 _LONGEST_RUN = 127
+_FAINTEST = 1e-20  # exposure; the same limit for its inverse
 
 
 def read_picture(path: str | PathLike[str], argument: str = "radiance") -> np.ndarray:
@@ -40,7 +41,7 @@ def read_picture(path: str | PathLike[str], argument: str = "radiance") -> np.nd
 def _read_hdr(path: Path) -> np.ndarray:
     """Return the (H, W, 3) float32 picture in an .hdr file."""
     with path.open("rb") as file:
-        rows, columns, height, width = _header(file)
+        rows, columns, height, width, exposure = _header(file)
         data = file.read()
     least = min(4 * width, 4 + 8 * ceil(width / _LONGEST_RUN))
     if height * least > len(data):
@@ -53,22 +54,43 @@ def _read_hdr(path: Path) -> np.ndarray:
     picture = pixels[..., :3].astype(np.float32)
     np.ldexp(picture, pixels[..., 3:].astype(np.int32) - 136, out=picture)
     picture[pixels[..., 3] == 0] = 0.0
+    with np.errstate(all="ignore"):  # infinity and NaN are refused like numbers that are too large
+        np.divide(picture, exposure, out=picture, casting="same_kind")
     return picture[rows, columns]
 
 
-def _header(file: BinaryIO) -> tuple[slice, slice, int, int]:
-    """Read the header of an .hdr file; return (slices that flip the picture upright, height, width)."""
+def _header(file: BinaryIO) -> tuple[slice, slice, int, int, np.ndarray]:
+    """Read the header of an .hdr file; return (slices that flip the picture upright, height, width, exposure).
+
+    The exposure is (3,), the product of the factors of all pixels (EXPOSURE) and of each colour (COLORCORR).
+    """
+    exposure = np.ones(3)
     if not file.readline(80).startswith(b"#?"):
         raise ValueError("the file does not begin with '#?', as an .hdr file does")
     while line := file.readline(4096).strip():
         if line.startswith(b"FORMAT=") and line != b"FORMAT=32-bit_rle_rgbe":
             raise ValueError(f"the header has {line.decode('latin-1')[:60]!r}, want FORMAT=32-bit_rle_rgbe")
+        name, _, value = line.partition(b"=")
+        if name in (b"EXPOSURE", b"COLORCORR"):
+            exposure *= _factors(line.decode("latin-1"), value.split(), 1 if name == b"EXPOSURE" else 3)
     size = re.fullmatch(rb"([+-])Y ([1-9]\d{0,8}) ([+-])X ([1-9]\d{0,8})\s*", file.readline(80))
     if not size:
         raise ValueError("the header declares no size such as '-Y 512 +X 1024'")
     down, height, right, width = size.groups()
     turned = slice(None, None, -1)
-    return turned if down == b"+" else slice(None), turned if right == b"-" else slice(None), int(height), int(width)
+    rows, columns = (turned if is_turned else slice(None) for is_turned in (down == b"+", right == b"-"))
+    return rows, columns, int(height), int(width), exposure
+
+
+def _factors(line: str, values: list[bytes], count: int) -> np.ndarray:
+    """Return the numbers in a line of the header, (count,) float64."""
+    try:
+        factors = np.array(values, np.float64)
+    except ValueError:
+        factors = np.zeros(0)
+    if factors.shape != (count,) or not ((factors >= _FAINTEST) & (factors <= 1.0 / _FAINTEST)).all():
+        raise ValueError(f"the header has {line[:60]!r}, want {count} {'number' if count == 1 else 'numbers'} above 0")
+    return factors
 
 
 def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:

@@ -174,7 +174,8 @@ def _groups_with_slot(file: GlbFile, mesh: Mesh, slot: Slot) -> Iterator[list[Pr
 
 def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
     """Return the single image to bake for all faces of a file that is no scene."""
-    texels, rows = Texels(path, mesh, how, _read_corner_normals(path, mesh, how)), [slice(None)]
+    with convert_read_errors(path):
+        texels, rows = Texels(path, mesh, how, _read_corner_normals(path, mesh, how)), [slice(None)]
     found = texels.choose_set(rows, path.name, lenient=output != ".npz")
     if found.points is not None:
         return TextureJob(path.name, found.points, found.number, found.describe(f"set {found.number}"), [])

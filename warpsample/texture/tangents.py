@@ -44,7 +44,7 @@ class Frames:
             tangents[face] = compute_tangents(mesh.vertices[mesh.faces[face]], normals[face], uv[face])
         if has_some:
             given = read_corners(path, "TANGENT")
-            tangents = np.where(np.isfinite(given), given, tangents)
+            tangents = np.where(np.isfinite(given).all(axis=2, keepdims=True), given, tangents)
         return cls(normals, tangents)
 
     def to_components(self, vectors: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:

@@ -62,7 +62,8 @@ def vector_in(column: wp.uint64, row: wp.int32) -> wp.vec3:
 @wp.func
 def direction_of(chunk: wp.uint64, k: wp.int32) -> wp.vec3:
     """Return the unit direction of the k-th ray in a buffer of rays."""
-    return vector_in(column_of(chunk, k), DIRECTION)
+    rows = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    return wp.vec3(rows[DIRECTION + k], rows[DIRECTION + CHUNK + k], rows[DIRECTION + 2 * CHUNK + k])
 
 
 @wp.func

@@ -10,26 +10,33 @@ import warp as wp
 
 from warpsample.distributions.lights.picture import frame_of, luminance_of
 from warpsample.distributions.lights.pixel_draws import (
-    draw_direction,
     environment_map_to_square,
+    pixel_drawer,
     square_to_environment_map,
     square_to_environment_map_pdf,
 )
-from warpsample.distributions.lights.pixel_table import build_table, read_shares
-from warpsample.distributions.parameters import Parameters, bind_parameters, pack_parameters, split_address
+from warpsample.distributions.lights.pixel_table import MOST_STEPS, build_table, pixel_angles, read_shares, read_steps
+from warpsample.distributions.parameters import Parameters, about_normal_of, bind_parameters, pack_parameters, split_address
 from warpsample.distributions.record import Cases, Distribution, Maps
+from warpsample.host.arguments import check_flag
 from warpsample.host.device_memory import Loan
+from warpsample.host.locks import once
 from warpsample.host.shared_values import digest_of, find_or_make
 
 _SEAM, _NARROW = 2.0**-10, 2.0**-5  # of the unit square
 
-_read_table = bind_parameters(draw_direction, wp.vec2, 1)
 
+@once
+def build_about_world(draw: wp.Function) -> wp.Function:
+    """Build the wp.func (unit normal, u, Parameters) from a function (u, table) with directions in world coordinates."""
+    read_table = bind_parameters(draw, wp.vec2, 1)
 
-@wp.func
-def draw_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
-    """Sample a direction towards a picture in world coordinates; return the direction and its density as a vec4."""
-    return _read_table(u, parameters)
+    @wp.func
+    def about_world(n: wp.vec3, u: wp.vec2, parameters: Parameters):
+        """Sample a direction towards a picture in world coordinates; return the direction and its density as a vec4."""
+        return read_table(u, parameters)
+
+    return about_world
 
 
 def _sky(height: int, width: int) -> np.ndarray:
@@ -85,8 +92,9 @@ class EnvironmentMap(Distribution):
         square_to_environment_map,
         square_to_environment_map_pdf,
         environment_map_to_square,
-        about=draw_about,
+        about=build_about_world(pixel_drawer(MOST_STEPS)),
     )
+    _drawer: ClassVar[Any] = staticmethod(pixel_drawer)
 
     def __post_init__(self) -> None:
         """Check the picture and the vectors, and copy the picture as luminance."""
@@ -149,7 +157,27 @@ class EnvironmentMap(Distribution):
 
         See `pixel_table`.
         """
-        return find_or_make(f"{self._content()}", build_table, self.picture, self.frame)
+        return find_or_make(f"{self.name} {self._content()}", self._build_table)
+
+    def about(self, tangents: bool = False) -> wp.Function:
+        """Return the wp.func that samples directions whatever the normal, with a search as short as the picture allows.
+
+        Args:
+            tangents: whether the first argument of the function is a frame. Default: False.
+
+        Returns:
+            a `wp.func` (unit normal or frame, u, Parameters) -> (world direction, pdf), see `Distribution`.
+
+        Example:
+            >>> print(type(ws.EnvironmentMap(np.ones((2, 4))).about()).__name__)
+            Function
+        """
+        about = build_about_world(type(self)._drawer(read_steps(self.table_array)))
+        return about_normal_of(about) if check_flag(tangents, "tangents") else about
+
+    def _build_table(self) -> np.ndarray:
+        """Build the table; see `table_array`."""
+        return build_table(self.picture, self.frame, pixel_angles(len(self.picture)))
 
     @cached_property
     def _digest(self) -> str:

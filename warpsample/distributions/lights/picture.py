@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.distributions.lights.pixel_table import MOST_PIXELS
 from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real, as_unit
 from warpsample.host.picture import read_picture
@@ -41,9 +42,11 @@ def luminance_of(value: Any) -> np.ndarray:
     """Return the luminance of a picture, given as an array or a path, as a read-only (H, W) float32 copy.
 
     Raises:
-        TypeError, ValueError: the picture cannot be used, or is black.
+        TypeError, ValueError: the picture cannot be used, is black, or has 32,768 rows or columns or more.
     """
     picture = as_picture(value, "picture")
+    if max(picture.shape[:2]) >= MOST_PIXELS:
+        raise ValueError(f"picture: got shape {picture.shape}, want fewer than {MOST_PIXELS:,} rows and columns")
     luminance = np.ascontiguousarray(picture if picture.ndim == 2 else weigh_colours(picture))
     if not luminance.max() > 0.0:
         raise ValueError(f"picture: got {' x '.join(map(str, picture.shape))} zeros, want a number above 0")

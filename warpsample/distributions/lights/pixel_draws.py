@@ -4,7 +4,8 @@ from math import pi
 
 import warp as wp
 
-from warpsample.distributions.lights.pixel_table import COLUMN_STEPS, FRAME, HEADER, ROW
+from warpsample.distributions.lights.pixel_table import COLUMN_STEPS, FRAME, HEADER, MOST_STEPS, ROW
+from warpsample.host.locks import once
 from warpsample.maths.frames import to_world
 from warpsample.maths.numerics import (
     GRID,
@@ -28,6 +29,7 @@ _STEPS = wp.constant(wp.float64(COLUMN_STEPS))
 _PER_STEPS = wp.constant(wp.float64(1.0 / COLUMN_STEPS))
 _QUARTER = wp.constant(wp.float64(0.25))
 _FOUR = wp.constant(wp.float64(4.0))
+_SIXTY_FOUR = wp.constant(wp.float64(64.0))
 _HALF_ROOT = wp.constant(wp.float32(0.7071067811865476))
 _INV_PI = wp.constant(wp.float64(1.0 / pi))
 
@@ -54,33 +56,10 @@ def _row_at(table: wp.uint64, row: wp.int32) -> wp.uint64:
 
 
 @wp.func
-def _columns_at(table: wp.uint64, row: wp.int32, width: wp.int32, buckets: wp.int32) -> wp.uint64:
-    """Return the address of the shares of a row's pixels; the lookup table for a search among the shares follows there."""
+def _shares_at(table: wp.uint64, row: wp.int32, width: wp.int32) -> wp.uint64:
+    """Return the address of the cumulative shares of a row's pixels."""
     header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
-    return table + wp.uint64(header[4]) + wp.uint64(row) * wp.uint64(4 * (width + 1 + buckets))
-
-
-@wp.func
-def _find_row(table: wp.uint64, x: wp.float64, height: wp.int32) -> wp.int32:
-    """Return the row whose share contains x, a number in [0, 1)."""
-    guide = wp.array(ptr=_row_at(table, height), shape=(height,), dtype=wp.int32)
-    ends = wp.array(ptr=table + wp.uint64(8 * HEADER), shape=(ROW * height,), dtype=wp.float64)
-    row = guide[wp.int32(x * wp.float64(height))]
-    while ends[ROW * row + 1] <= x:
-        row += 1
-    return row
-
-
-@wp.func
-def _find_column(shares: wp.uint64, step: wp.float64, bucket: wp.int32, width: wp.int32) -> wp.int32:
-    """Return the column whose share contains a step of its row."""
-    ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
-    guide = wp.array(ptr=shares + wp.uint64(4 * (width + 1)), shape=(width,), dtype=wp.int32)
-    column = guide[bucket]
-    whole = wp.uint32(step)
-    while ends[column + 1] <= whole:
-        column += 1
-    return column
+    return table + wp.uint64(header[5]) + wp.uint64(row) * wp.uint64(4 * (width + 1))
 
 
 @wp.func
@@ -99,34 +78,110 @@ def _circle(turns: wp.float64) -> wp.vec2:
 @wp.func
 def _frame_of(table: wp.uint64) -> wp.mat33:
     """Return the frame of the picture, with its axes in columns; +z is the direction of row 0."""
-    m = wp.array(ptr=table + wp.uint64(8 * FRAME), shape=(9,), dtype=wp.float32)
-    return wp.mat33(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8])
+    m = wp.array(ptr=table + wp.uint64(8 * FRAME), shape=(9,), dtype=wp.float64)
+    return wp.mat33(
+        wp.float32(m[0]), wp.float32(m[1]), wp.float32(m[2]),
+        wp.float32(m[3]), wp.float32(m[4]), wp.float32(m[5]),
+        wp.float32(m[6]), wp.float32(m[7]), wp.float32(m[8]),
+    )  # fmt: skip
+
+
+@once
+def pixel_finder(steps: int) -> wp.Function:
+    """Build the wp.func that finds the pixel of a point of the unit square.
+
+    The number of steps is constant, and nothing branches, so that several searches run side by side in a vectorised loop.
+
+    Args:
+        steps: steps of each search, `FEW_STEPS` or `MOST_STEPS`.
+    """
+
+    @wp.func
+    def find_row(table: wp.uint64, x: wp.float64, height: wp.int32) -> wp.int32:
+        """Return the row whose share contains x, a number in [0, 1), by a search between two entries of the guide."""
+        header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+        guide = wp.array(ptr=table + wp.uint64(header[6]), shape=(height,), dtype=wp.int32)
+        ends = wp.array(ptr=table + wp.uint64(8 * (HEADER + 1)), shape=(ROW * height,), dtype=wp.float64)
+        bucket = wp.int32(x * header[4])
+        low = guide[bucket]
+        high = guide[bucket + 1]
+        for _step in range(steps):
+            middle = (low + high) >> 1
+            after = ends[ROW * middle] <= x
+            low = wp.where(after, middle + 1, low)
+            high = wp.where(after, high, middle)
+        return low
+
+    @wp.func
+    def find_column(table: wp.uint64, shares: wp.uint64, step: wp.uint32, place: wp.float64, width: wp.int32) -> wp.int32:
+        """Return the column whose share contains a step of its row, by the row's guide."""
+        header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+        guide = wp.array(ptr=table + wp.uint64(header[6]), shape=(width,), dtype=wp.int32)
+        ends = wp.array(ptr=shares + wp.uint64(4), shape=(width,), dtype=wp.uint32)
+        first = wp.int32(place)
+        shift = wp.int32((place - wp.float64(first)) * _SIXTY_FOUR)
+        bucket = first + wp.int32(step >> wp.uint32(shift))
+        low = guide[bucket]
+        high = guide[bucket + 1]
+        for _step in range(steps):
+            middle = (low + high) >> 1
+            after = ends[middle] <= step
+            low = wp.where(after, middle + 1, low)
+            high = wp.where(after, high, middle)
+        return low
+
+    @wp.func
+    def find_pixel(u: wp.vec2, table: wp.uint64):
+        """Return (row, column, part of the row above u, part of the column before u, steps of the column) of a point u."""
+        header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
+        width = wp.int32(header[1])
+        wide = _widened(u)
+        row = find_row(table, wide[0], wp.int32(header[0]))
+        line = wp.array(ptr=_row_at(table, row), shape=(ROW,), dtype=wp.float64)
+        shares = _shares_at(table, row, width)
+        step = wide[1] * _STEPS
+        column = find_column(table, shares, wp.uint32(step), line[7], width)
+        ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
+        start = ends[column]
+        steps_of = ends[column + 1] - start
+        across = wp.float32(step - wp.float64(start)) / wp.float32(steps_of)
+        return row, column, (wide[0] - line[0]) * line[4], across, steps_of
+
+    return find_pixel
 
 
 @wp.func
-def draw_direction(u: wp.vec2, table: wp.uint64) -> wp.vec4:
-    """Map a point of the unit square to (direction, density of the pixel that is drawn), by the table of a picture."""
+def aim_at(row: wp.int32, column: wp.int32, down: wp.float64, across: wp.float32, table: wp.uint64):
+    """Return (world direction, part of the row, part of the column) at a place in a pixel, kept off the pixel's edges."""
     header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
-    width = wp.int32(header[1])
-    buckets = wp.int32(header[2])
-    wide = _widened(u)
-    row = _find_row(table, wide[0], wp.int32(header[0]))
     line = wp.array(ptr=_row_at(table, row), shape=(ROW,), dtype=wp.float64)
-    shares = _columns_at(table, row, width, buckets)
-    step = wide[1] * _STEPS
-    column = _find_column(shares, step, wp.int32(wide[1] * wp.float64(buckets)), width)
-    ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
     # sin^2(theta / 2), even in solid angle within the row; the sine has no cancellation at either pole.
-    down = wp.clamp((wide[0] - line[0]) * line[4], line[6], ONE - line[6])
-    v = line[2] + line[3] * down
+    below = wp.clamp(down, line[6], ONE - line[6])
+    v = line[2] + line[3] * below
     r = 2.0 * wp.float32(root_double(v * (ONE - v)))
-    start = ends[column]
-    steps = ends[column + 1] - start
-    edge = wp.min(wp.float32(header[5]) / r, 0.5)
-    across = wp.clamp(wp.float32(step - wp.float64(start)) / wp.float32(steps), edge, 1.0 - edge)
-    cs = _circle((wp.float64(column) + wp.float64(across)) * header[3])
+    edge = wp.min(wp.float32(header[3]) / r, 0.5)
+    after = wp.clamp(across, edge, 1.0 - edge)
+    cs = _circle((wp.float64(column) + wp.float64(after)) * header[2])
     d = polish(to_world(_frame_of(table), wp.vec3(r * cs[0], r * cs[1], wp.float32(ONE - TWO * v))))
-    return wp.vec4(d[0], d[1], d[2], wp.float32(line[5] * wp.float64(steps)))
+    return d, below, after
+
+
+@once
+def pixel_drawer(steps: int) -> wp.Function:
+    """Build the wp.func that maps a point of the unit square to (direction, density of the pixel that is drawn)."""
+    find_pixel = pixel_finder(steps)
+
+    @wp.func
+    def draw_direction(u: wp.vec2, table: wp.uint64):
+        row, column, down, across, steps_of = find_pixel(u, table)
+        d, _below, _after = aim_at(row, column, down, across, table)
+        line = wp.array(ptr=_row_at(table, row), shape=(ROW,), dtype=wp.float64)
+        return wp.vec4(d[0], d[1], d[2], wp.float32(line[5] * wp.float64(steps_of)))
+
+    return draw_direction
+
+
+_draw_direction = pixel_drawer(MOST_STEPS)
 
 
 @wp.func
@@ -139,12 +194,12 @@ def square_to_environment_map(u: wp.vec2, table: wp.uint64) -> wp.vec3:
         u: point of the unit square; a hash of u gives further bits, which reach pixels with a share below 2^-24.
         table: address of the picture's table, `EnvironmentMap.table`.
     """
-    d = draw_direction(u, table)
+    d = _draw_direction(u, table)
     return wp.vec3(d[0], d[1], d[2])
 
 
 @wp.func
-def _in_picture(w: wp.vec3, table: wp.uint64) -> wp.vec3d:
+def in_picture(w: wp.vec3, table: wp.uint64) -> wp.vec3d:
     """Convert a world direction w to the picture's frame, float64."""
     frame = _frame_of(table)
     x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
@@ -156,19 +211,33 @@ def _in_picture(w: wp.vec3, table: wp.uint64) -> wp.vec3d:
 
 
 @wp.func
-def _turns(o: wp.vec3d) -> wp.float64:
+def turns_of(o: wp.vec3d) -> wp.float64:
     """Return the azimuth of a direction o as a fraction of 2 pi, in [0, 1]."""
     turns = wp.atan2(o[1], o[0]) * INV_TWO_PI_DOUBLE
     return wp.where(turns < ZERO, turns + ONE, turns)
 
 
 @wp.func
+def angle_of(o: wp.vec3d) -> wp.float64:
+    """Return the angle between the direction o of the picture's frame and the direction of row 0, in units of pi."""
+    return wp.atan2(wp.sqrt(o[0] * o[0] + o[1] * o[1]), o[2]) * _INV_PI
+
+
+@wp.func
+def cap_of(o: wp.vec3d) -> wp.float64:
+    """Return the part of the sphere's area that is nearer to row 0 than the direction o of the picture's frame."""
+    across = o[0] * o[0] + o[1] * o[1]
+    length = wp.sqrt(across + o[2] * o[2])
+    near = HALF * across / (length * (length + wp.abs(o[2])))
+    return wp.where(o[2] > ZERO, near, ONE - near)
+
+
+@wp.func
 def _pixel_of(o: wp.vec3d, table: wp.uint64) -> wp.vec2i:
     """Return the (row, column) of the pixel in the direction o of the picture's frame."""
     header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
-    down = wp.atan2(wp.sqrt(o[0] * o[0] + o[1] * o[1]), o[2]) * _INV_PI
-    row = wp.min(wp.int32(down * header[0]), wp.int32(header[0]) - 1)
-    return wp.vec2i(row, wp.min(wp.int32(_turns(o) * header[1]), wp.int32(header[1]) - 1))
+    row = wp.min(wp.int32(angle_of(o) * header[0]), wp.int32(header[0]) - 1)
+    return wp.vec2i(row, wp.min(wp.int32(turns_of(o) * header[1]), wp.int32(header[1]) - 1))
 
 
 @wp.func
@@ -181,8 +250,8 @@ def square_to_environment_map_pdf(w: wp.vec3, table: wp.uint64) -> wp.float32:
         return 0.0
     header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
     width = wp.int32(header[1])
-    pixel = _pixel_of(_in_picture(w, table), table)
-    shares = _columns_at(table, pixel[0], width, wp.int32(header[2]))
+    pixel = _pixel_of(in_picture(w, table), table)
+    shares = _shares_at(table, pixel[0], width)
     ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
     line = wp.array(ptr=_row_at(table, pixel[0]), shape=(ROW,), dtype=wp.float64)
     return wp.float32(line[5] * wp.float64(ends[pixel[1] + 1] - ends[pixel[1]]))
@@ -196,18 +265,14 @@ def environment_map_to_square(w: wp.vec3, table: wp.uint64) -> wp.vec2:
     """
     header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
     width = wp.int32(header[1])
-    o = _in_picture(w, table)
+    o = in_picture(w, table)
     pixel = _pixel_of(o, table)
-    across = o[0] * o[0] + o[1] * o[1]
-    length = wp.sqrt(across + o[2] * o[2])
-    near = HALF * across / (length * (length + wp.abs(o[2])))
-    v = wp.where(o[2] > ZERO, near, ONE - near)
     line = wp.array(ptr=_row_at(table, pixel[0]), shape=(ROW,), dtype=wp.float64)
-    shares = _columns_at(table, pixel[0], width, wp.int32(header[2]))
+    shares = _shares_at(table, pixel[0], width)
     ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
     start = wp.float64(ends[pixel[1]])
     steps = wp.float64(ends[pixel[1] + 1] - ends[pixel[1]])
-    part = _turns(o) * header[1] - wp.float64(pixel[1])
-    x = line[0] + (line[1] - line[0]) * wp.clamp((v - line[2]) / line[3], ZERO, ONE)
+    part = turns_of(o) * header[1] - wp.float64(pixel[1])
+    x = line[0] + (line[1] - line[0]) * wp.clamp((cap_of(o) - line[2]) / line[3], ZERO, ONE)
     y = (start + steps * wp.clamp(part, ZERO, ONE)) * _PER_STEPS
     return wp.vec2(clamp_uniform(wp.float32(x)), clamp_uniform(wp.float32(y)))

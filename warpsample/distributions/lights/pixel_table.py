@@ -2,19 +2,26 @@
 
 The table is one block of memory, so that a kernel needs one address:
 
-- 16 float64: the numbers of rows, columns and buckets, 1 / columns, the bytes before the shares, the margin of the azimuth
-  in pixels at the equator; from number 8 on the frame of the picture, 9 float32 (x and y: azimuth, z: row 0, in columns).
+- 20 float64: the numbers of rows and columns, 1 / columns, the margin of the azimuth in pixels at the equator, the number
+  of buckets of rows, the bytes before the shares, the guides and the luminances, the steps of a search, and the density of
+  a luminance of 1; from number 10 on the frame of the picture (x and y: azimuth, z: row 0, in columns).
 - For each row 8 float64, a cache line: cumulative share at its start and end, sin^2(theta / 2) at its start and the
-  difference to its end, 1 / the row's share, the density of one step of a pixel, and the margin at both edges as a fraction.
-- The guide to the rows, int32: the first row that a bucket of u[0] can reach.
+  difference to its end, 1 / the row's share, the density of one step of a pixel, the margin at both edges as a fraction,
+  and the place of its guide among the guides, plus the bits of a step below its bucket as a 64th.
 - For each row W + 1 uint32, the cumulative shares of its pixels as multiples of 1 / COLUMN_STEPS.
-- For each row the guide to its columns, int32: the first column that a bucket of u[1] can reach.
+- The guides, int32. The first is that to the rows: the first row that each bucket of u[0] can reach, and the last row of
+  all. Then for each row that to its columns: the first that each bucket of u[1] can reach, and the last of all.
+- For `PictureReading` the luminances of the picture's pixels relative to the brightest, float32.
 
-A guide makes the search one or two steps on average, for any picture (Chen1974). The shares are integers: the density is
-computed from the same integers as the draws. Every pixel with a luminance above 0 has at least one step, all others none.
+A guide leaves few entries to search (Chen1974). Its number of buckets is a power of 2, so that a bucket is found without
+rounding, and is doubled until at most 2^FEW_STEPS entries are left in each bucket, or until it is 2^16. The shares are
+integers: the density is computed from the same integers as the draws. Every pixel with a luminance above 0 has at least one
+step, all others none.
+
+Kernels take no float32 from the table as such: a compiler that knows that the float32 that a loop stores do not overlap the
+table can vectorise the loop.
 """
 
-from dataclasses import dataclass
 from math import pi
 
 import numpy as np
@@ -25,7 +32,7 @@ COLUMN_STEPS = 2**32 - 1
 ROW_STEPS = 2**48
 """Number of steps into which the light of a picture is divided among its rows."""
 
-HEADER, FRAME, ROW = 16, 8, 8
+HEADER, FRAME, ROW = 20, 10, 8
 """Number of float64 in the header of the table, before the frame in the header, and for each row."""
 
 MARGIN = 3e-7
@@ -34,19 +41,24 @@ MARGIN = 3e-7
 MOST_OF_POLAR_ROW = 0.02
 """Largest part of the row at a pole, as an angle, that draws keep from the pole."""
 
-COLUMNS_PER_BUCKET = 2
-"""Columns for each bucket of the guide to the columns."""
+FEW_STEPS, MOST_STEPS = 5, 15
+"""Steps of a search among the entries of a bucket: for pictures whose guides leave few, and for all pictures."""
+
+MOST_PIXELS = 2**MOST_STEPS
+"""Largest number of rows or columns of a table."""
+
+_MOST_BITS, _SPARE = 16, 4  # of the number of a row's buckets; entries of all guides for each pixel, before they stay short
 
 
-def row_edges(height: int) -> np.ndarray:
-    """Return sin^2(theta / 2) at the upper edge of each row and at the lower edge of the last, (H + 1,) float64."""
-    return np.square(np.sin(0.5 * pi * np.arange(height + 1) / height))
+def pixel_angles(height: int) -> np.ndarray:
+    """Return the angle to row 0's pole at the upper edge of each row and at the lower edge of the last, (H + 1,) float64."""
+    return pi * np.arange(height + 1) / height
 
 
-def solid_angles(height: int, width: int) -> np.ndarray:
-    """Return the solid angle of a pixel of each row, (H,) float64: 2 sin(middle) sin(pi / (2 H)) 2 pi / W, without loss."""
-    middle = (np.arange(height) + 0.5) * (pi / height)
-    return 4.0 * pi / width * np.sin(middle) * np.sin(0.5 * pi / height)
+def solid_angles(angles: np.ndarray, width: int) -> np.ndarray:
+    """Return the solid angle of a pixel of each row, (H,) float64, from the angles at the edges of rows, without loss."""
+    middle, half = 0.5 * (angles[1:] + angles[:-1]), 0.5 * np.diff(angles)
+    return 4.0 * pi / width * np.sin(middle) * np.sin(half)
 
 
 def divide_steps(weights: np.ndarray, steps: int) -> np.ndarray:
@@ -71,58 +83,28 @@ def divide_steps(weights: np.ndarray, steps: int) -> np.ndarray:
     return lit + np.rint(sums / total * (steps - lit[:, -1:]) * (largest > 0.0))
 
 
-def _guide(ends: np.ndarray, steps: float, buckets: int, margin: float) -> np.ndarray:
-    """Return the first entry that each bucket of [0, 1) can reach, (buckets,) int32, less a margin for rounding.
+def _build_guide(ends: np.ndarray, last: float, most_bits: int = _MOST_BITS) -> np.ndarray:
+    """Return the first entry that each bucket can reach, and the last entry that is reached at all, (buckets + 1,) int32.
 
     Args:
-        ends: (N,) cumulative steps at the end of each entry, ascending.
-        steps: number of steps at u = 1.
-        buckets: number of buckets.
-        margin: steps by which a bucket begins early.
+        ends: (N,) cumulative shares at the end of each entry, ascending, at most 1.
+        last: largest share that is searched for.
+        most_bits: largest base-2 logarithm of the number of buckets. Default: 16.
     """
-    first = np.arange(buckets) * (steps / buckets) - margin
-    return np.minimum(np.searchsorted(ends, first, side="right"), len(ends) - 1).astype(np.int32)
+    fewest = max(len(ends).bit_length() - 2, 1)
+    for bits in range(fewest, max(fewest, most_bits) + 1):
+        first = np.minimum(np.arange((1 << bits) + 1) / (1 << bits), last)
+        guide = np.minimum(np.searchsorted(ends, first, side="right"), len(ends) - 1).astype(np.int32)
+        if np.diff(guide).max() < 1 << FEW_STEPS:
+            break
+    return guide
 
 
-@dataclass(frozen=True)
-class Layout:
-    """Sizes and positions in the table of a picture.
-
-    Attributes:
-        height, width: numbers of rows and columns.
-        buckets: number of buckets of the guide to the columns of a row.
-    """
-
-    height: int
-    width: int
-    buckets: int
-
-    @classmethod
-    def of(cls, height: int, width: int) -> "Layout":
-        """Return the layout for a picture of a height and a width."""
-        return cls(height, width, max(width // COLUMNS_PER_BUCKET, 1))
-
-    @property
-    def row_bytes(self) -> int:
-        """Size of the shares and of the guide of one row, in bytes."""
-        return 4 * (self.width + 1 + self.buckets)
-
-    @property
-    def columns_at(self) -> int:
-        """Bytes before the shares of the first row: the header, the rows and the guide to the rows."""
-        return 8 * (HEADER + ROW * self.height) + 4 * self.height
-
-    @property
-    def bytes(self) -> int:
-        """Size of the table in bytes."""
-        return self.columns_at + self.row_bytes * self.height
-
-
-def _fill_rows(rows: np.ndarray, sums: np.ndarray, width: int) -> None:
-    """Write the (H, 8) float64 of the rows from the sum of the luminances of each row."""
+def _fill_rows(rows: np.ndarray, sums: np.ndarray, angles: np.ndarray, width: int) -> None:
+    """Write the (H, 8) float64 of the rows from the sum of the luminances of each row and the angles at its edges."""
     height = len(sums)
-    edges = row_edges(height)
-    share = divide_steps((sums * solid_angles(height, width))[None], ROW_STEPS)[0] / ROW_STEPS
+    edges = np.square(np.sin(0.5 * angles))
+    share = divide_steps((sums * solid_angles(angles, width))[None], ROW_STEPS)[0] / ROW_STEPS
     size, lit = np.diff(edges), share[1:] > share[:-1]
     sine = 2.0 * np.sqrt(edges * (1.0 - edges))
     rows[:, 0], rows[:, 1], rows[:, 2], rows[:, 3] = share[:-1], share[1:], edges[:-1], size
@@ -130,67 +112,60 @@ def _fill_rows(rows: np.ndarray, sums: np.ndarray, width: int) -> None:
     rows[:, 5] = np.diff(share) * (width / (COLUMN_STEPS * 4.0 * pi)) / size
     rows[:, 6] = np.minimum(0.5 * MARGIN * np.maximum(sine[:-1], sine[1:]) / size, 0.5)
     # About a pole the azimuth of a float32 direction is lost: there draws keep off the pole, too.
-    pole = np.square(np.sin(0.5 * min(MARGIN * width / pi, MOST_OF_POLAR_ROW * pi / height)))
+    pole = np.square(np.sin(0.5 * np.minimum(MARGIN * width / pi, MOST_OF_POLAR_ROW * np.diff(angles)[[0, -1]])))
     rows[[0, -1], 6] = np.minimum(np.maximum(rows[[0, -1], 6], pole / size[[0, -1]]), 0.5)
 
 
-@dataclass(frozen=True)
-class Views:
-    """Parts of a table, as arrays that share its memory; see the top of this file.
-
-    Attributes:
-        header: (16,) float64, numbers.
-        frame: (9,) float32, frame of the picture with its axes in columns.
-        rows: (H, 8) float64.
-        guide: (H,) int32, guide to the rows.
-        columns: (H, W + 1 + buckets) uint32, the shares of pixels and the guides to them.
-    """
-
-    header: np.ndarray
-    frame: np.ndarray
-    rows: np.ndarray
-    guide: np.ndarray
-    columns: np.ndarray
-
-    @classmethod
-    def of(cls, table: np.ndarray, layout: Layout) -> "Views":
-        """Return the parts of a table, given as bytes, as arrays that share its memory."""
-        begin, end = 8 * HEADER, layout.columns_at
-        return cls(
-            table[:begin].view(np.float64),
-            table[8 * FRAME : begin].view(np.float32)[:9],
-            table[begin : end - 4 * layout.height].view(np.float64).reshape(layout.height, ROW),
-            table[end - 4 * layout.height : end].view(np.int32),
-            table[end : layout.bytes].view(np.uint32).reshape(layout.height, -1),
-        )
-
-
-def build_table(luminance: np.ndarray, frame: np.ndarray) -> np.ndarray:
+def build_table(
+    weights: np.ndarray, frame: np.ndarray, angles: np.ndarray, luminance: np.ndarray | None = None
+) -> np.ndarray:
     """Build the table of a picture, as bytes.
 
     Args:
-        luminance: (H, W) float32, at least 0, with a number above 0.
+        weights: (H, W) float32, densities of the pixels in any unit, at least 0, with a number above 0.
         frame: (3, 3) float64, matrix from world coordinates to the picture's frame.
+        angles: (H + 1,) float64, angles to the pole of row 0 at the edges of rows.
+        luminance: float32 luminances to keep in the table. Default: None.
     """
-    height, width = luminance.shape
-    layout = Layout.of(height, width)
-    table = np.zeros(layout.bytes // 8 + 1).view(np.uint8)
-    views, sums = Views.of(table, layout), np.empty(height)
-    views.header[:6] = height, width, layout.buckets, 1.0 / width, layout.columns_at, MARGIN * width / (2.0 * pi)
-    views.frame[:] = frame.T.ravel()
+    height, width = weights.shape
+    rows, sums, guides = np.zeros((height, ROW)), np.empty(height), []
+    shares, spare = np.empty((height, width + 1), np.uint32), _SPARE * weights.size
     for row in range(height):  # one row at a time: a float64 copy of a large picture needs 300 MB
-        line = luminance[row].astype(np.float64)
+        line = weights[row].astype(np.float64)
         steps = divide_steps(line[None], COLUMN_STEPS)[0]
-        views.columns[row, : width + 1] = steps.astype(np.uint32)
-        views.columns[row, width + 1 :] = _guide(steps[1:], COLUMN_STEPS, layout.buckets, 2.0)
+        shares[row] = steps
+        guides.append(_build_guide(steps[1:] / 2.0**32, (COLUMN_STEPS - 1) / 2.0**32, _MOST_BITS if spare > 0 else 0))
+        spare -= len(guides[-1])
         sums[row] = line.sum()
-    _fill_rows(views.rows, sums, width)
-    views.guide[:] = _guide(views.rows[:, 1], 1.0, height, 1e-12)
+    _fill_rows(rows, sums, angles, width)
+    guides.insert(0, _build_guide(rows[:, 1], 1.0 - 0.5 / ROW_STEPS))
+    lengths = np.array([len(guide) for guide in guides])
+    bits = np.log2(lengths - 1)
+    rows[:, 7] = np.cumsum(lengths)[:-1] + (32.0 - bits[1:]) / 64.0
+    pixels = np.zeros(0, np.float32) if luminance is None else luminance
+    parts = [np.zeros(HEADER), rows, shares, *guides, pixels]
+    sizes = [part.nbytes for part in parts]
+    starts = np.cumsum([0, *sizes])
+    few = max(int(np.diff(guide).max()) for guide in guides) < 1 << FEW_STEPS
+    parts[0][:4] = height, width, 1.0 / width, MARGIN * width / (2.0 * pi)
+    parts[0][4:9] = lengths[0] - 1, starts[2], starts[3], starts[-2], FEW_STEPS if few else MOST_STEPS
+    parts[0][9] = 1.0 / float(sums @ solid_angles(angles, width))
+    parts[0][FRAME : FRAME + 9] = frame.T.ravel()
+    table = np.empty(starts[-1] // 8 + 1).view(np.uint8)
+    for start, part in zip(starts, parts, strict=False):
+        table[start : start + part.nbytes] = part.reshape(-1).view(np.uint8)
     return table
 
 
 def read_shares(table: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return cumulative shares of the rows, (H + 1,) float64 from 0 to 1, and of each row's pixels, (H, W + 1)."""
     height, width = (int(size) for size in table[:16].view(np.float64))
-    views = Views.of(table, Layout.of(height, width))
-    return np.append(views.rows[:, 0], views.rows[-1, 1]), views.columns[:, : width + 1] / float(COLUMN_STEPS)
+    first, end = 8 * HEADER, 8 * (HEADER + ROW * height)
+    rows = table[first:end].view(np.float64).reshape(height, ROW)
+    shares = table[end : end + 4 * height * (width + 1)].view(np.uint32).reshape(height, width + 1)
+    return np.append(rows[:, 0], rows[-1, 1]), shares / float(COLUMN_STEPS)
+
+
+def read_steps(table: np.ndarray) -> int:
+    """Return the number of steps of a search in the table, `FEW_STEPS` or `MOST_STEPS`."""
+    return int(table[: 8 * HEADER].view(np.float64)[8])

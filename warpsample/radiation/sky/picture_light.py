@@ -8,9 +8,8 @@ from typing import Any, Literal
 
 import numpy as np
 
-from warpsample.distributions.lights.environment_map import EnvironmentMap
-from warpsample.distributions.lights.picture import weigh_colours
-from warpsample.distributions.lights.pixel_table import solid_angles
+from warpsample.distributions.lights.picture_reading import PictureReading
+from warpsample.distributions.lights.pixel_table import pixel_angles, solid_angles
 from warpsample.estimate.plan import RaySum
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.split import SplitSum
@@ -50,14 +49,12 @@ class PictureLight:
         return f"{sha256(self.pixels.tobytes()).hexdigest()} {self.pixels.shape} {self.up}"
 
     @cached_property
-    def lobe(self) -> EnvironmentMap | None:
-        """Density of rays towards the picture, by the mean over each pixel of the bilinear reading; None if it is black.
-
-        The mean is above 0 wherever the reading is above 0; the pixels themselves are not.
-        """
+    def lobe(self) -> PictureReading | None:
+        """Density of rays towards the picture, by the bilinear reading of its luminance; None if it is black."""
         if not self.pixels.any():
             return None
-        return find_or_make(f"lobe of {self.cache_key}", lambda: EnvironmentMap(mean_reading(self.pixels), self.up))
+        pixels = self.pixels if self.colours == 3 else self.pixels[..., 0]
+        return find_or_make(f"lobe of {self.cache_key}", lambda: PictureReading(pixels, self.up))
 
     @cached_property
     def share(self) -> float:
@@ -70,7 +67,8 @@ class PictureLight:
         if self.lobe is None:
             return 0.0
         luminance = self.lobe.picture.astype(np.float64) / float(self.lobe.picture.max())
-        weights = np.broadcast_to(solid_angles(*luminance.shape)[:, None], luminance.shape)
+        height, width = luminance.shape
+        weights = np.broadcast_to(solid_angles(pixel_angles(height), width)[:, None], luminance.shape)
         mean = np.average(luminance, weights=weights)
         part = 1.0 - np.square(mean) / np.average(np.square(luminance), weights=weights)
         share = _MOST * (2.0 * float(part) - 1.0)
@@ -87,22 +85,3 @@ class PictureLight:
             return lambda ratio: RaySum(sampled_by(function, self.pixels, lobe, ratio), result=result)
 
         return SplitSum(sum_by(by_cosine), sum_by(by_picture), lobe, share)
-
-
-def mean_reading(pixels: np.ndarray) -> np.ndarray:
-    """Return the mean luminance of the bilinear reading over each pixel, (H, W) float32, of (H, W, 3) radiances.
-
-    The mean has the weights (1, 6, 1) / 8 along each axis. Columns are joined at their ends; the rows at the poles repeat.
-    """
-    luminance = weigh_colours(pixels)
-    if (luminance == luminance.flat[0]).all():
-        return luminance
-    mean = 0.75 * luminance + 0.125 * (np.roll(luminance, 1, axis=1) + np.roll(luminance, -1, axis=1))
-    padded = np.concatenate([mean[:1], mean, mean[-1:]])
-    found = 0.75 * mean + 0.125 * (padded[:-2] + padded[2:])
-    # Sums that underflow: a pixel beside a lit one must be drawn.
-    lit = luminance > 0.0
-    lit = lit | np.roll(lit, 1, axis=1) | np.roll(lit, -1, axis=1)
-    lit[1:], lit[:-1] = lit[1:] | lit[:-1], lit[:-1] | lit[1:]
-    found[lit & (found == 0.0)] = np.finfo(np.float32).smallest_subnormal
-    return found.astype(np.float32)

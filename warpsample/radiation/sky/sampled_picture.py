@@ -5,10 +5,10 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.lights.environment_map import EnvironmentMap
-from warpsample.distributions.lights.pixel_draws import square_to_environment_map_pdf
+from warpsample.distributions.lights.picture_reading import PictureReading, square_to_reading_pdf
 from warpsample.estimate.integrand import Integrand, Lobe
-from warpsample.estimate.weights import picture_radiance
+from warpsample.maths.angles import turns_of
+from warpsample.maths.frames import frame_about, to_local
 from warpsample.maths.numerics import INV_PI
 
 _PI = wp.constant(wp.float32(3.141592653589793))
@@ -19,7 +19,7 @@ _LEAST_COSINE = wp.constant(wp.float32(2.0**-12))
 class SampledPicture:
     """Data of the integrands: the picture as in `Weights`, the table of its density, and rays of the other distribution.
 
-    table: Address of the table of an `EnvironmentMap`.
+    table: Address of the table of a `PictureReading`.
     ratio: Number of rays from the other distribution for each ray.
     """
 
@@ -37,12 +37,35 @@ SampledPictureArgs: Any = type(SampledPicture().__ctype__())
 
 
 @wp.func
+def _pixel(data: SampledPicture, column: wp.int32, row: wp.int32) -> wp.vec3:
+    """Return the radiance of a pixel; columns -1 and `width` are the last and the first, and rows beyond a pole repeat."""
+    pixels = wp.array(ptr=data.pixels, shape=(3,), dtype=wp.uint32)  # no float32: see `pixel_table`
+    across = wp.where(column < 0, data.width - 1, wp.where(column >= data.width, 0, column))
+    at = 3 * (wp.clamp(row, 0, data.height - 1) * data.width + across)
+    return wp.vec3(wp.cast(pixels[at], wp.float32), wp.cast(pixels[at + 1], wp.float32), wp.cast(pixels[at + 2], wp.float32))
+
+
+@wp.func
+def _read(d: wp.vec3, data: SampledPicture) -> wp.vec3:
+    """Return the radiance in a direction as `picture_radiance` does, but for rounding, without calls of libm."""
+    w = to_local(frame_about(wp.vec3(data.x, data.y, data.z)), d)
+    across = turns_of(w[0], w[1]) * wp.float32(data.width) - 0.5
+    down = turns_of(w[2], wp.sqrt(w[0] * w[0] + w[1] * w[1])) * 2.0 * wp.float32(data.height) - 0.5
+    column = wp.int32(wp.floor(across))
+    row = wp.int32(wp.floor(down))
+    right = across - wp.float32(column)
+    top = wp.lerp(_pixel(data, column, row), _pixel(data, column + 1, row), right)
+    bottom = wp.lerp(_pixel(data, column, row + 1), _pixel(data, column + 1, row + 1), right)
+    return wp.lerp(top, bottom, down - wp.float32(row))
+
+
+@wp.func
 def by_cosine(d: wp.vec3, lobe: Lobe, data: SampledPicture) -> wp.vec3:
     """Return radiance * cosine / (cosine / pi + ratio * density of the picture), for rays of the cosine lobe."""
-    radiance = picture_radiance(d, data)
+    radiance = _read(d, data)
     if radiance[0] + radiance[1] + radiance[2] > 0.0:
         cosine = wp.max(wp.dot(d, lobe.normal), _LEAST_COSINE)
-        radiance *= _PI / (1.0 + data.ratio * _PI * square_to_environment_map_pdf(d, data.table) / cosine)
+        radiance *= _PI / (1.0 + data.ratio * _PI * square_to_reading_pdf(d, data.table) / cosine)
     return radiance
 
 
@@ -50,12 +73,12 @@ def by_cosine(d: wp.vec3, lobe: Lobe, data: SampledPicture) -> wp.vec3:
 def by_picture(d: wp.vec3, lobe: Lobe, data: SampledPicture) -> wp.vec3:
     """Return radiance * cosine / (density of the picture + ratio * cosine / pi), for rays of the picture."""
     cosine = wp.dot(d, lobe.normal)
-    if cosine < _LEAST_COSINE:
-        return wp.vec3(0.0)
-    return picture_radiance(d, data) * (cosine / (lobe.pdf + data.ratio * cosine * INV_PI))
+    density = lobe.pdf + data.ratio * cosine * INV_PI
+    counts = cosine >= _LEAST_COSINE and lobe.pdf > 0.0  # 0: luminances that underflow
+    return _read(d, data) * wp.where(counts, cosine / density, 0.0)
 
 
-def sampled_by(function: wp.Function, pixels: np.ndarray, lobe: EnvironmentMap, ratio: float) -> Integrand:
+def sampled_by(function: wp.Function, pixels: np.ndarray, lobe: PictureReading, ratio: float) -> Integrand:
     """Return the integrand `by_cosine` or `by_picture` of a picture (H, W, 3), contiguous float32.
 
     Args:
