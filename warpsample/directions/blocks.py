@@ -206,8 +206,18 @@ def _build_frame_reader(tangents: bool) -> wp.Function:
     return orient
 
 
+def _lay_out_buffer(one_sample: bool, layout: Layout, tangents: bool) -> tuple[int, int, int, int]:
+    """Return the bytes at which repeated normals, frames and columns begin in a task's buffer, and its number of floats.
+
+    For one sample per point, the unit normals of the points are the repeated normals.
+    """
+    own = 2 * FLAT_BLOCK + (3 if one_sample else 6) * _STRIDE
+    frame_floats = (6 if one_sample else 12) * _STRIDE * tangents
+    return 4 * (own - 3 * _STRIDE), 4 * own, 4 * (own + frame_floats), own + frame_floats + len(layout) * _STRIDE
+
+
 @once
-def direction_blocks(
+def _build_block_filler(
     sequence: Sequence,
     about: wp.Function,
     *,
@@ -216,15 +226,13 @@ def direction_blocks(
     with_pdf: bool,
     masked: bool,
     one_sample: bool,
-    layout: Layout = (),
-    tangents: bool = False,
-) -> wp.Kernel:
-    """Build the Warp kernel that samples directions block by block, with the same bits as the kernel of `direction_rows`.
-
-    A task computes `rows` blocks of consecutive directions.
+    layout: Layout,
+    tangents: bool,
+) -> wp.Function:
+    """Build the wp.func that samples the directions of a block, with a buffer for all that is computed before.
 
     A block computes unit normals and points u first. If points have several samples, it then copies the normal of each pair
-    to a buffer, because a gather from an array that the stores might alias would prevent vectorisation.
+    to the buffer, because a gather from an array that the stores might alias would prevent vectorisation.
     """
     (store, _), redraws, by_point = select_accessors(with_pdf, masked), redraw is not None, bool(layout)
     how = {"redraw": redraw, "redraw_below": redraw_below, "with_pdf": with_pdf, "masked": masked}
@@ -232,11 +240,7 @@ def direction_blocks(
     write_frames, orient = _build_frame_writer(one_sample), _build_frame_reader(tangents)
     write_columns, load = column_writer(layout, _STRIDE), column_loader(layout, _STRIDE)
     write_units, fill = build_unit_writer(masked, _STRIDE, False), _build_block_variates(sequence, one_sample)
-    own = 2 * FLAT_BLOCK + (3 if one_sample else 6) * _STRIDE
-    repeated_at = 4 * (own - 3 * _STRIDE)  # bytes; for one sample per point, the address of the unit normals
-    frame_floats = (6 if one_sample else 12) * _STRIDE * tangents
-    frames_at, columns_at = 4 * own, 4 * (own + frame_floats)
-    floats = own + frame_floats + len(layout) * _STRIDE
+    repeated_at, frames_at, columns_at, _ = _lay_out_buffer(one_sample, layout, tangents)
 
     @wp.func
     def fill_block(samples: Samples, first: wp.int64, buffer: wp.uint64):
@@ -263,8 +267,7 @@ def direction_blocks(
         if wp.static(tangents):
             rare = rare | write_frames(samples.tangents, point, units, span, count, start, length, frames)
         if wp.static(by_point):
-            row = samples.row + point
-            rare = rare | write_columns(samples.tables, row, span, count, start, length, columns.ptr)
+            rare = rare | write_columns(samples.tables, samples.row + point, span, count, start, length, columns.ptr)
         j = wp.int32(0)
         while j < length:
             n = wp.vec3(repeated[j], repeated[_STRIDE + j], repeated[2 * _STRIDE + j])
@@ -276,6 +279,30 @@ def direction_blocks(
             j += 1
         if rare != 0:
             mend(samples, point, start, length, normals, active, vectors, pdf)
+
+    return fill_block
+
+
+@once
+def direction_blocks(
+    sequence: Sequence,
+    about: wp.Function,
+    *,
+    redraw: wp.Function | None,
+    redraw_below: float,
+    with_pdf: bool,
+    masked: bool,
+    one_sample: bool,
+    layout: Layout = (),
+    tangents: bool = False,
+) -> wp.Kernel:
+    """Build the Warp kernel that samples directions block by block, with the same bits as the kernel of `direction_rows`.
+
+    A task computes `rows` blocks of consecutive directions.
+    """
+    how = {"redraw": redraw, "redraw_below": redraw_below, "with_pdf": with_pdf, "masked": masked}
+    shape = {"one_sample": one_sample, "layout": layout, "tangents": tangents}
+    fill_block, floats = _build_block_filler(sequence, about, **how, **shape), _lay_out_buffer(**shape)[-1]
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def direction_blocks(samples: Samples, first_task: wp.int64):

@@ -1,5 +1,7 @@
 """Warp kernel that samples directions point by point, for many samples per point and for CUDA."""
 
+from typing import Any
+
 import warp as wp
 
 from warpsample.directions.samples import (
@@ -125,6 +127,44 @@ def _build_chunk_filler(
 
 
 @once
+def _build_row_filler(
+    sequence: Sequence, about: wp.Function, *, with_pdf: bool, tangents: bool, chunk: int, **how: Any
+) -> wp.Function:
+    """Build the wp.func that samples the directions of one point from number `start` to number `end`.
+
+    `buffer` has room for a chunk of points u, and behind them for directions and densities of a chunk whose end is not a
+    whole number of lanes. `how` holds `redraw` and `redraw_below` of `direction_rows`.
+    """
+    fill_chunk = _build_chunk_filler(sequence, about, with_pdf=with_pdf, tangents=tangents, chunk=chunk, **how)
+    move, lanes, orientation = _build_mover(with_pdf), min(LANES, chunk), wp.mat33 if tangents else wp.vec3
+
+    @wp.func
+    def fill_row(
+        samples: Samples,
+        key: wp.vec4ui,
+        n: orientation,
+        parameters: Parameters,
+        point: wp.int64,
+        start: wp.int32,
+        end: wp.int32,
+        buffer: wp.uint64,
+    ):
+        spare = buffer + wp.uint64(8 * chunk)
+        row = wp.uint64(point) * wp.uint64(samples.count)
+        for first in range(start, end, chunk):
+            length = wp.min(chunk, end - first)
+            padded = (length + lanes - 1) / lanes * lanes
+            at = row + wp.uint64(first)
+            target = wp.where(length == padded, samples.vectors + at * wp.uint64(12), spare)
+            target_pdf = wp.where(length == padded, samples.pdf + at * wp.uint64(4), spare + wp.uint64(12 * chunk))
+            fill_chunk(samples, key, n, parameters, first, length, padded, buffer, target, target_pdf)
+            if length != padded:
+                move(samples, at, length, target, target_pdf)
+
+    return fill_row
+
+
+@once
 def _build_key_function(sequence: Sequence, own_ids: bool) -> wp.Function:
     """Build the wp.func that returns the random key of a point, derived from the point's id."""
     key_of, run_with = sequence.key, sequence.run
@@ -175,25 +215,16 @@ def direction_rows(
         tangents: whether the points have tangents, `Samples.tangents`.
         chunk: number of samples whose points u are computed ahead of the directions, CHUNK or 1.
     """
-    move, clear = _build_mover(with_pdf), _build_clearer(with_pdf, masked)
-    fill_chunk = _build_chunk_filler(
-        sequence,
-        about,
-        redraw=redraw,
-        redraw_below=redraw_below,
-        with_pdf=with_pdf,
-        tangents=tangents,
-        chunk=chunk,
-    )
+    how = {"redraw": redraw, "redraw_below": redraw_below, "with_pdf": with_pdf, "tangents": tangents, "chunk": chunk}
+    fill_row, clear = _build_row_filler(sequence, about, **how), _build_clearer(with_pdf, masked)
     load, check, orient = row_loader(layout), row_check(layout), build_orienter(tangents)
-    key_of, lanes, most_rows = _build_key_function(sequence, own_ids), min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
+    key_of, most_rows = _build_key_function(sequence, own_ids), MOST_ROWS if chunk > 1 else 1
     write_units, floats = build_unit_writer(masked, most_rows, True), 6 * chunk + 4 * most_rows
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def direction_rows(samples: Samples, first_task: wp.int64):
         # Views instead of local arrays: the compiler assumes that the loops may overwrite the address of a local array.
         buffer = wp.zeros(shape=(floats,), dtype=wp.float32)
-        spare = buffer.ptr + wp.uint64(8 * chunk)
         units = wp.array(ptr=buffer.ptr + wp.uint64(24 * chunk), shape=(4 * most_rows,), dtype=wp.float32)
         segments = wp.int64((samples.count + samples.segment - 1) / samples.segment)
         first_segment = (first_task + wp.int64(wp.tid())) * wp.int64(samples.rows)
@@ -208,19 +239,9 @@ def direction_rows(
             point = first_point + wp.int64(k)
             n = wp.vec3(units[k], units[most_rows + k], units[2 * most_rows + k])
             key = key_of(samples, point)
-            row = wp.uint64(point) * wp.uint64(samples.count)
             parameters = load(samples.parameters, samples.tables, samples.row + point)
             if wp.abs(units[3 * most_rows + k]) < 0.1 and check(parameters) == 0:
-                orientation = orient(samples, point, n)
-                for first in range(start, end, chunk):
-                    length = wp.min(chunk, end - first)
-                    padded = (length + lanes - 1) / lanes * lanes
-                    at = row + wp.uint64(first)
-                    target = wp.where(length == padded, samples.vectors + at * wp.uint64(12), spare)
-                    target_pdf = wp.where(length == padded, samples.pdf + at * wp.uint64(4), spare + wp.uint64(12 * chunk))
-                    fill_chunk(samples, key, orientation, parameters, first, length, padded, buffer.ptr, target, target_pdf)
-                    if length != padded:
-                        move(samples, at, length, target, target_pdf)
+                fill_row(samples, key, orient(samples, point, n), parameters, point, start, end, buffer.ptr)
             else:
                 clear(samples, point, start, end)
 

@@ -49,6 +49,37 @@ def _scene_reader(view_at: int) -> wp.Function:
     return read
 
 
+@wp.func
+def _pass_light(m: wp.vec3, cosine: wp.float32, view: wp.vec3, eta: wp.float32, chance: wp.float32):
+    """Return (w, whether m reflects, factor): the view v reflected at the normal m if `chance` is below F, else refracted.
+
+    The density of w from the chosen part is that of m, divided by the cosine m.v, times the factor.
+    """
+    share = fresnel_dielectric(cosine, eta)
+    mirrors = chance < share
+    mirrored = reflected(m, view, cosine)
+    bent = normal_to_refraction(m, view, eta)
+    w = wp.vec3(
+        wp.where(mirrors, mirrored[0], bent[0]),
+        wp.where(mirrors, mirrored[1], bent[1]),
+        wp.where(mirrors, mirrored[2], bent[2]),
+    )
+    excess = (eta - 1.0) * (eta + 1.0)
+    g = root(wp.max(fma(cosine, cosine, excess), 0.0))
+    spread = (cosine + g) / excess
+    through = wp.float32(transmitted_share(wp.float64(cosine), wp.float64(g), wp.float64(eta) * wp.float64(eta)))
+    return w, mirrors, wp.where(mirrors, 0.25 * share, cosine * through * g * eta * spread * spread)
+
+
+@wp.func
+def _other_normal(w: wp.vec3, view: wp.vec3, eta: wp.float32, mirrors: wp.bool):
+    """Return (m, m.v, factor) for the part that was not chosen: w may also be refracted, or reflected, at another normal."""
+    h, half_cosine, half_factor = reflection_of(w, view, eta)
+    t, cosine, factor = refraction_of(w, view, eta)
+    m = wp.vec3(wp.where(mirrors, t[0], h[0]), wp.where(mirrors, t[1], h[1]), wp.where(mirrors, t[2], h[2]))
+    return m, wp.where(mirrors, cosine, half_cosine), wp.where(mirrors, factor, half_factor)
+
+
 @once
 def rough_dielectric_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> Maps:
     """Build the functions of a rough dielectric, from those of the lobe of normals.
@@ -89,27 +120,8 @@ def rough_dielectric_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: boo
             own += side(wp.vec3(-m[0], -m[1], -m[2]), -cosine, parameters)
         turn = wp.where(cosine < 0.0, -1.0, 1.0)
         m = wp.vec3(turn * m[0], turn * m[1], turn * m[2])
-        cosine = wp.abs(cosine)
-        share = fresnel_dielectric(cosine, eta)
-        mirrors = third_uniform(u) < share
-        mirrored = reflected(m, view, cosine)
-        bent = normal_to_refraction(m, view, eta)
-        w = wp.vec3(
-            wp.where(mirrors, mirrored[0], bent[0]),
-            wp.where(mirrors, mirrored[1], bent[1]),
-            wp.where(mirrors, mirrored[2], bent[2]),
-        )
-        excess = (eta - 1.0) * (eta + 1.0)
-        g = root(wp.max(fma(cosine, cosine, excess), 0.0))
-        spread = (cosine + g) / excess
-        through = wp.float32(transmitted_share(wp.float64(cosine), wp.float64(g), wp.float64(eta) * wp.float64(eta)))
-        factor = wp.where(mirrors, 0.25 * share, cosine * through * g * eta * spread * spread)
-        # The other part of the density: the same direction may also be refracted or reflected at another normal.
-        h, half_cosine, half_factor = reflection_of(w, view, eta)
-        t, other_cosine, other_factor = refraction_of(w, view, eta)
-        n = wp.vec3(wp.where(mirrors, t[0], h[0]), wp.where(mirrors, t[1], h[1]), wp.where(mirrors, t[2], h[2]))
-        other_cosine = wp.where(mirrors, other_cosine, half_cosine)
-        other_factor = wp.where(mirrors, other_factor, half_factor)
+        w, mirrors, factor = _pass_light(m, wp.abs(cosine), view, eta, third_uniform(u))
+        n, other_cosine, other_factor = _other_normal(w, view, eta, mirrors)
         other = wp.where(other_factor > 0.0, other_factor * normals(n, other_cosine, parameters), 0.0)
         return wp.vec4(sign * w[0], sign * w[1], sign * w[2], factor * own + other)
 
@@ -147,10 +159,11 @@ class RoughDielectric(ScatteredLight):
     below = True
     source = "Walter2007, equations 13 to 22; the choice by a hash: own"
     limits = (
-        "there is no inverse, because a hash of u chooses between reflection and refraction. For a view from the denser "
-        "side the direction is less precise near the rim of total reflection, where its derivative is infinite; it is not "
-        "measured for squared cosines of refraction below 1e-3. The density of Beckmann's normals is less precise than "
-        "others, because the exponential of the slope of m multiplies the rounding of w"
+        "there is no inverse, because a hash of u chooses between reflection and refraction. A reflected direction has "
+        "twice the error of the lobe's normals. For a view from the denser side the direction is less precise near the "
+        "rim of total reflection, where its derivative is infinite; it is not measured for squared cosines of refraction "
+        "below 1e-3. The density of Beckmann's normals is less precise than others, because the exponential of the slope "
+        "of m multiplies the rounding of w"
     )
     worst_angle = 3e-5
     worst_pdf = 6e-6
