@@ -18,7 +18,7 @@ from warpsample.distributions.parameters import bind_parameters
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.mesh.placing import place_points
 
-NOT_HERE = ("cosine_hemisphere", "environment_map")  # named above; a search in tables, whose number of steps differs
+NOT_HERE = ("cosine_hemisphere", "environment_map")  # named above; named below, since its inverse calls libm
 # Sequence and map have loops of their own, so each needs one partner only.
 VECTORISED = [
     *((name, ws.CosineHemisphere("polar")) for name in ws.sequences.names()),
@@ -108,6 +108,38 @@ def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
             assert min(map(int, hot)) >= lanes // 2, one  # those with float64 have half the lanes
             assert not re.search(r"loop not vectorized.*\n.*goto end_while_", one), one
         assert max(widths) >= lanes
+
+
+_PICTURE_REMARKS = """
+import sys
+import numpy as np, warp as wp
+wp.config.log_level = wp.LOG_WARNING
+wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vectorize"
+import warpsample as ws
+from warpsample.distributions.lights.picture_reading import PictureReading
+picture = np.ones((64, 128))
+for contrast in (1.0, 1e12):
+    picture[1, 2] = contrast
+    for lobe in (ws.EnvironmentMap(picture), PictureReading(picture)):
+        print("@@", lobe, file=sys.stderr, flush=True)
+        ws.sample_directions(np.ones((2, 3), np.float32), 64, distribution=lobe, sequence="independent")
+"""
+
+
+@pytest.mark.slow
+def test_the_loop_over_directions_towards_a_picture_is_vectorised(tmp_path, child_environment):
+    """The search in the picture's table, too, for few steps and for many."""
+    script = tmp_path / "remarks.py"
+    script.write_text(_PICTURE_REMARKS)
+    environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache")}
+    remarks = subprocess.run([sys.executable, script], env=environment, capture_output=True, text=True, check=True).stderr
+    compiled = re.split(r"^@@ ", remarks, flags=re.MULTILINE)[1:]
+    assert len(compiled) == 4
+    for one in compiled:
+        widths = [int(n) for n in re.findall(r"vectorized loop \(vectorization width: (\d+).*\n.*goto end_while_", one)]
+        assert len(widths) >= 3, one  # the sequence, the map, and copies of the last directions
+        assert min(widths) >= _LANES.get(describe_machine().instructions, 8) // 2, one  # float64 has half the lanes
+        assert not re.search(r"loop not vectorized.*\n.*goto end_while_", one), one
 
 
 def directions_by(factory, sequence, case, **how):
