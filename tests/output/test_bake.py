@@ -14,7 +14,7 @@ from warpsample.output import bake, source
 from warpsample.output.baked import BakeRun
 from warpsample.output.places import PLACES
 from warpsample.output.quantities import quantity_of
-from warpsample.output.run_record import RunRecord
+from warpsample.output.run_record import RunRecord, summarize
 from warpsample.output.source import read_source
 
 TORUS = trimesh.creation.torus(2.0, 0.6, 24, 12)
@@ -178,3 +178,17 @@ def test_bad_input_is_one_line(call, cube, tmp_path, monkeypatch, arguments, mes
     assert err.startswith(message)
     assert err.count("\n") == 1
     assert set(tmp_path.iterdir()) == {cube}
+
+
+def test_the_summary_of_colours_is_their_mean(call, torus, tmp_path):
+    """The length of three equal colours was 1.73 times the irradiance. Vectors keep their length."""
+    picture = tmp_path / "white.npy"
+    np.save(picture, np.ones((4, 8, 3), np.float32))
+    options = ("--samples", 32, "--quantity", "irradiance", "--environment", picture)
+    _, out, _ = call("bake", torus, "-o", tmp_path / "out.npz", *options)
+    value = np.load(tmp_path / "out.npz")["value"]
+    assert value.shape[1] == 3
+    assert value.max() == pytest.approx(np.pi, rel=1e-5)
+    assert f"mean {value.mean(dtype=np.float64):.4f}, from {value.min():.4g} to {value.max():.4g};" in out
+    lengths = summarize(np.array([[0.0, 3.0, 4.0]]), np.zeros((1, 3)), 0, vectors=True)
+    assert lengths["sum"] == 5.0

@@ -148,6 +148,7 @@ def test_terrain_around_a_city_may_be_a_raster(call, tmp_path):
             "--output: got 'x.csv' for sky-matrix, want a file",
         ),
         (["a.json", "-o", "x.csv", "--context", "no.obj"], "path: got 'no.obj', which is missing, want a mesh file"),
+        (["a.json", "-o", "x.csv", "--context", "no.tif"], "--context: got 'no.tif', which is missing, want the path"),
         (["a.json", "-o", "x.csv", "--at", "vertices"], "--at: got vertices for means over parts, want faces, or --points"),
         (["a.json", "-o", "x.csv", "--points", "0"], "--points: got 0, want a whole number from 1"),
         (["a.json", "-o", "a.json"], "--output: got 'a.json', which is the input"),

@@ -16,7 +16,7 @@ from dask.callbacks import Callback
 from dask.highlevelgraph import HighLevelGraph
 
 from warpsample.cluster.arrays import GIVEN_ARRAYS, blocks_of
-from warpsample.cluster.chunks import FUNCTIONS, Call, numbers, points_in
+from warpsample.cluster.chunks import CALLS, FUNCTIONS, Call, numbers, points_in
 from warpsample.cluster.finishing import AT_A_TIME, check_workers_of, finished
 from warpsample.cluster.job import CHUNK, Job, job_of
 from warpsample.cluster.lock import locked
@@ -156,4 +156,5 @@ def bake_chunk(
     if "value" not in found or "standard_error" not in found:
         return np.array([(len(span), rays, 0, 0.0, 0.0, np.inf, -np.inf)], SUMMARY)
     known = found["status"] == 0 if "status" in found else None
-    return np.array([summarize(found["value"], found["standard_error"], rays, known)], SUMMARY)
+    vectors = call.name in CALLS and CALLS[call.name].is_vector
+    return np.array([summarize(found["value"], found["standard_error"], rays, known, vectors=vectors)], SUMMARY)

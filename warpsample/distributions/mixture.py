@@ -10,145 +10,19 @@ from typing_extensions import Self
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.maps import Maps
 from warpsample.distributions.microfacets.ggx import GGX
-from warpsample.distributions.parameters import MOST_NUMBERS, Parameters, number_at
+from warpsample.distributions.mixture_maps import mixture_about, mixture_maps
+from warpsample.distributions.parameters import MOST_NUMBERS
 from warpsample.distributions.record import Cases, Distribution
 from warpsample.distributions.scattering.henyey_greenstein import HenyeyGreenstein
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.distributions.von_mises_fisher import VonMisesFisher
-from warpsample.host.arguments import quote
+from warpsample.host.arguments import check_flag, quote
 from warpsample.host.arrays import as_real
-from warpsample.host.locks import once
-from warpsample.maths.numerics import GRID, uniform_from_double
+from warpsample.maths.numerics import GRID
 
 _MOST = 8
 _PART = 1 << 16  # rows of weights that are converted at a time
-
-
-@once
-def build_chooser(count: int, first: int) -> wp.Function:
-    """Build the wp.func (x, Parameters) that chooses one of `count` parts of the unit interval for x.
-
-    The widths of the parts begin with number `first` of the parameters. The result is (start of the part, width, index of
-    the part, end of all parts). All sums of widths are exact: the widths are multiples of 2^-24.
-    """
-    if count == 1:
-
-        @wp.func
-        def choose(x: wp.float32, parameters: Parameters):  # noqa: ARG001
-            """Return the first part."""
-            width = number_at(parameters, first)
-            return wp.vec4(0.0, width, 0.0, width)
-
-        return choose
-
-    before, last, place = build_chooser(count - 1, first), count - 1, count - 1.0
-
-    @wp.func
-    def choose(x: wp.float32, parameters: Parameters):
-        """Return the last part if x is in the last part, else a part before."""
-        c = before(x, parameters)
-        width = number_at(parameters, first + last)
-        inside = x >= c[3]
-        return wp.vec4(
-            wp.where(inside, c[3], c[0]), wp.where(inside, width, c[1]), wp.where(inside, place, c[2]), c[3] + width
-        )
-
-    return choose
-
-
-@once
-def build_drawer(parts: tuple[Maps, ...]) -> wp.Function:
-    """Build the wp.func (u, index, Parameters) that returns the direction and the density of the part of an index at u.
-
-    The density is -1 for parts without a function `draw`.
-    """
-    sample, draw, last, place = parts[-1].sample, parts[-1].draw, len(parts) - 1, len(parts) - 1.0
-    if draw is None:
-
-        @wp.func
-        def draw(u: wp.vec2, parameters: Parameters):
-            """Return a direction of the last part, with density -1."""
-            w = sample(u, parameters)
-            return wp.vec4(w[0], w[1], w[2], -1.0)
-
-    if last == 0:
-
-        @wp.func
-        def draw_part(u: wp.vec2, index: wp.float32, parameters: Parameters):  # noqa: ARG001
-            """Return a direction of the only part."""
-            return draw(u, parameters)
-
-        return draw_part
-
-    before = build_drawer(parts[:-1])
-
-    @wp.func
-    def draw_part(u: wp.vec2, index: wp.float32, parameters: Parameters):
-        """Return a direction of the last part or of one before."""
-        a = before(u, index, parameters)
-        b = draw(u, parameters)
-        here = index == place
-        return wp.vec4(
-            wp.where(here, b[0], a[0]), wp.where(here, b[1], a[1]), wp.where(here, b[2], a[2]), wp.where(here, b[3], a[3])
-        )
-
-    return draw_part
-
-
-@once
-def build_sum(parts: tuple[Maps, ...], first: int) -> wp.Function:
-    """Build the wp.func (w, index, drawn, Parameters) that returns the density of a mixture at a direction w.
-
-    `drawn` replaces the density of the part of the index, if it is at least 0.
-    """
-    density, last, place = parts[-1].pdf, len(parts) - 1, len(parts) - 1.0
-
-    @wp.func
-    def part(w: wp.vec3, index: wp.float32, drawn: wp.float32, parameters: Parameters):
-        """Return the share of the last part."""
-        known = wp.where(index == place, drawn, -1.0)
-        return number_at(parameters, first + last) * wp.where(known >= 0.0, known, density(w, parameters))
-
-    if last == 0:
-        return part
-    before = build_sum(parts[:-1], first)
-
-    @wp.func
-    def total(w: wp.vec3, index: wp.float32, drawn: wp.float32, parameters: Parameters):
-        """Return the sum of the shares of all parts."""
-        return before(w, index, drawn, parameters) + part(w, index, drawn, parameters)
-
-    return total
-
-
-@once
-def mixture_maps(parts: tuple[Maps, ...], first: int) -> Maps:
-    """Build the functions of a mixture from the functions of the parts; the weights begin at parameter `first`."""
-    choose, draw_part, total = build_chooser(len(parts), first), build_drawer(parts), build_sum(parts, first)
-
-    @wp.func
-    def draw(u: wp.vec2, parameters: Parameters):
-        """Choose a part by u[0], stretch the part's interval of u[0] to the unit interval, and draw from the part."""
-        c = choose(u[0], parameters)
-        x = uniform_from_double((wp.float64(u[0]) - wp.float64(c[0])) / wp.float64(c[1]))
-        d = draw_part(wp.vec2(x, u[1]), c[2], parameters)
-        return wp.vec4(d[0], d[1], d[2], total(wp.vec3(d[0], d[1], d[2]), c[2], d[3], parameters))
-
-    @wp.func
-    def sample(u: wp.vec2, parameters: Parameters):
-        """Return the direction of `draw`."""
-        c = choose(u[0], parameters)
-        x = uniform_from_double((wp.float64(u[0]) - wp.float64(c[0])) / wp.float64(c[1]))
-        d = draw_part(wp.vec2(x, u[1]), c[2], parameters)
-        return wp.vec3(d[0], d[1], d[2])
-
-    @wp.func
-    def pdf(w: wp.vec3, parameters: Parameters):
-        """Return the weighted sum of the densities of all parts."""
-        return total(w, -1.0, -1.0, parameters)
-
-    return Maps(sample, pdf, draw=draw)
 
 
 @dataclass(frozen=True)
@@ -158,8 +32,11 @@ class Mixture(Distribution):
     u[0] chooses the lobe, and its place in the lobe's interval is the lobe's own u[0]; so points that are even in the square
     stay even within each lobe. The density at a direction is that of all lobes, the balance heuristic of Veach1995.
 
+    A lobe may be an `EnvironmentMap`, whose directions are in world coordinates. Then `sample` and `pdf` raise
+    NotImplementedError, since they would need normals; `sample_directions` and `integrate` work.
+
     Attributes:
-        lobes: one to eight distributions of local directions in space, with 20 float32 numbers at most, weights included.
+        lobes: one to eight distributions of directions in space, with 20 float32 numbers at most, weights included.
         weights: one number for each lobe, (k,), or (P, k) for each point, at least 0, not all 0. They are divided by their
             sum, and rounded to multiples of 2^-24, none above 0 to 0.
     """
@@ -202,8 +79,8 @@ class Mixture(Distribution):
             raise TypeError(
                 f"lobes: got {quote(self.lobes)}, want a list of one to eight distributions of directions in space"
             )
-        if any(lobe.in_world for lobe in lobes):
-            raise NotImplementedError("lobes: got a lobe whose directions are in world coordinates, want local ones only")
+        if any(lobe.in_world and isinstance(lobe, Mixture) for lobe in lobes):
+            raise NotImplementedError("lobes: got a mixture with a lobe in world coordinates, want that lobe itself")
         object.__setattr__(self, "lobes", tuple(lobes))
         wants = f"{len(lobes)} numbers, one for each lobe, at least 0 and not all 0, or (P, {len(lobes)}) for each point"
         weights = as_real(self.weights, "weights", wants)
@@ -234,7 +111,46 @@ class Mixture(Distribution):
         """Return the functions with arguments (u or w, Parameters), which read the parameters from number `start` on."""
         starts = start + np.cumsum([0, *(lobe.size for lobe in self.lobes)])
         parts = tuple(lobe.bound_maps(int(at)) for lobe, at in zip(self.lobes, starts, strict=False))
-        return parts[0] if len(parts) == 1 else mixture_maps(parts, int(starts[-1]))
+        return parts[0] if len(parts) == 1 else mixture_maps(parts, int(starts[-1]), self._worlds)
+
+    @property
+    def in_world(self) -> bool:  # type: ignore[override]
+        """Whether the directions of a lobe are in world coordinates; then `sample` and `pdf` would need normals."""
+        return any(self._worlds)
+
+    @property
+    def _worlds(self) -> tuple[bool, ...]:
+        """Whether the directions of each lobe are in world coordinates."""
+        return tuple(lobe.in_world for lobe in self.lobes)
+
+    def about(self, tangents: bool = False) -> wp.Function:
+        """Return the wp.func that samples directions about any normal or, with `tangents`, in any tangent frame.
+
+        Args:
+            tangents: whether the first argument of the function is a frame, see `Distribution`. Default: False.
+
+        Returns:
+            a `wp.func` (unit normal or frame, u, Parameters) -> (world direction, pdf).
+
+        Example:
+            >>> lobe = ws.Mixture([ws.GGX(0.3), ws.EnvironmentMap(np.ones((2, 4)))], weights=[0.5, 0.5])
+            >>> print(type(lobe.about()).__name__)
+            Function
+        """
+        if not self.in_world or len(self.lobes) == 1:
+            return self.lobes[0].about(tangents) if len(self.lobes) == 1 else super().about(tangents)
+        starts = np.cumsum([0, *(lobe.size for lobe in self.lobes)]).tolist()
+        parts = tuple(lobe.bound_maps(at) for lobe, at in zip(self.lobes, starts, strict=False))
+        return mixture_about(parts, starts[-1], self._worlds, check_flag(tangents, "tangents"))
+
+    def _apply(self, func: wp.Function, x: Any, **how: Any) -> Any:
+        """Apply a function to each vector, see `Distribution`, if all lobes are in local coordinates."""
+        if self.in_world and len(self.lobes) > 1:
+            raise NotImplementedError(
+                f"{self!r}: sample and pdf need the normals of points, since a lobe is in world coordinates; "
+                "sample_directions and integrate have them"
+            )
+        return super()._apply(func, x, **how)
 
     @property
     def maps(self) -> Maps:  # type: ignore[override]

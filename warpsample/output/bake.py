@@ -83,7 +83,7 @@ def compute_parts(points: Takeable, numbers: Numbers, size: int, record: RunReco
     """Compute a quantity for `size` points at a time, yield each result, and add each to the progress record."""
     for first in range(0, len(points), size):
         part = numbers(points.take(slice(first, first + size)), first)
-        record.add(summarize_result(part))
+        record.add(summarize_result(part, record.vectors))
         yield part
 
 

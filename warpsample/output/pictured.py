@@ -15,16 +15,17 @@ _MOST_CELLS = 2000  # cells along the sides of a picture of a raster
 
 
 def get_picture_values(baked: Any) -> np.ndarray:
-    """Return the (P,) values that a picture shows: a vector counts as its length; NaN where there is no value."""
+    """Return the (P,) values that a picture shows: the length of a vector, the mean of a colour; NaN without a value."""
     value = baked.result.value.astype(np.float64)
-    length = np.linalg.norm(value, axis=1) if value.ndim == 2 else value
-    return np.where(baked.result.status == 0, length, np.nan)
+    if value.ndim == 2:
+        value = np.linalg.norm(value, axis=1) if baked.quantity.is_vector else value.mean(axis=1)
+    return np.where(baked.result.status == 0, value, np.nan)
 
 
 def title_of(baked: Any) -> str:
     """Return the title of a picture: the name of the shown quantity, with the unit."""
     unit = baked.quantity.unit
-    name = f"length of {baked.quantity.title}" if baked.result.value.ndim == 2 else baked.quantity.title
+    name = f"length of {baked.quantity.title}" if baked.quantity.is_vector else baked.quantity.title
     return f"{name}, {unit}" if unit else name
 
 

@@ -21,27 +21,31 @@ SUMMARY = np.dtype(
 standard errors, the sum, the lowest and the highest value."""
 
 
-def summarize(value: np.ndarray, error: np.ndarray, rays: int, known: np.ndarray | None = None) -> np.void:
+def summarize(
+    value: np.ndarray, error: np.ndarray, rays: int, known: np.ndarray | None = None, *, vectors: bool = False
+) -> np.void:
     """Return the number, sums and range of some computed values, as a NumPy record of dtype SUMMARY.
 
     Args:
-        value: (P,) or (P, C) values. Three components are summarized by their length, more by their mean.
+        value: (P,) or (P, C) values. Components, such as colours, are summarized by their mean.
         error: Standard errors of the same shape.
         rays: Number of rays of the part.
         known: (P,) bool, points with a value. Default: None, points whose value is finite.
+        vectors: Whether values are vectors, which are summarized by their length.
     """
     rows = np.asarray(value, np.float64).reshape(len(value), -1)
-    length = np.linalg.norm(rows, axis=1) if rows.shape[1] == 3 else rows.mean(axis=1)
-    good = np.isfinite(length) if known is None else known
+    number = np.linalg.norm(rows, axis=1) if vectors else rows.mean(axis=1)
+    good = np.isfinite(number) if known is None else known
     squares = np.square(np.asarray(error, np.float64)).reshape(len(error), -1).mean(axis=1)[good]
-    length = length[good]
-    ends = length.min(initial=np.inf), length.max(initial=-np.inf)
-    return np.array((len(value), rays, len(length), squares.sum(), length.sum(), *ends), SUMMARY)[()]
+    number = number[good]
+    ends = number.min(initial=np.inf), number.max(initial=-np.inf)
+    return np.array((len(value), rays, len(number), squares.sum(), number.sum(), *ends), SUMMARY)[()]
 
 
-def summarize_result(found: Any) -> np.void:
-    """Return the number, sums and range of a result's values, as a NumPy record of dtype SUMMARY."""
-    return summarize(found.value, found.standard_error, int(found.rays.sum(dtype=np.int64)), found.status == 0)
+def summarize_result(found: Any, vectors: bool = False) -> np.void:
+    """Return the number, sums and range of a result's values, as a NumPy record of dtype SUMMARY; see `summarize`."""
+    rays = int(found.rays.sum(dtype=np.int64))
+    return summarize(found.value, found.standard_error, rays, found.status == 0, vectors=vectors)
 
 
 @dataclass(eq=False)
@@ -53,6 +57,7 @@ class RunRecord:
         unit: Unit of the values, or "".
         total: Number of things to compute.
         things: Name of the things that the bar and the messages count, such as "points" or "tiles".
+        vectors: Whether values are vectors, which are summarized by their length.
         done: Number of things that are complete.
         there: Number of things that were complete before this run.
         sums: Sums over the parts, of dtype SUMMARY.
@@ -62,6 +67,7 @@ class RunRecord:
     unit: str = ""
     total: int = 0
     things: str = "points"
+    vectors: bool = False
     done: int = 0
     there: int = 0
     sums: np.ndarray = field(default_factory=lambda: np.array((0, 0, 0, 0.0, 0.0, np.inf, -np.inf), SUMMARY))
@@ -73,7 +79,7 @@ class RunRecord:
     @classmethod
     def of(cls, quantity: Quantity, things: str = "points") -> "RunRecord":
         """Build the record of a command that computes a quantity; `things` are "points" or "tiles"."""
-        return cls(quantity.title, quantity.unit, things=things)
+        return cls(quantity.title, quantity.unit, things=things, vectors=quantity.is_vector)
 
     @contextmanager
     def show(self, step: str) -> Iterator["RunRecord"]:

@@ -13,6 +13,7 @@ from warpsample.city.cityjson.placing import spread_points
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output
+from warpsample.host.locks import imported
 from warpsample.mesh.files import SUFFIXES, load_mesh
 from warpsample.mesh.files.linked_files import list_linked_files
 from warpsample.mesh.mesh import Mesh
@@ -88,7 +89,11 @@ def _read_context(name: str | None) -> Any:
     if name in (None, GROUND_PLANE):
         return name
     is_raster = Path(name).suffix.lower() not in (*SUFFIXES, "")
-    return rasters.surface(name) if is_raster else load_mesh(name)
+    if not is_raster:
+        return load_mesh(name)
+    surface = rasters.surface  # first, because it names the extra if that is not installed
+    with imported("warpsample.city.rasters.canopy").rename_argument("context"):
+        return surface(name)
 
 
 def _check_glb(run: BakeRun, mesh: Mesh) -> list[str]:

@@ -152,9 +152,13 @@ class Parameterised:
         copy.__dict__.update(self.__dict__ | lobes)
         return copy
 
-    def kernel_values(self) -> tuple[Any, ...]:
-        """Return the values of all parameters in the order of the kernels' arguments."""
-        inner = (value for lobe in self.nested.values() for value in lobe.kernel_values())
+    def kernel_values(self, loan: Loan | None = None) -> tuple[Any, ...]:
+        """Return the values of all parameters in the order of the kernels' arguments.
+
+        Args:
+            loan: memory on the kernels' device, for distributions with a table. Default: None, the CPU.
+        """
+        inner = (value for lobe in self.nested.values() for value in lobe.kernel_values(loan))
         return (*inner, *(getattr(self, name) for name in self.parameters))
 
     @property
@@ -167,7 +171,7 @@ class Parameterised:
         """Positions of the parameters with a row per point among the numbers that kernels take; empty without any."""
         return layout_of(self.kernel_values()) if self.by_point else ()
 
-    def kernel_parameters(self, loan: Loan | None = None) -> Any:  # noqa: ARG002  (distributions with a table use the loan)
+    def kernel_parameters(self, loan: Loan | None = None) -> Any:
         """Return the parameters as a kernel argument; numbers of parameters with a row per point are 0 there.
 
         Args:
@@ -180,7 +184,7 @@ class Parameterised:
             >>> print(ws.GGX(alpha=0.5).kernel_parameters().scalar)
             0.5
         """
-        values = self.kernel_values()
+        values = self.kernel_values(loan)
         return pack_parameters(without_tables(values) if self.by_point else values)
 
     def lend_tables(self, loan: Loan, rows: slice = slice(None)) -> int:

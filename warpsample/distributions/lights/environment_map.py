@@ -16,13 +16,14 @@ from warpsample.distributions.lights.pixel_draws import (
     square_to_environment_map_pdf,
 )
 from warpsample.distributions.lights.pixel_table import MOST_STEPS, build_table, pixel_angles, read_shares, read_steps
-from warpsample.distributions.parameters import Parameters, about_normal_of, bind_parameters, pack_parameters, split_address
+from warpsample.distributions.parameters import Parameters, about_normal_of, bind_parameters, split_address
 from warpsample.distributions.record import Cases, Distribution, Maps
 from warpsample.host.arguments import check_flag
 from warpsample.host.device_memory import Loan
 from warpsample.host.locks import once
 from warpsample.host.shared_values import digest_of, find_or_make
 
+_draw = pixel_drawer(MOST_STEPS)
 _SEAM, _NARROW = 2.0**-10, 2.0**-5  # of the unit square
 
 
@@ -92,7 +93,8 @@ class EnvironmentMap(Distribution):
         square_to_environment_map,
         square_to_environment_map_pdf,
         environment_map_to_square,
-        about=build_about_world(pixel_drawer(MOST_STEPS)),
+        draw=_draw,
+        about=build_about_world(_draw),
     )
     _drawer: ClassVar[Any] = staticmethod(pixel_drawer)
 
@@ -189,24 +191,9 @@ class EnvironmentMap(Distribution):
         """Address of the picture's table, for kernels on the CPU; valid while this distribution exists."""
         return int(self.table_array.ctypes.data)
 
-    def kernel_values(self) -> tuple[Any, ...]:
-        """Return the address of the table as the numbers that kernels take; see `Distribution`."""
-        return (split_address(self.table),)
-
-    def kernel_parameters(self, loan: Loan | None = None) -> Any:
-        """Return the parameters as a kernel argument: the address of the table on the kernels' device.
-
-        Args:
-            loan: memory on the kernels' device. Default: None, the CPU.
-
-        Returns:
-            a `Parameters` struct, see `Distribution`.
-
-        Example:
-            >>> print(ws.EnvironmentMap(np.ones((2, 4))).kernel_parameters().scalar >= 0.0)
-            True
-        """
-        return pack_parameters((split_address(self.table if loan is None else _lend_table(loan, self.table_array)),))
+    def kernel_values(self, loan: Loan | None = None) -> tuple[Any, ...]:
+        """Return the address of the table on the kernels' device as the numbers that kernels take; see `Distribution`."""
+        return (split_address(self.table if loan is None else _lend_table(loan, self.table_array)),)
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields to pickle: all but the table."""

@@ -114,7 +114,7 @@ class PictureReading(EnvironmentMap):
     name = "picture_reading"
     density = "bilinear in luminance / Σ luminance Ω"
     limits = ""
-    maps: ClassVar[Maps] = Maps(square_to_reading, square_to_reading_pdf, about=build_about_world(_draw))
+    maps: ClassVar[Maps] = Maps(square_to_reading, square_to_reading_pdf, draw=_draw, about=build_about_world(_draw))
     _drawer: ClassVar[Any] = staticmethod(reading_drawer)
 
     @property

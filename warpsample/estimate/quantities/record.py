@@ -74,6 +74,11 @@ class Quantity:
     example: str = ""
 
     @property
+    def is_vector(self) -> bool:
+        """Whether a value is a vector in space; values with three components are colours otherwise."""
+        return self.channels == "xyz"
+
+    @property
     def parameters(self) -> dict[str, Any]:
         """Default values of the parameters of the quantity's Python function, without mesh and points, keyed by name."""
         _mesh, _points, *others = inspect.signature(self.call).parameters.values()
