@@ -149,6 +149,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "python viz/occlusion.py --screenshot occlusion.png",
         "python viz/baked_texture.py --screenshot baked_texture.png",
         "python viz/sun_and_sky.py --screenshot sun_and_sky.png",
+        "python viz/environment_map.py --screenshot environment_map.png",  # test_environment_picture.py
         "python viz/view_factors.py --screenshot view_factors.png",
         "python viz/baked_store.py --screenshot baked_store.png",
         "python viz/maps.py --screenshot maps.png",

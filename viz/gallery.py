@@ -104,6 +104,13 @@ SHOTS = (
         "viz/sun_and_sky.py --screenshot FILE",
     ),
     Shot(
+        "environment_map",
+        "Rays from a picture of the sky",
+        "Rays about the normal miss a small sun. Rays to bright pixels of the sky find the sun, and both together give the "
+        "smallest error. Each column shows its rays and the light that they compute on the bunny.",
+        "viz/environment_map.py --screenshot FILE",
+    ),
+    Shot(
         "view_factors",
         "View factors of a face",
         "View factors from one face of a courtyard's ground, outlined in blue, to all other faces, their standard errors, "

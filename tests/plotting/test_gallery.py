@@ -89,7 +89,7 @@ def test_the_page_in_a_browser(can_render, repository, tmp_path, child_environme
     command = [sys.executable, repository / "viz" / "gallery.py", "--no-benchmarks", "-o", tmp_path / "gallery"]
     done = subprocess.run(command, env=child_environment, capture_output=True, text=True, check=True)
     page = tmp_path / "gallery" / "index.html"
-    assert done.stdout == f"{page}: {14 + bool(find_spec('zarr'))} pictures\n"
+    assert done.stdout == f"{page}: {15 + bool(find_spec('zarr'))} pictures\n"
     html = page.read_text(encoding="utf-8")
     outside_scene = re.sub(r'srcdoc="[^"]*"', "", html)
     assert not re.search(r"(src|href)=.(https?:|//|[\w./]+\.(png|js|css))", outside_scene)

@@ -246,6 +246,7 @@ def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it_and_the_slider_tur
     [
         *PNG_SCRIPTS,
         "baked_texture",
+        "environment_map",
         "light_between",
         "maps",
         "occlusion",
