@@ -38,7 +38,12 @@ RESULTS = (
     ws.ViewFactors,
     *(quantity.result for quantity in quantities().values()),
 )  # which users read and do not make
-FOR_PROOFS = ("seam", "bound_maps", "kernel_parameters")  # take what `sample` has taken, or what the package passes
+FOR_PROOFS = (
+    "seam",
+    "bound_maps",
+    "kernel_parameters",
+    "kernel_values",
+)  # take what `sample` has taken, or what the package passes
 PLANE = pv.PolyData.from_regular_faces(VERTICES, FACES)
 HALVES = csr_array(np.full((2, 2), 0.5))
 CITY = ws.load_city("courtyard")
@@ -50,6 +55,7 @@ EXAMPLES = {
     ws.EnvironmentMap: ws.EnvironmentMap(np.ones((2, 4))),
     ws.GGX: ws.GGX(0.5),
     ws.Mesh: MESH,
+    ws.Mixture: ws.Mixture([ws.GGX(0.5), ws.EnvironmentMap(np.ones((2, 4)))], [1.0, 2.0]),
     ws.SkyMatrix: ws.SkyMatrix(
         *np.zeros((2, 4, 145), np.float32), *np.zeros((2, 4), np.uint8), ws.SkySkipped(), ws.sky_patches()
     ),
