@@ -268,7 +268,7 @@ def test_what_has_no_derivative_has_gradient_0():
         assert of_case(case, case.maps.pdf, moved(U @ np.eye(2, 3), pole[:1]), 1)[-1][..., :2].any()  # its density has one
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_gradients_compile_for_cuda(tmp_path, monkeypatch):
     kernels()
     monkeypatch.setitem(framed.module.options, "optimization_level", None)  # CUDA's own

@@ -27,11 +27,18 @@ def test_ten_laws_or_more_judge_every_case():
         assert sum(law.applies(case) for law in verify.LAWS) >= (8 if case.nested else 10)
 
 
+def tiered(cases, quick):
+    """Return the cases as parameters: the last of each kind that is not quick is slow, and others are thorough."""
+    last = {case.name: case for case in cases if case not in quick}.values()
+    marks = [() if case in quick else pytest.mark.slow if case in last else pytest.mark.thorough for case in cases]
+    return [pytest.param(case, marks=mark) for case, mark in zip(cases, marks, strict=True)]
+
+
 def mostly_slow(cases):
     """Return the cases as parameters: one of each kind is quick; slanted views and VisibleBeckmann take seconds."""
     straight = [case for case in cases if getattr(case, "view", (0.0, 0.0, 1.0)) == (0.0, 0.0, 1.0)]
     quick = {(case.name, getattr(case, "method", "")): case for case in straight if case.name != "visible_beckmann"}.values()
-    return [case if case in quick else pytest.param(case, marks=pytest.mark.slow) for case in cases]
+    return tiered(cases, list(quick))
 
 
 @pytest.mark.parametrize("case", mostly_slow(CASES), ids=repr)
@@ -43,9 +50,7 @@ def test_every_law_holds(case):
 IN_SPACE = [case for case in CASES if case.width == 3]
 
 
-@pytest.mark.parametrize(
-    "case", [IN_SPACE[0], *(pytest.param(case, marks=pytest.mark.slow) for case in IN_SPACE[1:])], ids=repr
-)
+@pytest.mark.parametrize("case", tiered(IN_SPACE, IN_SPACE[:1]), ids=repr)
 def test_hostile_normals_are_survived(case):
     assert broken(stress.judge_normals(case)) == []
 

@@ -162,6 +162,7 @@ def check_rows(build, rows, bad):
             assert np.array_equal(got[i], getattr(build(rows[i]), name)(w[i]))
 
 
+@pytest.mark.slow
 def test_triangles_by_point_have_the_bits_of_constants_and_bad_ones_are_counted():
     rows = np.array([*BAD.values(), *poses(0.5, 3, seed=5), *poses(1e-3, 2, seed=6)])
     check_rows(ws.SphericalTriangle, rows, list(range(len(BAD))))
@@ -284,6 +285,7 @@ def test_constant_edges_are_checked_beside_corners_by_point():
         ws.SphericalRectangle(np.ones((4, 3)), np.ones((3, 3)), Y)
 
 
+@pytest.mark.thorough
 def test_rectangles_by_point_have_the_bits_of_constants_and_bad_ones_are_counted():
     bad = np.array([values[:3] for values in BAD_RECTANGLES.values()])
     rows = np.concatenate([bad, rectangles(0.5, 3, seed=5), rectangles(1e-3, 2, seed=6)])

@@ -202,7 +202,7 @@ def test_all_links_lead_somewhere_and_nothing_is_loaded_from_elsewhere(site):
             assert not anchor or unquote(anchor) in pages[target].anchors, f"{page}: {address}"
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_browser_shows_every_page_whole_and_finds_what_a_search_names(site, tmp_path):
     if browser.CHROMIUM is None:
         pytest.skip("no Chromium: apt-get install chromium")

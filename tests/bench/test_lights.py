@@ -26,7 +26,7 @@ def test_the_sun_covers_its_pixels_40_degrees_from_the_zenith(degrees, least):
     assert abs(columns.mean() - 64) <= 1.0
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_rays_towards_the_sun_beat_rays_of_the_cosine_lobe(ours, capsys, tmp_path):
     rows = {"draws": lights.compare_draws(64, 2), "irradiance": lights.compare_irradiance(1.0, 64, 2)}
     assert all(row.agrees for part in rows.values() for row in part if row.tool != COSINE)

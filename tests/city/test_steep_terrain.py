@@ -124,9 +124,15 @@ def test_the_irradiation_of_steep_terrain_is_that_of_the_vertex(name, receiver):
 @pytest.mark.parametrize(
     ("heights", "transform", "receiver", "cells"),
     [
-        ("uniform", Affine(1.0, 0.4, 0.0, 0.2, -2.2, 0.0), "horizontal", [(21, 21), (52, 24), (7, 31)]),
+        pytest.param(
+            "uniform",
+            Affine(1.0, 0.4, 0.0, 0.2, -2.2, 0.0),
+            "horizontal",
+            [(21, 21), (52, 24), (7, 31)],
+            marks=pytest.mark.thorough,
+        ),
         ("normal", Affine(1.0, 0.0, 0.0, 0.0, -1.0, 0.0), "horizontal", [(53, 55), (27, 44), (0, 25)]),
-        pytest.param("normal", NEAR, "surface", [(53, 55), (47, 46)], marks=pytest.mark.slow),
+        pytest.param("normal", NEAR, "surface", [(53, 55), (47, 46)], marks=pytest.mark.thorough),
     ],
 )
 def test_joined_cells_of_four_facets_see_what_a_point_just_above_their_centre_sees(heights, transform, receiver, cells):

@@ -202,6 +202,7 @@ def test_an_interrupt_while_processes_start_or_end_tells_what_is_there(dsm, fold
         bake(dsm, folder / "sky.zarr", resume=True, processes=2)
 
 
+@pytest.mark.thorough
 def test_a_killed_run_goes_on_to_the_same_bytes(dsm, folder, child_environment):
     bake(dsm, folder / "right.zarr")
     command = [sys.executable, "-m", "warpsample", "bake", str(dsm), "-o", str(folder / "sky.zarr"), "--quantity", "sky"]
@@ -432,7 +433,7 @@ def test_bad_input_is_one_sentence_and_leaves_nothing(dsm, arguments, said, call
     assert dsm.read_bytes() == before
 
 
-@pytest.mark.parametrize("option", ["canopy", "far"])
+@pytest.mark.parametrize("option", ["canopy", pytest.param("far", marks=pytest.mark.thorough)])
 def test_no_input_is_overwritten(dsm, option, child_environment):
     other = dsm.with_name("other.tif")
     other.write_bytes(dsm.read_bytes())
@@ -443,6 +444,7 @@ def test_no_input_is_overwritten(dsm, option, child_environment):
     assert other.read_bytes() == dsm.read_bytes()
 
 
+@pytest.mark.thorough
 def test_a_new_file_is_not_read_with_the_masks_of_an_older_one(dsm, child_environment):
     """And what a user has at names like ours stays."""
     folder = dsm.parent

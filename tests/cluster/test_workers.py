@@ -80,7 +80,11 @@ def test_a_dataset_outlives_all_workers_that_have_its_mesh(client, mesh, right):
     assert np.array_equal(lazy.value, right.value)
 
 
-@pytest.mark.parametrize("end", [kill_all, lambda client: client.restart(timeout=HANGS, wait_for_workers=False)])
+def restart(client):
+    client.restart(timeout=HANGS, wait_for_workers=False)
+
+
+@pytest.mark.parametrize("end", [kill_all, pytest.param(restart, marks=pytest.mark.thorough)])
 def test_a_store_outlives_workers_that_are_killed_or_restarted(client, mesh, right, path, end):
     client.wait_for_workers(2)
     thread = meanwhile(path, lambda: (end(client), two_again(client)))

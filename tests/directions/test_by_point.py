@@ -17,7 +17,14 @@ WITH_PARAMETERS = sorted(name for name, kind in ws.distributions.classes().items
 # A picture is the same for all points.
 IN_SPACE = [name for name in WITH_PARAMETERS if ws.distributions.classes()[name].width == 3 and name != "EnvironmentMap"]
 QUICK = ("GGX", "VisibleGGX")
-EACH = pytest.mark.parametrize("name", [n if n in QUICK else pytest.param(n, marks=pytest.mark.slow) for n in IN_SPACE])
+SLOW = ("VisibleGGX", "Reflection", "Mixture", "SphericalTriangle")
+
+
+def tier(name):
+    return () if name in QUICK else pytest.mark.slow if name in SLOW else pytest.mark.thorough
+
+
+EACH = pytest.mark.parametrize("name", [pytest.param(n, marks=tier(n)) for n in IN_SPACE])
 COUNTS = (1, 3, 70)  # the loops of blocks of one sample, of blocks of several, and of rows
 
 

@@ -83,7 +83,7 @@ def text_of(case):
     return re.sub(r"(?<![\w.])([A-Z]\w*\()", r"ws.\1", repr(case))
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
     """The compiler's own remarks say so, with a cold cache, in two processes."""
     halves = [VECTORISED[::2], VECTORISED[1::2]]

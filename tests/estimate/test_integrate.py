@@ -193,7 +193,7 @@ def test_each_lobe_is_integrated_and_skipped_right(distribution):
     test_skipping_changes_no_bit_of_any_lobe(distribution)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_strata_of_cones_are_skipped():
     """A lobe whose strata are parts of cones casts few rays under a small roof; one whose strata are not casts all."""
     roof = ws.as_mesh(([(-1, -1, 2.0), (1, -1, 2.0), (0, 1, 2.0)], [(0, 2, 1)]))

@@ -50,6 +50,7 @@ CALLS = [
 ]  # fmt: skip
 
 
+@pytest.mark.thorough
 def test_a_record_is_all_that_commands_stores_and_the_accessor_need(tmp_path, repository, child_environment):
     for library in ("dask", "zarr", "rioxarray", "pyvista", "xatlas"):
         pytest.importorskip(library)
