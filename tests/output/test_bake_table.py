@@ -16,6 +16,7 @@ import trimesh
 from textured_scenes import rich
 from typer.testing import CliRunner
 
+import warpsample as ws
 from warpsample.cli.commands import app
 from warpsample.output.bake_rules import can_hold, check_table
 from warpsample.output.bake_table import CITY, FILES, MEAN_FILES, OPTIONS, RASTER, SOURCES, TEXTURE
@@ -31,7 +32,7 @@ VALUES = {
     "ground_albedo": "0.1", "reflectance": "0.1", "refine": "9", "transmittance": "0.5", "lod": "2.2", "split": True,
     "context": "ground", "model": "block", "receiver": "surface", "canopy": "trees.tif", "trunk": "0.5", "tile": "8",
     "margin": "4", "far": "far.tif", "texture": "16", "uv": "new", "supersample": "2", "normals": "smooth", "gutter": "1",
-    "strength": "0.5", "depth": "16", "strict": True, "high": "high.ply", "cage": "1", "inside": "keep",
+    "strength": "0.5", "depth": "16", "strict": True, "high": "high.ply", "cage": "2", "inside": "keep",
     "instances": "mean", "chunk": "9", "cluster": "nowhere", "processes": "1", "resume": True, "workers": "1",
     "device": "cpu", "report": "report.html",
 }  # fmt: skip
@@ -107,7 +108,6 @@ def folder(tmp_path, monkeypatch):
     raster_cases = pytest.importorskip("raster_cases")
     box = trimesh.creation.box((2.0, 2.0, 2.0))
     box.export(tmp_path / "in.ply")
-    box.export(tmp_path / "high.ply")
     lines = [f"v {x} {y} {z}" for x, y, z in box.vertices.tolist()]
     lines += ["o box", *(f"f {a} {b} {c}" for a, b, c in (box.faces + 1).tolist())]
     (tmp_path / "in.obj").write_text("\n".join(lines))
@@ -125,6 +125,8 @@ def folder(tmp_path, monkeypatch):
         raster_cases.write_tif(tmp_path / name, heights)
     scene = rich()[:-12]  # without the bytes after the data, which a .gltf cannot hold
     (tmp_path / "in.glb").write_bytes(scene[:8] + len(scene).to_bytes(4, "little") + scene[12:])
+    textured = ws.load_mesh(tmp_path / "in.glb")
+    trimesh.util.concatenate([box, trimesh.Trimesh(textured.vertices, textured.faces)]).export(tmp_path / "high.ply")
     np.save(tmp_path / "light.npy", np.ones((2, 4, 3)))
     monkeypatch.chdir(tmp_path)
     return tmp_path
