@@ -55,9 +55,8 @@ def test_an_array_of_xarray_is_warned_of_and_a_tuple_is_not(tmp_path):
     ws.rasters.surface(write_tif(tmp_path / "dsm.tif", HEIGHTS))
 
 
-@pytest.mark.parametrize(
-    "processes", [pytest.param(None, marks=pytest.mark.thorough), pytest.param(2, marks=pytest.mark.slow)]
-)
+@pytest.mark.thorough
+@pytest.mark.parametrize("processes", [None, 2])
 def test_one_line_of_the_command(tmp_path, child_environment, processes):
     pytest.importorskip("dask")
     path, more = grid_file(tmp_path / "dsm.asc"), [] if processes is None else ["--processes", str(processes)]

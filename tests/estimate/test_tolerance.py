@@ -122,7 +122,7 @@ def test_smooth_integrands_take_what_they_need(sequence):
     assert (0.25 if sequence == "sobol" else 0.7) <= root_mean_square(error) / 0.001 <= 1.1
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("sequence", sorted(set(ws.sequences.names()) - {"fibonacci"}))
 @pytest.mark.parametrize("tolerance", [0.04, 0.02, 0.0175, 0.0135])
 def test_other_sequences_reach_it_too(sequence, tolerance):

@@ -62,7 +62,7 @@ def test_our_kernels_have_the_widest_vectors_and_other_modules_their_own_flags()
     assert triple.module.options["cpu_compiler_flags"] is None
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize(("flags", "built"), [("", None), (None, f"-march=native {WIDE_VECTORS}")])
 def test_what_the_user_says_of_compiling_holds(flags, built, alone):
     script = f"""import warp as wp
@@ -92,7 +92,7 @@ def test_importing_and_using_the_package_prints_nothing(alone, child_environment
     assert alone("use", WARP_CACHE_PATH=child_environment.get("WARP_CACHE_PATH", "")) == ("", "")
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("level", [wp.LOG_DEBUG, wp.LOG_INFO])
 def test_the_users_own_log_level_is_kept(level, alone, child_environment):
     out, _ = alone("respectful", level, WARP_CACHE_PATH=child_environment.get("WARP_CACHE_PATH", ""))

@@ -33,7 +33,7 @@ def test_threads_answer_as_one(alone, task):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
+@pytest.mark.parametrize("method", ["fork", *(pytest.param(m, marks=pytest.mark.thorough) for m in ("spawn", "forkserver"))])
 def test_processes_answer_after_their_parent_has_used_threads(alone, method):
     alone("processes", method)
 

@@ -75,7 +75,7 @@ def test_garbled_empty_and_foreign_files_are_refused(kind, tmp_path, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", cases.KINDS)
 def test_foreign_files_are_no_usd(kind, tmp_path, capfd):
     assert_foreign_files_are_refused(kind, tmp_path, {suffix for suffix in cases.SUFFIXES.values() if "usd" in suffix})

@@ -23,7 +23,7 @@ def dsm(tmp_path, monkeypatch):
     return raster_cases.write_tif(tmp_path / "dsm.tif", heights)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_geotiff_needs_no_dask(dsm, call, child_environment):
     hidden = "import sys; sys.modules.update(dict.fromkeys(('dask', 'distributed', 'zarr')))\n"
     script = hidden + "from warpsample.cli import main; sys.argv[0] = 'warpsample'; main()"

@@ -70,7 +70,7 @@ def test_right_directions_agree_and_wrong_ones_do_not(name, plausible):
     assert theta.verdict().startswith("does NOT agree")
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "sequence",
     ["fibonacci", "independent", "philox", "r2", "sobol", "stratified"],

@@ -100,7 +100,7 @@ def test_captions_are_as_large_as_the_labels_and_legends_hide_no_data(script, sh
                 assert ((x <= box.x0) | (x >= box.x1) | (y <= box.y0)).all()
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_errors_fall_as_they_should(script, monkeypatch):
     """As 1/sqrt(N) for independent points, faster for the others, and not at all for a wrong lobe."""
     module = script("sequences")
@@ -164,8 +164,7 @@ def test_a_wrong_sampler_is_another_picture(can_render, script, tmp_path, monkey
     assert set(tmp_path.iterdir()) == set(files)
 
 
-@pytest.mark.slow
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_baked_texture_is_drawn_by_its_own_images(can_render, script, bunny, tmp_path, capsys):
     """The colours of errors end at the requested number, and the picture is not blank."""
     module = script("baked_texture")

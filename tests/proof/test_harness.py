@@ -129,7 +129,7 @@ LONG += tuple(  # of masses in cells of two dimensions; a few of them are quick 
 )
 
 
-@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in CAUGHT_BY])
+@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.thorough) if n in LONG else n for n in CAUGHT_BY])
 def test_planted_defects_are_caught(name):
     draws = 1 << (22 if "tails" in CAUGHT_BY[name] else 19)
     which = [law for law in verify.LAWS if law.name in CAUGHT_BY[name]]  # the others would take most of the time

@@ -66,7 +66,7 @@ def test_errors_are_as_large_as_said(kind):
     check_all(options, 40, tightest)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", KINDS)
 def test_errors_are_as_large_as_said_over_200_seeds(kind):
     options, tightest = KINDS[kind]
@@ -109,6 +109,7 @@ def of_box(height):
     return np.block([[three, three], [three, three]]) + np.roll(np.diag([wall, wall, floor] * 2), 3, axis=1)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("reciprocal", [False, True], ids=["raw", "reciprocal"])
 @pytest.mark.parametrize("height", [1.0, 0.1, 0.01, 0.001])
 def test_errors_in_rooms_are_as_large_as_said(height, reciprocal):
