@@ -186,7 +186,10 @@ def test_faces_reflect_the_same_light_for_all_ways_of_sampling():
 
 
 def raw_table(monkeypatch):
-    monkeypatch.setattr(picture_light, "PictureReading", ws.EnvironmentMap)
+    class Raw(ws.EnvironmentMap):
+        per_luminance = 1.0  # only rays of the picture are cast
+
+    monkeypatch.setattr(picture_light, "PictureReading", Raw)
     monkeypatch.setattr(picture_light, "find_or_make", lambda _, make: make())
 
 

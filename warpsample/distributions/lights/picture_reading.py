@@ -8,7 +8,7 @@ import warp as wp
 
 from warpsample.distributions.lights.environment_map import EnvironmentMap, build_about_world
 from warpsample.distributions.lights.pixel_draws import aim_at, angle_of, cap_of, in_picture, pixel_finder, turns_of
-from warpsample.distributions.lights.pixel_table import HEADER, MOST_STEPS, ROW, build_table, pixel_angles
+from warpsample.distributions.lights.pixel_table import HEADER, MOST_STEPS, ROW, build_table, pixel_angles, read_density
 from warpsample.distributions.record import Maps
 from warpsample.host.locks import once
 from warpsample.maths.numerics import HALF, ONE, ZERO
@@ -121,6 +121,11 @@ class PictureReading(EnvironmentMap):
     def jumps(self) -> tuple[float, ...]:
         """Angles in radians at which the density bends: the middles of rows."""
         return tuple(self._angles()[1:-1].tolist())
+
+    @property
+    def per_luminance(self) -> float:
+        """Density at a luminance of 1, in the picture's unit."""
+        return read_density(self.table_array) / float(self.picture.max())
 
     def _angles(self) -> np.ndarray:
         """Return the angles at the edges of the rows of cells: the poles, and the middles of the picture's rows."""

@@ -169,3 +169,8 @@ def read_shares(table: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def read_steps(table: np.ndarray) -> int:
     """Return the number of steps of a search in the table, `FEW_STEPS` or `MOST_STEPS`."""
     return int(table[: 8 * HEADER].view(np.float64)[8])
+
+
+def read_density(table: np.ndarray) -> float:
+    """Return the density of a luminance of 1, the unit of the weights from which the table was built."""
+    return float(table[: 8 * HEADER].view(np.float64)[9])

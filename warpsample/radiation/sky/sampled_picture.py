@@ -5,13 +5,17 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.lights.picture_reading import PictureReading, square_to_reading_pdf
+from warpsample.distributions.lights.picture import LUMINANCE
+from warpsample.distributions.lights.picture_reading import PictureReading
+from warpsample.distributions.lights.pixel_draws import cap_of
+from warpsample.distributions.lights.pixel_table import HEADER, ROW
 from warpsample.estimate.integrand import Integrand, Lobe
 from warpsample.maths.angles import turns_of
 from warpsample.maths.frames import frame_about, to_local
-from warpsample.maths.numerics import INV_PI
+from warpsample.maths.numerics import INV_PI, ONE, ZERO
 
 _PI = wp.constant(wp.float32(3.141592653589793))
+_RED, _GREEN, _BLUE = (wp.constant(wp.float32(weight)) for weight in LUMINANCE)
 _LEAST_COSINE = wp.constant(wp.float32(2.0**-12))
 
 
@@ -21,6 +25,7 @@ class SampledPicture:
 
     table: Address of the table of a `PictureReading`.
     ratio: Number of rays from the other distribution for each ray.
+    per_luminance: Density of the rays of the picture over the luminance.
     """
 
     x: wp.float32
@@ -31,6 +36,7 @@ class SampledPicture:
     height: wp.int32
     table: wp.uint64
     ratio: wp.float32
+    per_luminance: wp.float64
 
 
 SampledPictureArgs: Any = type(SampledPicture().__ctype__())
@@ -46,8 +52,17 @@ def _pixel(data: SampledPicture, column: wp.int32, row: wp.int32) -> wp.vec3:
 
 
 @wp.func
-def _read(d: wp.vec3, data: SampledPicture) -> wp.vec3:
-    """Return the radiance in a direction as `picture_radiance` does, but for rounding, without calls of libm."""
+def _luminance(c: wp.vec3) -> wp.float32:
+    """Return the luminance of a colour, as `weigh_colours` does."""
+    return _RED * c[0] + _GREEN * c[1] + _BLUE * c[2]
+
+
+@wp.func
+def _read(d: wp.vec3, data: SampledPicture):
+    """Return the radiance in a direction, `picture_radiance` but for rounding, and the density of the picture's rays.
+
+    There are no calls of libm and no branches, so that a loop over directions is vectorised.
+    """
     w = to_local(frame_about(wp.vec3(data.x, data.y, data.z)), d)
     across = turns_of(w[0], w[1]) * wp.float32(data.width) - 0.5
     down = turns_of(w[2], wp.sqrt(w[0] * w[0] + w[1] * w[1])) * 2.0 * wp.float32(data.height) - 0.5
@@ -56,17 +71,20 @@ def _read(d: wp.vec3, data: SampledPicture) -> wp.vec3:
     right = across - wp.float32(column)
     top = wp.lerp(_pixel(data, column, row), _pixel(data, column + 1, row), right)
     bottom = wp.lerp(_pixel(data, column, row + 1), _pixel(data, column + 1, row + 1), right)
-    return wp.lerp(top, bottom, down - wp.float32(row))
+    # The density is bilinear in the area of the cap above a direction, see `PictureReading`.
+    lines = wp.array(ptr=data.table + wp.uint64(8 * HEADER), shape=(ROW,), dtype=wp.float64)
+    at = ROW * wp.clamp(row + 1, 0, data.height)
+    lower = wp.clamp((cap_of(wp.vec3d(w)) - lines[at + 2]) / lines[at + 3], ZERO, ONE)
+    luminance = wp.lerp(_luminance(top), _luminance(bottom), wp.float32(lower))
+    return wp.lerp(top, bottom, down - wp.float32(row)), wp.float32(wp.float64(luminance) * data.per_luminance)
 
 
 @wp.func
 def by_cosine(d: wp.vec3, lobe: Lobe, data: SampledPicture) -> wp.vec3:
     """Return radiance * cosine / (cosine / pi + ratio * density of the picture), for rays of the cosine lobe."""
-    radiance = _read(d, data)
-    if radiance[0] + radiance[1] + radiance[2] > 0.0:
-        cosine = wp.max(wp.dot(d, lobe.normal), _LEAST_COSINE)
-        radiance *= _PI / (1.0 + data.ratio * _PI * square_to_reading_pdf(d, data.table) / cosine)
-    return radiance
+    radiance, density = _read(d, data)
+    cosine = wp.max(wp.dot(d, lobe.normal), _LEAST_COSINE)
+    return radiance * (_PI / (1.0 + data.ratio * _PI * density / cosine))
 
 
 @wp.func
@@ -75,7 +93,8 @@ def by_picture(d: wp.vec3, lobe: Lobe, data: SampledPicture) -> wp.vec3:
     cosine = wp.dot(d, lobe.normal)
     density = lobe.pdf + data.ratio * cosine * INV_PI
     counts = cosine >= _LEAST_COSINE and lobe.pdf > 0.0  # 0: luminances that underflow
-    return _read(d, data) * wp.where(counts, cosine / density, 0.0)
+    radiance, _density = _read(d, data)
+    return radiance * wp.where(counts, cosine / density, 0.0)
 
 
 def sampled_by(function: wp.Function, pixels: np.ndarray, lobe: PictureReading, ratio: float) -> Integrand:
@@ -89,7 +108,7 @@ def sampled_by(function: wp.Function, pixels: np.ndarray, lobe: PictureReading, 
     """
     height, width = pixels.shape[:2]
     x, y, z = lobe.up
-    data = SampledPictureArgs(x=x, y=y, z=z, width=width, height=height, ratio=ratio)
+    data = SampledPictureArgs(x=x, y=y, z=z, width=width, height=height, ratio=ratio, per_luminance=lobe.per_luminance)
     arrays = (("pixels", pixels), ("table", lobe.table_array))
     is_cosine = function is by_cosine
     return Integrand(function, 3, data, SampledPicture, reads_pdf=not is_cosine, sparse=not is_cosine, arrays=arrays)
