@@ -48,13 +48,14 @@ class SplitRunner:
     def counts(self, count: int) -> tuple[int, int]:
         """Return the numbers of rays from both distributions for at most `count` rays, after rounding to their strata.
 
-        Both are 0 or at least 2. Sequences of powers of two get halves.
+        Both are 0 or at least 2; the first is 0 only for a share of 1. Sequences of powers of two get halves.
         """
         share = self.summed.share
         if self.options.sequence.nets and 0.0 < share < 1.0:
             share = 0.5
-        second = round(share * count)
-        second = 0 if second < _FEWEST else count if count - second < _FEWEST else second
+        # With a share below 1 the plan's distribution always has rays: only they may reach some of the directions.
+        second = min(round(share * count), count if share == 1.0 else count - _FEWEST)
+        second = 0 if second < _FEWEST else second
         both = (count - second, second)
         first, second = (strata_of(n, None, self.traced).rays if n else 0 for n in both)
         return first, second

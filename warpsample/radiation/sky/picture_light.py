@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from warpsample.distributions.lights.picture import weigh_colours
 from warpsample.distributions.lights.picture_reading import PictureReading
 from warpsample.distributions.lights.pixel_table import pixel_angles, solid_angles
 from warpsample.estimate.plan import RaySum
@@ -49,12 +50,19 @@ class PictureLight:
         return f"{sha256(self.pixels.tobytes()).hexdigest()} {self.pixels.shape} {self.up}"
 
     @cached_property
-    def lobe(self) -> PictureReading | None:
-        """Density of rays towards the picture, by the bilinear reading of its luminance; None if it is black."""
-        if not self.pixels.any():
-            return None
-        pixels = self.pixels if self.colours == 3 else self.pixels[..., 0]
-        return find_or_make(f"lobe of {self.cache_key}", lambda: PictureReading(pixels, self.up))
+    def luminance(self) -> np.ndarray:
+        """Luminance of the pixels, (H, W) float32."""
+        return weigh_colours(self.pixels) if self.colours == 3 else self.pixels[..., 0]
+
+    @cached_property
+    def _means(self) -> tuple[float, float]:
+        """Mean luminance over the sphere, and mean of its square over the square of the mean; the picture is not black."""
+        largest = float(self.luminance.max())
+        relative = self.luminance.astype(np.float64) / largest
+        height, width = relative.shape
+        weights = np.broadcast_to(solid_angles(pixel_angles(height), width)[:, None], relative.shape)
+        mean = float(np.average(relative, weights=weights))
+        return largest * mean, float(np.average(np.square(relative), weights=weights)) / mean**2
 
     @cached_property
     def share(self) -> float:
@@ -64,24 +72,25 @@ class PictureLight:
         luminance that is not the square of the mean, it rises from 0 at q = 1/2 to 7/8 at q = 1: below, few rays from the
         picture would add more noise than they remove.
         """
-        if self.lobe is None:
+        if not self.pixels.any():
             return 0.0
-        luminance = self.lobe.picture.astype(np.float64) / float(self.lobe.picture.max())
-        height, width = luminance.shape
-        weights = np.broadcast_to(solid_angles(pixel_angles(height), width)[:, None], luminance.shape)
-        mean = np.average(luminance, weights=weights)
-        part = 1.0 - np.square(mean) / np.average(np.square(luminance), weights=weights)
-        share = _MOST * (2.0 * float(part) - 1.0)
+        share = _MOST * (1.0 - 2.0 / self._means[1])
         return share if share > _LEAST else 0.0
 
     def summed(self, sampling: Sampling, result: type[Estimate]) -> RaySum | SplitSum:
-        """Return the sum over the rays of a point that gives the irradiance, with a way of sampling and a type of result."""
+        """Return the sum over the rays of a point that gives the irradiance, with a way of sampling and a type of result.
+
+        With "both", rays from the picture have a density by how much the luminance exceeds its mean (Karlik2019): rays of
+        the cosine lobe reach what is darker, and rays of the picture that went there would add noise.
+        """
         share = {"cosine": 0.0, "picture": 1.0, "both": self.share}[sampling]
-        lobe = self.lobe
-        if share == 0.0 or lobe is None:
+        if share == 0.0 or not self.pixels.any():
             return RaySum(build_environment_integrand(self.pixels, self.up), unit=pi, result=result)
+        floor = self._means[0] if sampling == "both" else 0.0
+        key, excess = f"lobe of {self.cache_key} above {floor}", np.maximum(self.luminance - np.float32(floor), 0.0)
+        lobe = find_or_make(key, lambda: PictureReading(excess, self.up))
 
         def sum_by(function: Any) -> Any:
-            return lambda ratio: RaySum(sampled_by(function, self.pixels, lobe, ratio), result=result)
+            return lambda ratio: RaySum(sampled_by(function, self.pixels, lobe, floor, ratio), result=result)
 
         return SplitSum(sum_by(by_cosine), sum_by(by_picture), lobe, share)

@@ -25,7 +25,8 @@ class SampledPicture:
 
     table: Address of the table of a `PictureReading`.
     ratio: Number of rays from the other distribution for each ray.
-    per_luminance: Density of the rays of the picture over the luminance.
+    floor: Luminance that is subtracted from that of each pixel for the density of the rays of the picture.
+    per_luminance: Density of the rays of the picture over the luminance that is left.
     """
 
     x: wp.float32
@@ -36,6 +37,7 @@ class SampledPicture:
     height: wp.int32
     table: wp.uint64
     ratio: wp.float32
+    floor: wp.float32
     per_luminance: wp.float64
 
 
@@ -52,9 +54,9 @@ def _pixel(data: SampledPicture, column: wp.int32, row: wp.int32) -> wp.vec3:
 
 
 @wp.func
-def _luminance(c: wp.vec3) -> wp.float32:
-    """Return the luminance of a colour, as `weigh_colours` does."""
-    return _RED * c[0] + _GREEN * c[1] + _BLUE * c[2]
+def _excess(c: wp.vec3, data: SampledPicture) -> wp.float32:
+    """Return how much the luminance of a colour, as of `weigh_colours`, exceeds the floor; 0 below the floor."""
+    return wp.max(_RED * c[0] + _GREEN * c[1] + _BLUE * c[2] - data.floor, 0.0)
 
 
 @wp.func
@@ -69,14 +71,15 @@ def _read(d: wp.vec3, data: SampledPicture):
     column = wp.int32(wp.floor(across))
     row = wp.int32(wp.floor(down))
     right = across - wp.float32(column)
-    top = wp.lerp(_pixel(data, column, row), _pixel(data, column + 1, row), right)
-    bottom = wp.lerp(_pixel(data, column, row + 1), _pixel(data, column + 1, row + 1), right)
+    a, b = _pixel(data, column, row), _pixel(data, column + 1, row)
+    c, e = _pixel(data, column, row + 1), _pixel(data, column + 1, row + 1)
     # The density is bilinear in the area of the cap above a direction, see `PictureReading`.
     lines = wp.array(ptr=data.table + wp.uint64(8 * HEADER), shape=(ROW,), dtype=wp.float64)
     at = ROW * wp.clamp(row + 1, 0, data.height)
     lower = wp.clamp((cap_of(wp.vec3d(w)) - lines[at + 2]) / lines[at + 3], ZERO, ONE)
-    luminance = wp.lerp(_luminance(top), _luminance(bottom), wp.float32(lower))
-    return wp.lerp(top, bottom, down - wp.float32(row)), wp.float32(wp.float64(luminance) * data.per_luminance)
+    top, bottom = wp.lerp(_excess(a, data), _excess(b, data), right), wp.lerp(_excess(c, data), _excess(e, data), right)
+    density = wp.float32(wp.float64(wp.lerp(top, bottom, wp.float32(lower))) * data.per_luminance)
+    return wp.lerp(wp.lerp(a, b, right), wp.lerp(c, e, right), down - wp.float32(row)), density
 
 
 @wp.func
@@ -97,18 +100,19 @@ def by_picture(d: wp.vec3, lobe: Lobe, data: SampledPicture) -> wp.vec3:
     return radiance * wp.where(counts, cosine / density, 0.0)
 
 
-def sampled_by(function: wp.Function, pixels: np.ndarray, lobe: PictureReading, ratio: float) -> Integrand:
+def sampled_by(function: wp.Function, pixels: np.ndarray, lobe: PictureReading, floor: float, ratio: float) -> Integrand:
     """Return the integrand `by_cosine` or `by_picture` of a picture (H, W, 3), contiguous float32.
 
     Args:
         function: `by_cosine` or `by_picture`.
         pixels: radiances.
         lobe: density of the rays of the picture; its `up` is that of the picture.
+        floor: luminance that was subtracted from that of each pixel for the density.
         ratio: number of rays from the other distribution for each ray.
     """
     height, width = pixels.shape[:2]
-    x, y, z = lobe.up
-    data = SampledPictureArgs(x=x, y=y, z=z, width=width, height=height, ratio=ratio, per_luminance=lobe.per_luminance)
+    sizes: dict[str, Any] = {"width": width, "height": height, **dict(zip("xyz", lobe.up, strict=True))}
+    data = SampledPictureArgs(**sizes, ratio=ratio, floor=floor, per_luminance=lobe.per_luminance)
     arrays = (("pixels", pixels), ("table", lobe.table_array))
     is_cosine = function is by_cosine
     return Integrand(function, 3, data, SampledPicture, reads_pdf=not is_cosine, sparse=not is_cosine, arrays=arrays)
