@@ -55,14 +55,17 @@ class PictureLight:
         return weigh_colours(self.pixels) if self.colours == 3 else self.pixels[..., 0]
 
     @cached_property
-    def _means(self) -> tuple[float, float]:
-        """Mean luminance over the sphere, and mean of its square over the square of the mean; the picture is not black."""
+    def _means(self) -> tuple[float, float, float]:
+        """Mean luminance over the sphere; relative to it the mean square, and the mean of what exceeds it; not for black."""
         largest = float(self.luminance.max())
         relative = self.luminance.astype(np.float64) / largest
         height, width = relative.shape
         weights = np.broadcast_to(solid_angles(pixel_angles(height), width)[:, None], relative.shape)
         mean = float(np.average(relative, weights=weights))
-        return largest * mean, float(np.average(np.square(relative), weights=weights)) / mean**2
+        square, excess = (
+            float(np.average(a, weights=weights)) for a in (np.square(relative), np.maximum(relative - mean, 0.0))
+        )
+        return largest * mean, square / mean**2, excess / mean
 
     @cached_property
     def share(self) -> float:
@@ -70,11 +73,12 @@ class PictureLight:
 
         It follows from the picture alone, so that the estimate stays unbiased. With q the part of the mean square of the
         luminance that is not the square of the mean, it rises from 0 at q = 1/2 to 7/8 at q = 1: below, few rays from the
-        picture would add more noise than they remove.
+        picture would add more noise than they remove. It is at most the part of the light that exceeds the mean.
         """
         if not self.pixels.any():
             return 0.0
-        share = _MOST * (1.0 - 2.0 / self._means[1])
+        _mean, square, excess = self._means
+        share = min(_MOST * (1.0 - 2.0 / square), excess)
         return share if share > _LEAST else 0.0
 
     def summed(self, sampling: Sampling, result: type[Estimate]) -> RaySum | SplitSum:
