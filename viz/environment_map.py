@@ -87,14 +87,14 @@ def visible_points(mesh: ws.Mesh, positions: np.ndarray) -> ws.SurfacePoints:
     return ws.SurfacePoints(origins - hits.distance[:, None].astype(float) * axes[2], normal, hits.face)
 
 
-def sample_rays(points: ws.SurfacePoints, count: int, share: float, picture: np.ndarray, seed: int) -> list[np.ndarray]:
-    """Sample directions from the cosine lobe, and a share of the `count` directions from a picture.
+def sample_rays(points: ws.SurfacePoints, count: int, share: float, lobe: ws.EnvironmentMap, seed: int) -> list[np.ndarray]:
+    """Sample directions from the cosine lobe, and a share of the `count` directions from another lobe.
 
     Returns:
-        the directions from the cosine lobe and those from the picture, two arrays (P, rays, 3).
+        the directions from the cosine lobe and those from the other lobe, two arrays (P, rays, 3).
     """
     second = round(share * count)
-    lobes = (ws.CosineHemisphere(), count - second), (ws.EnvironmentMap(picture), second)
+    lobes = (ws.CosineHemisphere(), count - second), (lobe, second)
     return [
         ws.sample_directions(points, rays, distribution=lobe, seed=seed).vectors if rays else np.zeros((len(points), 0, 3))
         for lobe, rays in lobes
@@ -129,7 +129,8 @@ def make_columns(picture: np.ndarray, samples: int, seed: int) -> tuple[list[Ray
     seen, few = visible_points(mesh, pixels.reshape(-1, 2)), visible_points(mesh, CLOUDS)
     checked = np.arange(0, len(seen), EVERY)
     reference = ws.irradiance(mesh, seen.take(checked), picture, REFERENCE, seed=seed ^ 1).value  # of other rays
-    share = PictureLight.of(picture, UP).share
+    sky = PictureLight.of(picture, UP)
+    share = sky.share
     columns, errors = [], {}
     for name, title, part in (
         ("cosine", "Rays about the normal", 0.0),
@@ -138,13 +139,14 @@ def make_columns(picture: np.ndarray, samples: int, seed: int) -> tuple[list[Ray
     ):
         light = ws.irradiance(mesh, seen, picture, samples, sampling=name, seed=seed).value
         errors[name] = relative_rmse(light[checked], reference)
-        on_map = [w[0] for w in sample_rays(few.take([0]), ON_MAP, part, picture, seed)]
+        lobe = sky.lobe(name)
+        on_map = [w[0] for w in sample_rays(few.take([0]), ON_MAP, part, lobe, seed)]
         columns.append(
             RayColumn(
                 f'{title}\nsampling="{name}"',
                 on_map,
                 f"{count_to_sun(on_map)} of {ON_MAP} rays go to the sun",
-                [project_rays(mesh, few, w) for w in sample_rays(few, AT_POINT, part, picture, seed)],
+                [project_rays(mesh, few, w) for w in sample_rays(few, AT_POINT, part, lobe, seed)],
                 EXPOSURE * light.reshape(*pixels.shape[:2], 3),
                 f"relative RMSE {errors[name]:.2g}",
             )

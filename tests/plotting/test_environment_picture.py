@@ -34,7 +34,7 @@ def test_the_sun_is_where_it_is_and_as_bright(script):
 
 
 def test_rays_are_shared_between_the_normal_and_the_picture(small):
-    sky = small.environment()
+    sky = ws.EnvironmentMap(small.environment())
     points = ws.SurfacePoints(np.zeros((3, 3)), np.tile([0.0, 0.0, 1.0], (3, 1)))
     cosine, picture = small.sample_rays(points, 64, 0.75, sky, 0)
     assert (cosine.shape, picture.shape) == ((3, 16, 3), (3, 48, 3))

@@ -81,18 +81,25 @@ class PictureLight:
         share = min(_MOST * (1.0 - 2.0 / square), excess)
         return share if share > _LEAST else 0.0
 
-    def summed(self, sampling: Sampling, result: type[Estimate]) -> RaySum | SplitSum:
-        """Return the sum over the rays of a point that gives the irradiance, with a way of sampling and a type of result.
+    def floor(self, sampling: Sampling) -> float:
+        """Return the luminance that the density of the rays from the picture leaves out: with "both" the mean, else 0.
 
-        With "both", rays from the picture have a density by how much the luminance exceeds its mean (Karlik2019): rays of
-        the cosine lobe reach what is darker, and rays of the picture that went there would add noise.
+        Rays of the cosine lobe reach what is darker, and rays of the picture that went there would add noise (Karlik2019).
         """
+        return self._means[0] if sampling == "both" else 0.0
+
+    def lobe(self, sampling: Sampling) -> PictureReading:
+        """Return the distribution of the rays from the picture, which is not black; see `floor`."""
+        floor = self.floor(sampling)
+        excess = np.maximum(self.luminance - np.float32(floor), 0.0)
+        return find_or_make(f"lobe of {self.cache_key} above {floor}", lambda: PictureReading(excess, self.up))
+
+    def summed(self, sampling: Sampling, result: type[Estimate]) -> RaySum | SplitSum:
+        """Return the sum over the rays of a point that gives the irradiance, with a way of sampling and a type of result."""
         share = {"cosine": 0.0, "picture": 1.0, "both": self.share}[sampling]
         if share == 0.0 or not self.pixels.any():
             return RaySum(build_environment_integrand(self.pixels, self.up), unit=pi, result=result)
-        floor = self._means[0] if sampling == "both" else 0.0
-        key, excess = f"lobe of {self.cache_key} above {floor}", np.maximum(self.luminance - np.float32(floor), 0.0)
-        lobe = find_or_make(key, lambda: PictureReading(excess, self.up))
+        lobe, floor = self.lobe(sampling), self.floor(sampling)
 
         def sum_by(function: Any) -> Any:
             return lambda ratio: RaySum(sampled_by(function, self.pixels, lobe, floor, ratio), result=result)
