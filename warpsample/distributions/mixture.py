@@ -109,9 +109,13 @@ class Mixture(Distribution):
 
     def bound_maps(self, start: int = 0) -> Maps:
         """Return the functions with arguments (u or w, Parameters), which read the parameters from number `start` on."""
-        starts = start + np.cumsum([0, *(lobe.size for lobe in self.lobes)])
-        parts = tuple(lobe.bound_maps(int(at)) for lobe, at in zip(self.lobes, starts, strict=False))
-        return parts[0] if len(parts) == 1 else mixture_maps(parts, int(starts[-1]), self._worlds)
+        parts, first = self._bound_parts(start)
+        return parts[0] if len(parts) == 1 else mixture_maps(parts, first, self._worlds)
+
+    def _bound_parts(self, start: int) -> tuple[tuple[Maps, ...], int]:
+        """Return the functions of the lobes, and the number of the first weight, for parameters from number `start` on."""
+        starts = (start + np.cumsum([0, *(lobe.size for lobe in self.lobes)])).tolist()
+        return tuple(lobe.bound_maps(at) for lobe, at in zip(self.lobes, starts, strict=False)), starts[-1]
 
     @property
     def in_world(self) -> bool:  # type: ignore[override]
@@ -137,11 +141,11 @@ class Mixture(Distribution):
             >>> print(type(lobe.about()).__name__)
             Function
         """
-        if not self.in_world or len(self.lobes) == 1:
-            return self.lobes[0].about(tangents) if len(self.lobes) == 1 else super().about(tangents)
-        starts = np.cumsum([0, *(lobe.size for lobe in self.lobes)]).tolist()
-        parts = tuple(lobe.bound_maps(at) for lobe, at in zip(self.lobes, starts, strict=False))
-        return mixture_about(parts, starts[-1], self._worlds, check_flag(tangents, "tangents"))
+        if len(self.lobes) == 1:
+            return self.lobes[0].about(tangents)
+        if not self.in_world:
+            return super().about(tangents)
+        return mixture_about(*self._bound_parts(0), self._worlds, check_flag(tangents, "tangents"))
 
     def _apply(self, func: wp.Function, x: Any, **how: Any) -> Any:
         """Apply a function to each vector, see `Distribution`, if all lobes are in local coordinates."""

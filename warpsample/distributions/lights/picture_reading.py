@@ -7,7 +7,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.lights.environment_map import EnvironmentMap, build_about_world
-from warpsample.distributions.lights.pixel_draws import aim_at, angle_of, cap_of, in_picture, pixel_finder, turns_of
+from warpsample.distributions.lights.pixel_draws import aim_at, angle_of, azimuth_of, cap_of, in_picture, pixel_finder
 from warpsample.distributions.lights.pixel_table import HEADER, MOST_STEPS, ROW, build_table, pixel_angles, read_density
 from warpsample.distributions.record import Maps
 from warpsample.host.locks import once
@@ -92,7 +92,7 @@ def square_to_reading_pdf(w: wp.vec3, table: wp.uint64) -> wp.float32:
     o = in_picture(w, table)
     rows = wp.int32(header[0])
     row = wp.min(wp.int32(angle_of(o) * (header[0] - ONE) + HALF), rows - 1)
-    part = turns_of(o) * header[1]
+    part = azimuth_of(o) * header[1]
     column = wp.min(wp.int32(part), wp.int32(header[1]) - 1)
     lines = wp.array(ptr=table + wp.uint64(8 * HEADER), shape=(ROW * rows,), dtype=wp.float64)
     down = wp.clamp((cap_of(o) - lines[ROW * row + 2]) / lines[ROW * row + 3], ZERO, ONE)

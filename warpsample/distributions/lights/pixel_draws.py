@@ -1,7 +1,5 @@
 """Maps between points of the unit square and directions towards a picture, by the table of its pixels."""
 
-from math import pi
-
 import warp as wp
 
 from warpsample.distributions.lights.pixel_table import COLUMN_STEPS, FRAME, HEADER, MOST_STEPS, ROW
@@ -10,6 +8,7 @@ from warpsample.maths.frames import to_world
 from warpsample.maths.numerics import (
     GRID,
     HALF,
+    INV_PI_DOUBLE,
     INV_TWO_PI_DOUBLE,
     ONE,
     TWO,
@@ -31,7 +30,6 @@ _QUARTER = wp.constant(wp.float64(0.25))
 _FOUR = wp.constant(wp.float64(4.0))
 _SIXTY_FOUR = wp.constant(wp.float64(64.0))
 _HALF_ROOT = wp.constant(wp.float32(0.7071067811865476))
-_INV_PI = wp.constant(wp.float64(1.0 / pi))
 
 
 @wp.func
@@ -211,7 +209,7 @@ def in_picture(w: wp.vec3, table: wp.uint64) -> wp.vec3d:
 
 
 @wp.func
-def turns_of(o: wp.vec3d) -> wp.float64:
+def azimuth_of(o: wp.vec3d) -> wp.float64:
     """Return the azimuth of a direction o as a fraction of 2 pi, in [0, 1]."""
     turns = wp.atan2(o[1], o[0]) * INV_TWO_PI_DOUBLE
     return wp.where(turns < ZERO, turns + ONE, turns)
@@ -220,7 +218,7 @@ def turns_of(o: wp.vec3d) -> wp.float64:
 @wp.func
 def angle_of(o: wp.vec3d) -> wp.float64:
     """Return the angle between the direction o of the picture's frame and the direction of row 0, in units of pi."""
-    return wp.atan2(wp.sqrt(o[0] * o[0] + o[1] * o[1]), o[2]) * _INV_PI
+    return wp.atan2(wp.sqrt(o[0] * o[0] + o[1] * o[1]), o[2]) * INV_PI_DOUBLE
 
 
 @wp.func
@@ -237,7 +235,7 @@ def _pixel_of(o: wp.vec3d, table: wp.uint64) -> wp.vec2i:
     """Return the (row, column) of the pixel in the direction o of the picture's frame."""
     header = wp.array(ptr=table, shape=(HEADER,), dtype=wp.float64)
     row = wp.min(wp.int32(angle_of(o) * header[0]), wp.int32(header[0]) - 1)
-    return wp.vec2i(row, wp.min(wp.int32(turns_of(o) * header[1]), wp.int32(header[1]) - 1))
+    return wp.vec2i(row, wp.min(wp.int32(azimuth_of(o) * header[1]), wp.int32(header[1]) - 1))
 
 
 @wp.func
@@ -272,7 +270,7 @@ def environment_map_to_square(w: wp.vec3, table: wp.uint64) -> wp.vec2:
     ends = wp.array(ptr=shares, shape=(width + 1,), dtype=wp.uint32)
     start = wp.float64(ends[pixel[1]])
     steps = wp.float64(ends[pixel[1] + 1] - ends[pixel[1]])
-    part = turns_of(o) * header[1] - wp.float64(pixel[1])
+    part = azimuth_of(o) * header[1] - wp.float64(pixel[1])
     x = line[0] + (line[1] - line[0]) * wp.clamp((cap_of(o) - line[2]) / line[3], ZERO, ONE)
     y = (start + steps * wp.clamp(part, ZERO, ONE)) * _PER_STEPS
     return wp.vec2(clamp_uniform(wp.float32(x)), clamp_uniform(wp.float32(y)))
