@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pytest
 from glb_files import glb
-from textured_scenes import SQUARE, TWO, changed, corner, opened, rich
+from textured_scenes import SQUARE, TWO, corner, opened
 
 import warpsample as ws
 from warpsample.texture.occlusion_picture import read_occlusion
@@ -111,16 +111,3 @@ def test_a_glb_of_another_version_is_refused_by_its_version(tmp_path, version):
         ValueError, match=f"the file is a .glb of version {version}, want version 2; export the file as glTF 2"
     ):
         ws.load_mesh(path)
-
-
-def test_data_that_a_glb_names_stay(call, tmp_path):
-    """A .glb may name data in a file, too, here the data that a first run wrote."""
-    path, output, data = two_quads(tmp_path), tmp_path / "out.gltf", tmp_path / "out.bin"
-    command = ("bake", path, "-o", output, "--samples", 4, "--texture")
-    assert call(*command, 8)[0] == 0
-    held = data.read_bytes()
-    other = {"uri": "out.bin", "byteLength": len(held)}
-    (tmp_path / "other.glb").write_bytes(changed(rich(), lambda tree: tree["buffers"].append(other)))
-    status, out, _ = call(*command, 16)
-    assert (status, "its data are in out-1.bin: out.bin belongs to another file" in out) == (0, True)
-    assert data.read_bytes() == held
