@@ -12,6 +12,7 @@ from warpsample.cli.stores import explain_missing
 from warpsample.cli.terminal import BakedFile, fail_plainly, option, output_file, working
 from warpsample.estimate.quantities.record import OPTIONS as NAMES
 from warpsample.host.extras import missing
+from warpsample.mesh.files.gltf import describe_invisible
 from warpsample.output.bake_rules import check_table, is_by_parts
 from warpsample.output.bake_table import (
     CITY,
@@ -55,7 +56,7 @@ def _bake_mesh(run: BakeRun) -> str:
         # Vertices blend values that differ at edges, such as those of a roof and of the wall below the roof.
         run = replace(run, at="faces" if run.output.suffix == ".png" or run.kind == CITY else "vertices")
     report = _bake_store(run) if run.output.suffix == STORE else _bake_file(run)
-    return "\n  ".join(filter(None, (report, note)))
+    return "\n  ".join(filter(None, (report, *describe_invisible(run.mesh), note)))
 
 
 def _bake_file(run: BakeRun) -> str:
