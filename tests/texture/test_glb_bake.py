@@ -137,7 +137,7 @@ def test_overlaps_are_named_and_refused_or_unwrapped(call, tmp_path):
     meshes = [{"primitives": [{"attributes": {"POSITION": i, "TEXCOORD_0": 2}, "indices": 3}]} for i in (0, 1)]
     path = tmp_path / "in.glb"
     path.write_bytes(glb({"meshes": meshes, "nodes": [{"mesh": 0, "name": "a"}, {"mesh": 1, "name": "b"}]}, arrays))
-    said = "overlapping texels, which show one of several faces: 4,032 (a, b)"  # not the diagonals
+    said = "overlapping texels, which show one of several faces: 4,032 ('a', 'b')"  # not the diagonals
     output, out = baked(call, path, "--uv", "0")
     assert said in out
     assert "occlusionTexture" in opened(output)[0]["materials"][0]

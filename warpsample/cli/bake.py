@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 import typer
 
 from warpsample.cli.stores import explain_missing
+from warpsample.cli.streams import print_report
 from warpsample.cli.terminal import BakedFile, fail_plainly, option, output_file, working
 from warpsample.estimate.quantities.record import OPTIONS as NAMES
 from warpsample.host.extras import missing
@@ -45,7 +46,7 @@ def bake_command(mesh: BakedFile, output: Annotated[Path, output_file(_FILES_HEL
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
         check_table(run)
         summary = _bake_raster(run) if run.kind == RASTER else _bake_mesh(run)
-    print(summary)
+    print_report(summary)
 
 
 def _bake_mesh(run: BakeRun) -> str:
