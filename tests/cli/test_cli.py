@@ -50,6 +50,19 @@ def test_directions_file_holds_the_run(call, cube, tmp_path, where, rows, monkey
     assert list(tmp_path.iterdir()) == [cube, output] or set(tmp_path.iterdir()) == {cube, output}
 
 
+def test_directions_file_holds_the_hash_of_a_picture(call, cube, tmp_path):
+    """The name alone does not tell two pictures apart."""
+    picture, output, kept = tmp_path / "sky.npy", tmp_path / "d.npz", []
+    for pixels in (np.ones((2, 4)), np.ones((2, 4)), np.eye(2, 4)):
+        np.save(picture, pixels)
+        options = ("--points", 3, "--samples", 2, "--distribution", f"environment_map(picture='{picture}')")
+        assert call("directions", cube, "-o", output, *options)[0] == 0
+        with np.load(output) as file:
+            kept.append(json.loads(str(file["run"]))["pictures_sha256"])
+    assert kept[0] == kept[1] != kept[2]
+    assert list(map(len, kept[0])) == [64]
+
+
 def test_skipped_points_are_counted_in_the_summary(call, tmp_path):
     path = tmp_path / "flat.off"
     path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")

@@ -12,6 +12,7 @@ import numpy as np
 
 from warpsample.directions.sample import Directions, Status, sample_directions
 from warpsample.distributions import as_spatial
+from warpsample.distributions.lights.environment_map import list_picture_hashes
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_integer, check_seed
 from warpsample.host.arrays import cpu
@@ -114,7 +115,7 @@ def _array(run: DirectionsRun, name: str) -> Rows:
 def _write_archive(
     file: BinaryIO, points: SurfacePoints, lobe: Distribution, run: DirectionsRun, workers: int | None
 ) -> np.ndarray:
-    record, status = _record(run), np.empty(len(points), np.uint8)
+    record, status = _record(run, lobe), np.empty(len(points), np.uint8)
     with new_archive(file) as archive:
         write_array(archive, "position", points.position)
         write_array(archive, "normal", points.normal)
@@ -182,13 +183,15 @@ def _sampled(points: Any, lobe: Distribution, run: DirectionsRun, workers: int |
     return sample_directions(points, run.samples, distribution=lobe, sequence=run.sequence, **options)
 
 
-def _record(run: DirectionsRun) -> dict[str, object]:
-    """Return what is needed to repeat a command to the bit: arguments, hash of the mesh, versions of libraries."""
+def _record(run: DirectionsRun, lobe: Distribution) -> dict[str, object]:
+    """Return what is needed to repeat a command to the bit: arguments, hashes of files, versions of libraries."""
     digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
     if run.arrays is None:
         arguments.pop("arrays")
     else:
         arguments["arrays_sha256"] = hashlib.sha256(run.arrays.read_bytes()).hexdigest()
+    if pictures := list_picture_hashes(lobe):
+        arguments["pictures_sha256"] = pictures
     versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy")} | {"streams": STREAMS}
     return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": cpu().name}
