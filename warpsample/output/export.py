@@ -19,6 +19,7 @@ from warpsample.host.engine import check_memory, check_space, check_workers
 from warpsample.host.files import check_output, complete_or_absent, new_archive, write_array
 from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.gltf import describe_invisible
 from warpsample.mesh.files.linked_files import list_linked_files
 from warpsample.mesh.points.arrays import Rows, carry_to_points, read_array
 from warpsample.mesh.surface import SurfacePoints
@@ -96,9 +97,8 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
             status = _write_cloud(file, points, lobe, run, workers, scale=CLOUD_SCALE * mesh.diagonal)
     skipped = {Status(code): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
     total, which = len(points) * run.samples, {Status.INVALID_PARAMETER: _name_invalid(lobe)}
-    return f"{total:,} directions at {len(points):,} points" + "".join(
-        f", {n:,} {code.name.lower()}{which.get(code, '')}" for code, n in skipped.items()
-    )
+    counts = [f"{n:,} {code.name.lower()}{which.get(code, '')}" for code, n in skipped.items()]
+    return ", ".join([f"{total:,} directions at {len(points):,} points", *counts, *describe_invisible(run.mesh)])
 
 
 def _name_invalid(lobe: Distribution) -> str:

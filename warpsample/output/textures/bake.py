@@ -1,27 +1,23 @@
 """`warpsample bake --texture`: compute a quantity at the texels of a mesh, and write a glTF file or an image."""
 
 import json
-import os
 from collections.abc import Iterator
 from dataclasses import fields
 from functools import partial
-from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
 
 from warpsample.host.files import complete_or_absent, write_arrays
-from warpsample.mesh.files.linked_files import list_linked_files, list_linked_pictures
 from warpsample.output.baked import BakeRun
-from warpsample.output.linked_data import write_with_data
 from warpsample.output.quantities import quantity_of
 from warpsample.output.run_record import RunRecord
 from warpsample.output.textures.images import Filled, fill_texture
 from warpsample.output.textures.instances import PlacedTexture, describe_places, pictures_of, place_pictures
-from warpsample.output.textures.source import DATA, TextureSource
+from warpsample.output.textures.source import TextureSource
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.inside import Closed
-from warpsample.texture.jobs import SCENES, describe_flaws
+from warpsample.texture.jobs import describe_flaws
 from warpsample.texture.materials import THICKNESS, Slot, add_texture, slot_for_quantity
 from warpsample.texture.pictures import encode_exr, encode_png
 from warpsample.texture.primitives import Primitive
@@ -103,28 +99,16 @@ def _write(source: TextureSource, found: list[list[PlacedTexture]]) -> list[str]
 
 
 def _write_scene(file: GlbFile, source: TextureSource, found: list[list[PlacedTexture]]) -> list[str]:
-    """Write a .glb, or a .gltf and the data next to it, with all pictures; return sentences on replaced textures."""
+    """Write a .glb or .gltf with all pictures; return sentences on replaced textures."""
     run, notes = source.run, list[str]()
     slot = slot_for_quantity(run.quantity)
     for row, groups in zip(found, place_pictures(file, found), strict=True):
         for picture, group in reversed(list(zip(row, groups, strict=True))):  # copies are of unchanged materials
             notes += _add_picture(file, picture.filled, group, slot, source.how)
     notes = list(dict.fromkeys(notes))
-    if run.output.suffix == ".glb":
-        with complete_or_absent(run.output) as stream:
-            file.write(stream)
-        return notes
-    output = Path(os.path.realpath(run.output))  # a .gltf names its data relative to its own folder
-    ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": _list_data}
-    data = write_with_data(output, DATA, **ways, inputs=[*source.inputs, *list_linked_pictures(output)])
-    if data.stem != output.stem:
-        notes.append(f"its data are in {data.name}: {output.with_suffix(DATA).name} belongs to another file")
+    with complete_or_absent(run.output) as stream:
+        (file.write if run.output.suffix == ".glb" else file.write_text)(stream)
     return notes
-
-
-def _list_data(path: Path) -> list[Path]:
-    """Return the paths of the files that a glTF file refers to; an empty list for other formats."""
-    return list_linked_files(path) if path.suffix.lower() in SCENES else []
 
 
 def _add_picture(file: GlbFile, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions) -> Iterator[str]:
