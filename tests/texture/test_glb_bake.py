@@ -4,6 +4,7 @@ import copy
 import json
 import re
 import struct
+from base64 import b64decode
 
 import numpy as np
 import pytest
@@ -136,7 +137,7 @@ def test_overlaps_are_named_and_refused_or_unwrapped(call, tmp_path):
     meshes = [{"primitives": [{"attributes": {"POSITION": i, "TEXCOORD_0": 2}, "indices": 3}]} for i in (0, 1)]
     path = tmp_path / "in.glb"
     path.write_bytes(glb({"meshes": meshes, "nodes": [{"mesh": 0, "name": "a"}, {"mesh": 1, "name": "b"}]}, arrays))
-    said = "overlapping texels, which show one of several faces: 4,032 (a, b)"  # not the diagonals
+    said = "overlapping texels, which show one of several faces: 4,032 ('a', 'b')"  # not the diagonals
     output, out = baked(call, path, "--uv", "0")
     assert said in out
     assert "occlusionTexture" in opened(output)[0]["materials"][0]
@@ -444,25 +445,20 @@ def test_a_gltf_and_its_files_become_one_file(call, tmp_path):
     assert (status, "images[1].uri: got a picture that is none of .png .jpg .webp .ktx2" in err) == (2, True)
 
 
-def test_a_gltf_is_written_with_its_data_beside_it(call, tmp_path):
-    """The same as the .glb, whose data are in a file of their own, under a name that no other file has."""
+def test_a_gltf_holds_the_data_of_the_glb(call, tmp_path):
+    """The .gltf is the .glb with its data embedded, and no other file is written."""
     path, output = tmp_path / "in.glb", tmp_path / "out put.gltf"
     whole = rich()
     path.write_bytes(whole[:8] + (len(whole) - 12).to_bytes(4, "little") + whole[12:-12])  # without a last chunk
     glb_tree, glb_data, _ = opened(baked(call, path)[0])
+    before = set(tmp_path.iterdir())
     assert call("bake", path, "-o", output, "--texture", 64, *RAYS)[0] == 0
+    assert set(tmp_path.iterdir()) == before | {output}
     tree = json.loads(output.read_text())
-    assert tree["buffers"][0].pop("uri") == "out%20put.bin"
-    assert tree == glb_tree
-    assert (tmp_path / "out put.bin").read_bytes() == glb_data
+    kind, _, data = tree["buffers"][0].pop("uri").partition(",")
+    assert (kind, b64decode(data), tree) == ("data:application/octet-stream;base64", glb_data, glb_tree)
     assert ws.load_mesh(output).digest == ws.load_mesh(path).digest
-    output.replace(tmp_path / "first.gltf")
-    for _ in range(2):
-        status, out, _ = call("bake", tmp_path / "first.gltf", "-o", output, "--texture", 16, "--samples", 2)
-        assert (status, out.count("its data are in out put-1.bin: out put.bin belongs to another file")) == (0, 1)
-        assert ws.load_mesh(output).digest == ws.load_mesh(path).digest
-    assert (tmp_path / "out put.bin").read_bytes() == glb_data
-    assert len([*tmp_path.glob("*.bin"), *tmp_path.glob(".*")]) == 2
+    assert call("bake", output, "-o", tmp_path / "again.gltf", "--texture", 64, *RAYS)[0] == 0
     path.write_bytes(whole)
     status, _, err = call("bake", path, "-o", output, "--texture", 16)
     assert (status, "the file has 12 bytes after its data, which a .gltf cannot hold" in err) == (2, True)
@@ -618,20 +614,16 @@ def test_a_suffix_in_upper_case_is_refused_by_name(call, tmp_path):
         assert (status, err.endswith(", in lower case\n")) == (2, True)
 
 
-def test_data_that_another_scene_names_or_that_the_old_file_shows_stay(call, tmp_path):
-    """A variant of the old out.gltf names out.bin, too; then the old out.gltf names it as a picture."""
-    path, output = floor_and_glass(tmp_path / "in.glb"), tmp_path / "out.gltf"
-    options = ("--texture", 32, "--samples", 2)
-    assert call("bake", path, "-o", output, *options)[0] == 0
-    kept = (tmp_path / "out.bin").read_bytes()
-    variant = tmp_path / "variant.gltf"
-    variant.write_bytes(output.read_bytes())
-    for _ in range(2):
-        status, out, _ = call("bake", path, "-o", output, *options, "--quantity", "sky")
-        assert (status, "its data are in out-1.bin" in out) == (0, True)
-        assert (tmp_path / "out.bin").read_bytes() == kept
-    variant.unlink()
-    (tmp_path / "out-1.bin").unlink()
-    output.write_text(json.dumps({"asset": {"version": "2.0"}, "images": [{"uri": "out.bin"}]}))
-    assert call("bake", path, "-o", output, *options)[0] == 0
-    assert (tmp_path / "out.bin").read_bytes() == kept
+def test_data_that_the_old_file_names_stay(call, tmp_path):
+    """A scene in another folder may name the data of the old out.gltf, too."""
+    path, output, data = floor_and_glass(tmp_path / "in.glb"), tmp_path / "out.gltf", tmp_path / "out.bin"
+    tree, held, _ = opened(path)
+    tree["buffers"][0]["uri"] = data.name
+    output.write_text(json.dumps(tree))
+    data.write_bytes(held)
+    tree["buffers"][0]["uri"] = f"../{tmp_path.name}/{data.name}"
+    other = tmp_path.with_name(tmp_path.name + " other") / "scene.gltf"
+    other.parent.mkdir()
+    other.write_text(json.dumps(tree))
+    assert call("bake", path, "-o", output, "--texture", 32, "--samples", 2)[0] == 0
+    assert (data.read_bytes(), sorted(tmp_path.iterdir())) == (held, [path, data, output])

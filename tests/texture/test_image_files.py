@@ -138,7 +138,7 @@ def test_a_full_disk_leaves_the_old_file(tmp_path, child_environment):
 
 
 def test_what_the_inputs_need_is_not_replaced(call, floor, tmp_path):
-    """Pictures of an .obj and of a .gltf, its data, and those of a finer mesh, even where an old .gltf names them."""
+    """Pictures of an .obj and of a .gltf, and those of a finer mesh."""
     (tmp_path / "in.glb").write_bytes(changed(rich()[:-12], len))  # with its length updated
     tree, data, _ = opened(tmp_path / "in.glb")
     (tmp_path / "part").mkdir()
@@ -161,32 +161,24 @@ def test_what_the_inputs_need_is_not_replaced(call, floor, tmp_path):
         assert (status, err) == (2, f"error: --output: got {name}, which is the input {name}, want another file\n")
     status, _, err = call("bake", floor, "-o", tmp_path / "part/of walls.png", "--at", "faces")
     assert (status, "which is the input" in err) == (2, True)
-    for mesh, options in ((path, []), (tmp_path / "in.glb", finer)):
-        (tmp_path / "data.gltf").write_bytes(path.read_bytes())
-        status, out, _ = call("bake", mesh, "-o", tmp_path / "data.gltf", "--texture", 16, "--samples", 2, *options)
-        assert status == 0
-        assert out.endswith("\n  its data are in data-1.bin: data.bin belongs to another file\n")
-        (tmp_path / "data-1.bin").unlink()
     assert all((tmp_path / name).read_bytes() == content for name, content in wanted.items())
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no limits on a file's size")
-def test_a_gltf_that_cannot_be_written_leaves_the_old_data(call, tmp_path):
-    """Its data would be complete first, and the old .gltf would tell of other ones."""
+def test_a_gltf_that_cannot_be_written_leaves_the_old_one(call, tmp_path):
     import resource
 
     path, output = tmp_path / "in.glb", tmp_path / "out.gltf"
     path.write_bytes(changed(rich()[:-12], lambda tree: tree.update(extras="x" * 100_000)))  # without its last part
-    arguments = ["bake", path, "-o", output, "--texture", 32, "--samples", 4]
-    assert call(*arguments)[0] == 0
-    whole = output.read_bytes(), output.with_suffix(".bin").read_bytes()
+    arguments = ["bake", path, "-o", output, "--samples", 4, "--texture"]
+    assert call(*arguments, 32)[0] == 0
+    whole = output.read_bytes()
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, limits[1]))
     try:
-        status, _, err = call(*arguments, "--quantity", "sky")
+        status, _, err = call(*arguments, 16)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert (status, err) == (1, f"error: {output} cannot be written: File too large\n")
-    assert (output.read_bytes(), output.with_suffix(".bin").read_bytes()) == whole
-    assert len(whole[1]) < 50_000
-    assert len(list(tmp_path.iterdir())) == 3
+    assert output.read_bytes() == whole
+    assert len(list(tmp_path.iterdir())) == 2

@@ -1,5 +1,7 @@
 """What the viewer shows of a file: the occlusion of all its materials on one picture."""
 
+from types import SimpleNamespace
+
 import matplotlib.image
 import numpy as np
 import pytest
@@ -92,3 +94,14 @@ def test_the_view_of_a_baked_file_is_about_its_occlusion(can_render, call, baked
     assert (np.abs(left - right).max(axis=-1) > 0.05).mean() > 0.02
     status, out, _ = call("view", baked, "--points", 3, "--size", 1200, 675, "--screenshot", file)
     assert out.startswith(f"{file}: 3 points x 1,024 directions")
+
+
+def test_a_png_may_be_larger_than_pillow_opens(baked, monkeypatch):
+    """Pillow takes large pictures for attacks, and `bake` writes larger ones; the memory is the limit instead."""
+    shown = read_occlusion(baked)
+    monkeypatch.setattr("PIL.Image.MAX_IMAGE_PIXELS", 1000)  # of 64 x 64
+    assert np.array_equal(read_occlusion(baked).picture, shown.picture)
+    monkeypatch.setattr("warpsample.host.engine._ALWAYS_FREE", 0)
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=30_000))
+    with pytest.raises(MemoryError, match="^the texels of a picture of 64 x 64 need"):
+        read_occlusion(baked)

@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pytest
 from glb_files import glb
-from textured_scenes import SQUARE, TWO, changed, corner, opened, rich
+from textured_scenes import SQUARE, TWO, changed, corner, opened
 
 import warpsample as ws
 from warpsample.texture.occlusion_picture import read_occlusion
@@ -50,6 +50,26 @@ def test_a_set_with_a_number_that_is_none_is_named(call, tmp_path, bad):
     assert (status, err.count("\n")) == (2, 1)
     why = "for all faces of 'ground', but 1 of 2 lack it or have NaN in it; --uv new makes a set"
     assert f"--uv: got 0, want a set of texture coordinates {why}" in err
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_a_set_of_numbers_that_are_none_is_named(call, tmp_path, bad):
+    """All corners of set 0. Set 1 is used then, and a mesh without set 0 has no sentence on it."""
+    path, output = two_quads(tmp_path, np.full_like(SQUARE, bad), TEXCOORD_1=SQUARE), tmp_path / "out.glb"
+    command = ("bake", path, "-o", output, "--texture", 32, "--samples", 4)
+    why = "(set 0 is passed over: 2 of 2 faces lack it or have NaN in it)"
+    status, out, _ = call(*command)
+    assert (status, out.count(f", set 1 {why}: ")) == (0, 2)
+    path.write_bytes(changed(path.read_bytes(), drop_sets))
+    status, out, _ = call(*command)
+    assert (status, out.count(f", new coordinates, set 1 {why}: "), out.count(", new coordinates, set 0: ")) == (0, 1, 1)
+
+
+def drop_sets(tree):
+    """Remove set 1 of both meshes, and set 0 of the second mesh."""
+    floor, wall = (mesh["primitives"][0]["attributes"] for mesh in tree["meshes"])
+    for attributes, number in ((floor, 1), (wall, 1), (wall, 0)):
+        del attributes[f"TEXCOORD_{number}"]
 
 
 @pytest.mark.parametrize(
@@ -111,16 +131,3 @@ def test_a_glb_of_another_version_is_refused_by_its_version(tmp_path, version):
         ValueError, match=f"the file is a .glb of version {version}, want version 2; export the file as glTF 2"
     ):
         ws.load_mesh(path)
-
-
-def test_data_that_a_glb_names_stay(call, tmp_path):
-    """A .glb may name data in a file, too, here the data that a first run wrote."""
-    path, output, data = two_quads(tmp_path), tmp_path / "out.gltf", tmp_path / "out.bin"
-    command = ("bake", path, "-o", output, "--samples", 4, "--texture")
-    assert call(*command, 8)[0] == 0
-    held = data.read_bytes()
-    other = {"uri": "out.bin", "byteLength": len(held)}
-    (tmp_path / "other.glb").write_bytes(changed(rich(), lambda tree: tree["buffers"].append(other)))
-    status, out, _ = call(*command, 16)
-    assert (status, "its data are in out-1.bin: out.bin belongs to another file" in out) == (0, True)
-    assert data.read_bytes() == held

@@ -4,7 +4,7 @@ import sys
 import warnings
 
 from warpsample.cli.signals import listening
-from warpsample.cli.streams import open_closed_streams
+from warpsample.cli.streams import escape, open_closed_streams
 
 
 def main() -> None:
@@ -14,7 +14,7 @@ def main() -> None:
         from warpsample.cli.commands import app
         from warpsample.cli.terminal import print_anything, printing_errors
 
-        warnings.formatwarning = lambda message, *_, **__: f"warning: {message}\n"
+        warnings.formatwarning = lambda message, *_, **__: f"warning: {escape(str(message))}\n"
         print_anything()
         with printing_errors():  # for what no command handles: --version and --help
             try:

@@ -9,9 +9,11 @@ from typing import Annotated, Any, Literal
 import typer
 
 from warpsample.cli.stores import explain_missing
+from warpsample.cli.streams import print_report
 from warpsample.cli.terminal import BakedFile, fail_plainly, option, output_file, working
 from warpsample.estimate.quantities.record import OPTIONS as NAMES
 from warpsample.host.extras import missing
+from warpsample.mesh.files.gltf import describe_invisible
 from warpsample.output.bake_rules import check_table, is_by_parts
 from warpsample.output.bake_table import (
     CITY,
@@ -44,7 +46,7 @@ def bake_command(mesh: BakedFile, output: Annotated[Path, output_file(_FILES_HEL
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
         check_table(run)
         summary = _bake_raster(run) if run.kind == RASTER else _bake_mesh(run)
-    print(summary)
+    print_report(summary)
 
 
 def _bake_mesh(run: BakeRun) -> str:
@@ -55,7 +57,7 @@ def _bake_mesh(run: BakeRun) -> str:
         # Vertices blend values that differ at edges, such as those of a roof and of the wall below the roof.
         run = replace(run, at="faces" if run.output.suffix == ".png" or run.kind == CITY else "vertices")
     report = _bake_store(run) if run.output.suffix == STORE else _bake_file(run)
-    return "\n  ".join(filter(None, (report, note)))
+    return "\n  ".join(filter(None, (report, *describe_invisible(run.mesh), note)))
 
 
 def _bake_file(run: BakeRun) -> str:

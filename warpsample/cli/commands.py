@@ -9,6 +9,7 @@ import warpsample
 from warpsample import distributions, sequences
 from warpsample.cli import bench, radiation, signals, stores
 from warpsample.cli.bake import bake_command
+from warpsample.cli.streams import escape, print_report
 from warpsample.cli.terminal import (
     MESH_HELP,
     At,
@@ -23,6 +24,7 @@ from warpsample.cli.terminal import (
 )
 from warpsample.cli.verify import verify_command
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.uv import find_uv
 from warpsample.mesh.points.arrays import read_array
 from warpsample.texture.occlusion_picture import read_occlusion
 
@@ -70,12 +72,12 @@ def info(mesh: BakedFile) -> None:
 
     with working(f"reading {mesh}"):
         rows = describe_source(mesh)
-    table = Table(title=Text(str(mesh)), show_header=False, title_justify="left")
+    table = Table(title=Text(escape(str(mesh))), show_header=False, title_justify="left")
     table.add_column(style="bold")
     table.add_column(justify="right")
     table.add_column(style="dim")
     for row in rows:
-        table.add_row(*map(Text, row))
+        table.add_row(*(Text(escape(cell)) for cell in row))
     Console().print(table)
 
 
@@ -105,7 +107,7 @@ def directions_command(
     points = 10_000 if points is None and at is None else points
     with working(f"reading {mesh}, sampling, writing {output}; a kernel is compiled when it is first used, for about 2 s"):
         summary = export(DirectionsRun(mesh, output, points, samples, distribution, sequence, seed, at, arrays), workers)
-    print(f"{output}: {summary}")
+    print_report(f"{output}: {summary}")
 
 
 app.command("bake")(bake_command)
@@ -177,11 +179,11 @@ def view(
     with working("testing whether pictures can be drawn on this machine"):
         rendering.check_rendering()
     with working(f"reading {path}"):
-        surface, occlusion, uv = load_mesh(path), read_occlusion(path), start.read_axes(path, choice)
+        surface, occlusion, uv = load_mesh(path), read_occlusion(path), find_uv(path)
     if occlusion is not None and not chosen:
         with signals.at_once() if screenshot is None else working(f"drawing {screenshot}"):
             summary = show_occlusion(surface, occlusion, up=up, size=size, path=screenshot)
-        print(f"{screenshot or path}: {summary}")
+        print_report(f"{screenshot or path}: {summary}")
         return
     points = points or (100 if occlusion is None else 1)  # more clouds would hide the occlusion
     _show_clouds((surface, points, choice), screenshot, {"up": up, "size": size, "occlusion": occlusion, "uv": uv})
@@ -197,7 +199,7 @@ def _show_clouds(drawn: tuple[Any, ...], screenshot: Path | None, scene: dict[st
         return
     with working(f"drawing {screenshot}; kernels are compiled when first used, for about 10 s"):
         summary = start.save(*drawn, **scene, path=screenshot)
-    print(f"{screenshot}: {summary}")
+    print_report(f"{screenshot}: {summary}")
 
 
 app.command("verify")(verify_command)

@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from warpsample.cli.streams import print_report
 from warpsample.cli.terminal import MeshFile, Workers, option, output_file, working
 
 
@@ -38,7 +39,7 @@ def view_factors_command(
 
     options = {"count": count, "reciprocal": reciprocal, "up": up, "seed": seed, "workers": workers}
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 5 s"):
-        print(run_view_factors(mesh, output, groups, options))
+        print_report(run_view_factors(mesh, output, groups, options))
 
 
 def shading_command(
@@ -67,4 +68,4 @@ def shading_command(
 
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
         summary = write_shading(Shading(mesh, groups, output, weather, samples, up, north, seed), workers)
-    print(f"{output}: {summary}")
+    print_report(f"{output}: {summary}")

@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from warpsample.cli.streams import print_report
 from warpsample.cli.terminal import output_file, working
 from warpsample.host.extras import missing
 from warpsample.output.bake_table import STORE
@@ -22,7 +23,7 @@ def export_command(
         raise explain_missing(error) from error
     with working(f"reading {store} and {mesh}, writing {output}"):
         summary = export_store(store, mesh, output)
-    print(summary)
+    print_report(summary)
 
 
 def explain_missing(error: ModuleNotFoundError) -> ModuleNotFoundError:

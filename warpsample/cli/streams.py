@@ -19,10 +19,23 @@ def open_closed_streams() -> None:
             setattr(sys, name, os.fdopen(number, mode, encoding="utf-8", closefd=False))
 
 
+def escape(text: str) -> str:
+    """Return text with an escape, such as that of repr(), for each character that is not printable, line breaks included.
+
+    Names in a file could otherwise move the cursor of a terminal or forge lines of a report.
+    """
+    return text if text.isprintable() else "".join(one if one.isprintable() else repr(one)[1:-1] for one in text)
+
+
+def print_report(text: str) -> None:
+    """Print a text of one or more lines on stdout; other characters that are not printable are escaped."""
+    print("\n".join(map(escape, text.split("\n"))))
+
+
 def print_error(sentence: str) -> None:
     """Print a message as one line on stderr; do nothing if stderr is closed."""
     try:
-        print(sentence, file=sys.stderr, flush=True)
+        print(escape(sentence), file=sys.stderr, flush=True)
     except OSError:
         discard_output(sys.stderr)
 

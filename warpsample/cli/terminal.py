@@ -15,7 +15,7 @@ from typing import Annotated, Any, Literal
 import typer
 
 from warpsample.cli import signals
-from warpsample.cli.streams import discard_output, print_error
+from warpsample.cli.streams import discard_output, print_error, print_report
 from warpsample.host.files import WriteError
 
 
@@ -180,7 +180,7 @@ def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
         rendering.save_figure(picture, screenshot)
     else:
         rendering.save_scene(picture, screenshot, what)
-    print(f"{screenshot}: {what}")
+    print_report(f"{screenshot}: {what}")
 
 
 def console() -> Any:

@@ -37,7 +37,7 @@ def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) ->
             known = 2 * size
             check_memory(size, f"a scene of {offset:,} vertices and more", "leave out some of it")
     if not faces:
-        raise ValueError("the file has no faces")
+        raise ValueError("the file has no visible faces")
     return (vertices[0], faces[0]) if len(faces) == 1 else (np.concatenate(vertices), np.concatenate(faces))
 
 

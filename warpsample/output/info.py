@@ -9,6 +9,7 @@ from warpsample.city.cityjson.city import load_city
 from warpsample.host.extras import missing
 from warpsample.host.locks import imported
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.gltf import describe_invisible
 from warpsample.mesh.mesh import Mesh
 from warpsample.output.bake_table import CITY, RASTER, kind_of
 from warpsample.output.by_parts import list_parts
@@ -36,6 +37,7 @@ def describe_source(path: Path) -> list[Row]:
     if path.suffix.lower() == ".stl":
         corners = 3 * len(mesh.faces) - len(mesh.vertices)
         rows.insert(1, ("merged corners", f"{corners:,}", "an .stl repeats them"))
+    rows += [("left out", line, "") for line in describe_invisible(path)]
     return [*rows, *_describe_parts(mesh)]
 
 

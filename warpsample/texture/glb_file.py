@@ -6,11 +6,11 @@ trimesh and pygltflib are not used, since they drop the parts of a file that the
 import json
 import re
 import struct
+from base64 import b64encode
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
-from urllib.parse import quote
 
 import numpy as np
 
@@ -137,15 +137,12 @@ class GlbFile:
         file.writelines(self._chunks)
         file.write(self._rest)
 
-    def write_data(self, data: BinaryIO) -> None:
-        """Write the binary data of the edited content to an open file, for a .gltf that refers to it."""
+    def write_text(self, file: BinaryIO) -> None:
+        """Write the edited content to an open file as a .gltf with embedded data, so that the .gltf needs no second file."""
         self._append_bytes(b"")  # pads the data, as in a .glb
-        data.writelines(self._chunks)
-
-    def text_naming(self, name: str) -> bytes:
-        """Return the content of a .gltf file whose binary data are in the file `name`."""
-        self.tree["buffers"][0] |= {"byteLength": self._size, "uri": quote(name)}
-        return json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode()
+        uri = "data:application/octet-stream;base64," + b64encode(b"".join(self._chunks)).decode()
+        self.tree["buffers"][0] |= {"byteLength": self._size, "uri": uri}
+        file.write(json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode())
 
     def check_no_trailing_bytes(self) -> None:
         """Raise a ValueError if the .glb has chunks after its data, which a .gltf cannot store."""

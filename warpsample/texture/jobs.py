@@ -14,6 +14,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, convert_read_errors
 from warpsample.texture.high import average_normals
 from warpsample.texture.materials import OCCLUSION, Slot, name_group
+from warpsample.texture.notes import join_names
 from warpsample.texture.primitives import Primitive, group_by_material, is_flat, list_primitives, visible_primitives
 from warpsample.texture.sets import Texels, TextureOptions
 from warpsample.texture.texture_points import TexturePoints
@@ -107,7 +108,7 @@ def describe_flaws(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Ite
         count, parts = getattr(report, name), report.named[name]
         if count:
             more = f" and {len(parts) - _MOST_NAMES:,} more" if len(parts) > _MOST_NAMES else ""
-            yield f"{_FLAWS[name]}: {count:,}" + (f" ({', '.join(parts[:_MOST_NAMES])}{more})" if any(parts) else "")
+            yield f"{_FLAWS[name]}: {count:,}" + (f" ({join_names(parts[:_MOST_NAMES])}{more})" if any(parts) else "")
 
 
 def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[list[TextureJob], GlbFile]:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.host.arguments import check_number, naming_file
+from warpsample.host.engine import check_memory
 from warpsample.host.json_tree import Part
 from warpsample.mesh.files.gltf import iterate_primitives, opened, read_corners, surface
 from warpsample.mesh.files.gltf_data import Data
@@ -16,6 +17,8 @@ from warpsample.texture.pictures import import_library
 
 _SIDE = 8192  # largest side of the joined picture, in texels: graphics cards accept this size
 _FORMATS = ("PNG", "JPEG", "WEBP")  # of glTF; Pillow would run another program for some other formats
+_PNG = b"\x89PNG"
+_BYTES = 8  # memory per texel: decoded by Pillow, and as an array
 _TRANSFORM = "KHR_texture_transform"
 
 
@@ -53,9 +56,10 @@ def read_occlusion(path: Path) -> OcclusionPicture | None:
         kinds = list(dict.fromkeys(info for info in infos if info is not None))
         if not kinds:
             return None
-        pictures = [_read_grey_levels(tree, data, path, image, strength) for image, _, strength in kinds]
+        pictures = [_read_red(tree, data, path, image) for image, _, _ in kinds]
     kind = np.repeat([-1 if info is None else kinds.index(info) for info in infos], faces)
-    return _join_pictures(pictures, kind, [read_corners(path, f"TEXCOORD_{number}") for _, number, _ in kinds])
+    strengths = [strength for _, _, strength in kinds]
+    return _join_pictures(pictures, strengths, kind, [read_corners(path, f"TEXCOORD_{number}") for _, number, _ in kinds])
 
 
 def _read_occlusion_info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
@@ -74,24 +78,33 @@ def _read_occlusion_info(tree: Part, primitive: Part) -> tuple[int, int, float] 
     return texture.index("source", tree.parts("images")), info.whole("texCoord", 0, LAST_SET), strength
 
 
-def _read_grey_levels(tree: Part, data: Data, path: Path, image: int, strength: float) -> np.ndarray:
-    """Return the (H, W) float64 occlusion that viewers show for a picture: 1 + strength * (red - 1)."""
+def _read_red(tree: Part, data: Data, path: Path, image: int) -> np.ndarray:
+    """Return the red channel of a picture, (H, W) uint8 or uint16.
+
+    A .png may be of any size that fits into memory, because `bake` writes large ones. Others have the limit of Pillow.
+    """
     part = tree.parts("images")[image]
-    pillow = import_library("PIL.Image", "pictures need Pillow")
+    pillow, png = (import_library(name, "pictures need Pillow") for name in ("PIL.Image", "PIL.PngImagePlugin"))
+    content = data.picture(part, path)
     try:
-        opened_picture = pillow.open(BytesIO(data.picture(part, path)), formats=_FORMATS)
-    except pillow.UnidentifiedImageError:
+        is_png = content.startswith(_PNG)
+        picture = png.PngImageFile(BytesIO(content)) if is_png else pillow.open(BytesIO(content), formats=_FORMATS)
+    except (SyntaxError, pillow.UnidentifiedImageError):
         raise ValueError(f"{part.path}: got a picture that is none of {', '.join(_FORMATS)}, want one of these") from None
-    with opened_picture:
-        pixels = np.array(opened_picture if opened_picture.mode.startswith("I;16") else opened_picture.convert("RGB"))
-    red = (pixels if pixels.ndim == 2 else pixels[..., 0]) / np.iinfo(pixels.dtype).max
-    return 1.0 + strength * (red - 1.0)
+    with picture:
+        texels = f"the texels of a picture of {picture.width:,} x {picture.height:,}"
+        check_memory(_BYTES * picture.width * picture.height, texels, "show a smaller picture")
+        is_grey = picture.mode == "L" or picture.mode.startswith("I;16")
+        pixels = np.array(picture if is_grey else picture.convert("RGB"))
+    return pixels if pixels.ndim == 2 else pixels[..., 0]
 
 
-def _join_pictures(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.ndarray]) -> OcclusionPicture:
+def _join_pictures(
+    pictures: list[np.ndarray], strengths: list[float], kind: np.ndarray, sets: list[np.ndarray]
+) -> OcclusionPicture:
     """Arrange several pictures as a grid in one picture, and convert each face's texture coordinates.
 
-    Each picture is framed by copies of its edge texels.
+    Viewers show the occlusion 1 + strength * (red - 1). Each picture is framed by copies of its edge texels.
     """
     columns = ceil(sqrt(len(pictures) + 1))
     side = min(max(max(picture.shape) for picture in pictures), _SIDE // columns - 2)
@@ -106,7 +119,8 @@ def _join_pictures(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.n
     for number, picture in enumerate(pictures):
         row, column = (pitch * at for at in divmod(number, columns))
         take = [(np.arange(side) * length) // side for length in picture.shape]
-        shown = np.round(255.0 * np.clip(picture, 0.0, 1.0)).astype(np.uint8)
-        whole[row : row + pitch, column : column + pitch] = np.pad(shown[np.ix_(*take)], 1, mode="edge")
+        occlusion = 1.0 + strengths[number] * (picture[np.ix_(*take)] / np.iinfo(picture.dtype).max - 1.0)
+        shown = np.round(255.0 * np.clip(occlusion, 0.0, 1.0)).astype(np.uint8)
+        whole[row : row + pitch, column : column + pitch] = np.pad(shown, 1, mode="edge")
     corner = np.stack([place % columns, place // columns], axis=1)[:, None]
     return OcclusionPicture(whole, (pitch * corner + 1.0 + side * uv) / (columns * pitch))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsample.mesh.files.gltf import find_faces_with
 from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, load_uv
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.report import find_face_flaws
@@ -85,6 +86,7 @@ class Texels:
         """Store the arguments; sets are read at first use."""
         self.path, self.mesh, self.how, self.normals = path, mesh, how, normals
         self._sets: list[np.ndarray | None] = []
+        self._named: list[np.ndarray] = []
 
     def points(self, uv: np.ndarray, rows: list[slice]) -> TexturePoints:
         """Return the texels of some faces as points, for texture coordinates `uv`, (F, 3, 2)."""
@@ -135,7 +137,7 @@ class Texels:
         passed: list[str] = []
         for number in dict.fromkeys([*([] if first is None else [first]), *range(LAST_SET + 1)]):
             lacking = self._count_lacking(number, rows)
-            if 0 < lacking < faces:
+            if 0 < lacking < faces or (lacking and self._is_named(number, rows)):
                 passed.append(f"set {number} is passed over: {lacking:,} of {faces:,} faces lack it or have NaN in it")
             if not lacking:
                 found = self.points_by_set(number, rows)
@@ -159,6 +161,10 @@ class Texels:
             return f"faces overlap in {counts}, and auto accepts none; --uv {number} takes it"
         return "faces have no area in it" if self._is_flat(number, rows) else None
 
+    def _is_named(self, number: int, rows: Iterable[slice]) -> bool:
+        """Return whether a glTF file has a set of texture coordinates, perhaps with NaN, for some of the given faces."""
+        return self._read_set(number) is not None and any(self._named[number][some].any() for some in rows)
+
     def _count_lacking(self, number: int, rows: Iterable[slice]) -> int:
         """Count the given faces for which a set of texture coordinates is missing, NaN or infinite."""
         uv = self._read_set(number)
@@ -181,6 +187,7 @@ class Texels:
     def _read_set(self, number: int) -> np.ndarray | None:
         """Return the texture coordinates of set `number`, (F, 3, 2), or None if the file lacks the set."""
         while len(self._sets) <= number and (not self._sets or self._sets[-1] is not None):
+            self._named.append(self._find_named(len(self._sets)))
             self._sets.append(self._load_set(len(self._sets)))
         return self._sets[number] if number < len(self._sets) else None
 
@@ -189,5 +196,11 @@ class Texels:
             return None
         try:
             return load_uv(self.path, set=number)
-        except ValueError:  # the mesh itself was read without error: the set is missing
-            return None
+        except ValueError:  # the mesh itself was read without error: the set is missing, or NaN at all faces
+            return np.full((len(self.mesh.faces), 3, 2), np.nan) if self._named[number].any() else None
+
+    def _find_named(self, number: int) -> np.ndarray:
+        """Return the (F,) bool mask of the faces for which a glTF file has the set `number`, perhaps with NaN."""
+        if self.path.suffix.lower() not in (".glb", ".gltf"):
+            return np.zeros(len(self.mesh.faces), bool)
+        return find_faces_with(self.path, f"TEXCOORD_{number}")

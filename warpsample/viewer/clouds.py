@@ -9,7 +9,7 @@ from warpsample.directions.sample import sample_directions
 from warpsample.distributions.record import Distribution
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.viewer.choice import Choice
-from warpsample.viewer.counts import Counts, count_directions
+from warpsample.viewer.counts import AngleCounts, count_directions
 from warpsample.viewer.lobes import peaks_of, probabilities_of, shape_of
 from warpsample.viewer.own_lobes import constant_lobes, usable_rows
 
@@ -85,7 +85,7 @@ def all_clouds(choice: Choice, points: SurfacePoints, scale: float) -> Clouds:
     return Clouds(position.reshape(-1, 3), pdf.ravel(), color.ravel(), peak, rows, local)
 
 
-def count_clouds(choice: Choice, clouds: Clouds) -> Counts | None:
+def count_clouds(choice: Choice, clouds: Clouds) -> AngleCounts | None:
     """Count the angles of the directions of clouds, and compare the counts with the densities; None without directions.
 
     If the lobes of points differ, the directions of the first MOST_COUNTED points are counted.

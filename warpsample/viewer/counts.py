@@ -15,7 +15,7 @@ _ROWS = 16  # of the map, nearly even in cos theta
 
 
 @dataclass(frozen=True, eq=False)
-class Counts:
+class AngleCounts:
     """Counts of the angles of many directions, compared with densities.
 
     Attributes:
@@ -31,7 +31,7 @@ class Counts:
 
 def count_directions(
     local: np.ndarray, probabilities: CellProbabilities, independent: bool, claim: str = "the density"
-) -> Counts:
+) -> AngleCounts:
     """Build histograms and a map of the directions' polar angle and azimuth, and compare them with densities.
 
     Args:
@@ -52,7 +52,7 @@ def count_directions(
     if probabilities.cells is not None:
         counts = np.bincount(cell * SECTORS + sector, minlength=(CELLS + 1) * SECTORS).reshape(-1, SECTORS)
         cells = _build_map(counts, probabilities.cells, edges, **names)
-    return Counts(
+    return AngleCounts(
         _build_histogram(theta, probabilities.theta, edges, angles=probabilities.angles, line=probabilities.line, **names),
         _build_histogram(azimuth, probabilities.azimuth, around, angles=middle, line=density, **names),
         cells,

@@ -13,7 +13,7 @@ from warpsample.plotting.style import INK, LOBE, font_file
 from warpsample.texture.occlusion_picture import OcclusionPicture
 from warpsample.viewer import widgets
 from warpsample.viewer.clouds import Clouds, NearCloud
-from warpsample.viewer.counts import Counts
+from warpsample.viewer.counts import AngleCounts
 from warpsample.viewer.lobes import shape_of
 
 _COLUMNS = (widgets.WIDTH, 0.37, 0.46)  # of the window's width
@@ -132,7 +132,7 @@ class Panels:
         if view is not None:
             self._view.show(np.zeros(3), 1.15 * np.array(view))
 
-    def show_charts(self, counts: Counts | None, near: NearCloud | None) -> None:
+    def show_charts(self, counts: AngleCounts | None, near: NearCloud | None) -> None:
         """Replace the charts; without directions the panel is empty."""
         width, height = self.plotter.window_size
         size = (round(_COLUMNS[2] * width), height)

@@ -17,7 +17,7 @@ from warpsample.city.cityjson.example import example_content
 from warpsample.city.cityjson.gathering import Gathered, Geometry, gather
 from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
-from warpsample.city.cityjson.surfaces import CitySurfaces, Rows, tabulate_surfaces, warn_of_overlaps
+from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks, tabulate_surfaces, warn_of_overlaps
 from warpsample.city.cityjson.writing import ERROR, Editor
 from warpsample.host.arguments import check_file, check_flag, check_seed, naming_file, quote
 from warpsample.host.arrays import as_real
@@ -53,7 +53,7 @@ class City(Summary):
     surfaces: CitySurfaces
     split: bool
     geometries: list[Geometry]
-    rows: Rows
+    rows: SurfaceLinks
     path: Path
     content: bytes
 

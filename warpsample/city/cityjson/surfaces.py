@@ -67,7 +67,7 @@ class CitySurfaces:
 
 
 @dataclass(frozen=True, eq=False)
-class Rows:
+class SurfaceLinks:
     """Links from the rows of the table of surfaces to the CityJSON file: geometry, semantic object and polygons.
 
     Attributes:
@@ -81,7 +81,9 @@ class Rows:
     row: np.ndarray
 
 
-def tabulate_surfaces(found: Gathered, points: np.ndarray, outlines: Outlines, split: bool) -> tuple[CitySurfaces, Rows]:
+def tabulate_surfaces(
+    found: Gathered, points: np.ndarray, outlines: Outlines, split: bool
+) -> tuple[CitySurfaces, SurfaceLinks]:
     """Build the table of a city's surfaces, and return (table, link of each row to the CityJSON file).
 
     With `split`, each polygon is a surface.
@@ -102,7 +104,7 @@ def tabulate_surfaces(found: Gathered, points: np.ndarray, outlines: Outlines, s
         faces=np.bincount(row, minlength=len(first)).astype(np.int32),
         area=areas,
     )
-    return table, Rows(geometry[first], semantic[first], row)
+    return table, SurfaceLinks(geometry[first], semantic[first], row)
 
 
 def warn_of_overlaps(path: Path, objects: np.ndarray, covered: np.ndarray, areas: np.ndarray) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from warpsample.city.cityjson.boundaries import DEPTHS, nest_values
 from warpsample.city.cityjson.gathering import Geometry
 from warpsample.city.cityjson.kinds import ROOF, WALL
-from warpsample.city.cityjson.surfaces import CitySurfaces, Rows
+from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks
 
 _SUFFIXES = {ROOF: "_roof", WALL: "_wall", "": ""}
 """Suffixes of the results of city objects, by type of surface. Surfaces of other types are not summarized on objects."""
@@ -29,11 +29,11 @@ class Editor:
 
     geometries: Sequence[Geometry]
     surfaces: CitySurfaces
-    rows: Rows
+    rows: SurfaceLinks
     split: bool
 
     def __init__(
-        self, geometries: Sequence[Geometry], surfaces: CitySurfaces, rows: Rows, results: Results, *, split: bool
+        self, geometries: Sequence[Geometry], surfaces: CitySurfaces, rows: SurfaceLinks, results: Results, *, split: bool
     ) -> None:
         """Store the results of all surfaces and their positions in the file, and add totals (integrals over the areas)."""
         self.geometries, self.surfaces, self.rows, self.split = geometries, surfaces, rows, split

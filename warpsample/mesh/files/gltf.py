@@ -15,7 +15,7 @@ import numpy as np
 from warpsample.host.arguments import quote
 from warpsample.host.json_tree import Part, parsed
 from warpsample.mesh.files.gltf_data import Data, binary
-from warpsample.mesh.files.gltf_scene import iterate_nodes
+from warpsample.mesh.files.gltf_scene import VISIBILITY, count_invisible, iterate_nodes
 from warpsample.mesh.files.skins import Skin, posed
 from warpsample.mesh.joining import joined, joined_corners, joined_parts, outward
 from warpsample.mesh.parts import Named
@@ -29,10 +29,10 @@ _EXTENSIONS = {
     "KHR_meshopt_compression",
     "EXT_mesh_gpu_instancing",
 }
-# Extensions that a file may require: they change neither the faces nor their places, or are read.
+# Extensions that a file may require: they change neither the faces nor their places, or this reader follows them.
 _READ = (
     *("KHR_mesh_quantization", "KHR_materials_*", "KHR_texture_*", "KHR_lights_*", "KHR_animation_pointer"),
-    *("KHR_xmp*", "KHR_techniques_webgl", "KHR_audio*", "KHR_interactivity", "KHR_node_hoverability"),
+    *(VISIBILITY, "KHR_xmp*", "KHR_techniques_webgl", "KHR_audio*", "KHR_interactivity", "KHR_node_hoverability"),
     *("KHR_node_selectability", "KHR_implicit_shapes", "KHR_physics_*", "EXT_materials_*", "EXT_texture_*", "EXT_lights_*"),
     *("EXT_mesh_features", "EXT_mesh_manifold", "EXT_instance_features", "EXT_feature_metadata", "EXT_structural_metadata"),
     *("ADOBE_materials_*", "AGI_*", "CESIUM_primitive_outline", "FB_*", "GODOT_single_root", "MOZ_lightmap", "MSFT_lod"),
@@ -45,6 +45,8 @@ _WIDTHS = {"NORMAL": 3, "TANGENT": 4}  # components of attributes; others have 2
 
 def read(path: Path) -> Named:
     """Read vertices, faces, and parts of a glTF file's scene, as posed by joints; ignore morph targets, lines and points.
+
+    Nodes that KHR_node_visibility hides are left out, with all nodes below them.
 
     A part is a node that places a mesh. Its name is the node's name, or else the mesh's name.
 
@@ -64,6 +66,27 @@ def read_corners(path: Path, name: str) -> np.ndarray:
     """
     with opened(path) as (tree, data):
         return joined_corners(_attributes(placed, data, name) for placed in iterate_primitives(tree))
+
+
+def find_faces_with(path: Path, name: str) -> np.ndarray:
+    """Return the (F,) bool mask of the faces whose primitive has a vertex attribute, whatever its values."""
+    with opened(path) as (tree, data):
+        primitives = [one.primitive for one in iterate_primitives(tree)]
+        has_name = [name in primitive.part("attributes") for primitive in primitives]
+        return np.repeat(np.array(has_name, bool), [len(surface(primitive, data)[1]) for primitive in primitives])
+
+
+def describe_invisible(path: Path) -> list[str]:
+    """Return a sentence on the invisible meshes that `read` leaves out; an empty list without such meshes.
+
+    Files of other formats have none.
+    """
+    if path.suffix.lower() not in (".glb", ".gltf") or not path.is_file():
+        return []
+    tree = binary(path, with_data=False)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())
+    count = count_invisible(tree)
+    what = "one invisible mesh is" if count == 1 else f"{count:,} invisible meshes are"
+    return [f"{what} left out ({VISIBILITY})"] if count else []
 
 
 @contextmanager

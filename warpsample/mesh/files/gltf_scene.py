@@ -12,16 +12,28 @@ from warpsample.mesh.files.skins import Skin
 _AFFINE = 1e-6  # largest deviation of a matrix' last column from (0, 0, 0, 1): float32 rounding
 
 
+VISIBILITY = "KHR_node_visibility"
+"""glTF extension that hides a node and all nodes below it."""
+
+
 def iterate_nodes(tree: Part) -> Iterator[tuple[Part, np.ndarray, Skin | None]]:
-    """Yield the nodes of the scene, parents first, each with its matrix for row vectors and its skin or None."""
+    """Yield the visible nodes of the scene, parents first, each with its matrix for row vectors and its skin or None."""
     nodes = tree.parts("nodes")
-    places = dict(_places(tree, nodes))
-    for number, matrix in places.items():
-        yield nodes[number], matrix, Skin.of(tree, nodes[number], places)
+    found = list(_places(tree, nodes))
+    places = {number: matrix for number, matrix, _ in found}  # an invisible node can be a joint
+    for number, matrix, is_visible in found:
+        if is_visible:
+            yield nodes[number], matrix, Skin.of(tree, nodes[number], places)
 
 
-def _places(tree: Part, nodes: list[Part]) -> Iterator[tuple[int, np.ndarray]]:
-    """Yield (index, matrix) of each node of the scene, parents first; matrices transform row vectors to the scene."""
+def count_invisible(tree: Part) -> int:
+    """Return the number of nodes of the scene that place a mesh and are invisible."""
+    nodes = tree.parts("nodes")
+    return sum("mesh" in nodes[number] and not is_visible for number, _, is_visible in _places(tree, nodes))
+
+
+def _places(tree: Part, nodes: list[Part]) -> Iterator[tuple[int, np.ndarray, bool]]:
+    """Yield (index, matrix, is visible) of each node of the scene, parents first; matrices transform row vectors."""
     scenes = tree.parts("scenes")
     children = [node.indices("children", nodes) for node in nodes]
     parents = _parents(children)
@@ -37,12 +49,20 @@ def _places(tree: Part, nodes: list[Part]) -> Iterator[tuple[int, np.ndarray]]:
     for number, times in Counter(roots).items():
         if times > 1:
             raise ValueError(f"{scene.path} lists node {number} {times} times, want each node once")
-    left = [(number, np.eye(4)) for number in reversed(roots)]
+    left = [(number, np.eye(4), True) for number in reversed(roots)]
     while left:  # ends, because each node below a root has one parent
-        number, above = left.pop()
-        matrix = _matrix(nodes[number]) @ above
-        yield number, matrix
-        left += [(child, matrix) for child in reversed(children[number])]
+        number, above, is_visible = left.pop()
+        matrix, is_visible = _matrix(nodes[number]) @ above, is_visible and _is_shown(nodes[number])
+        yield number, matrix, is_visible
+        left += [(child, matrix, is_visible) for child in reversed(children[number])]
+
+
+def _is_shown(node: Part) -> bool:
+    """Return whether a node itself is visible, without regard to the nodes above it."""
+    if "extensions" not in node or VISIBILITY not in node.part("extensions"):
+        return True
+    state = node.part("extensions").part(VISIBILITY)
+    return "visible" not in state or state.flag("visible")
 
 
 def _parents(children: list[list[int]]) -> dict[int, int]:

@@ -1,7 +1,7 @@
 """Lists the files that a mesh file refers to: buffers, materials and pictures."""
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 from urllib.parse import unquote
@@ -25,17 +25,9 @@ def list_linked_files(path: Path | None) -> list[Path]:
     return []
 
 
-def list_linked_pictures(path: Path) -> list[Path]:
-    """Return the paths of the pictures that a .gltf or .glb refers to; an empty list for files that cannot be read."""
-    with suppress(OSError, TypeError, ValueError):
-        if path.is_file() and path.suffix.lower() in (".gltf", ".glb"):
-            return [path.parent / unquote(uri) for uri in uris_of(_tree(path), ("images",)) if "\0" not in unquote(uri)]
-    return []
-
-
-def uris_of(tree: Part, kinds: Iterable[str] = ("images", "buffers")) -> Iterator[str]:
+def uris_of(tree: Part) -> Iterator[str]:
     """Yield the URIs of pictures and buffers in the JSON of a glTF file, embedded data excluded."""
-    for item in (item for kind in kinds for item in tree.parts(kind)):
+    for item in (*tree.parts("images"), *tree.parts("buffers")):
         if "uri" in item and not is_embedded(uri := item.text("uri")):
             yield uri
 

@@ -1,9 +1,10 @@
 """Folder of the tiles of a raster, one .npz file per tile, next to an output that is not complete yet."""
 
 import json
+import os
 import shutil
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -16,8 +17,12 @@ from warpsample.host.arguments import quote
 from warpsample.host.engine import check_space
 from warpsample.host.files import WriteError, complete_or_absent, read_arrays, write_arrays, write_bytes
 from warpsample.host.interrupts import uninterrupted
-from warpsample.output.linked_data import locked_folder
 from warpsample.output.rasters.bake import RasterJob, Tiles, read_unchanging, summarize_tile
+
+try:
+    import fcntl
+except ModuleNotFoundError:  # Windows
+    fcntl = None  # type: ignore[assignment]
 
 ABOUT, DIGESTS = "about.json", "digests.npz"
 """Files with the attributes of the run, and with the digests of the blocks of its input rasters."""
@@ -51,7 +56,7 @@ class TileFiles:
         except OSError as error:
             raise WriteError(f"{self.path} cannot be written: {error.strerror or error}") from error
         try:
-            with locked_folder(self.path):
+            with _locked(self.path):
                 yield
         finally:
             if self.path.is_dir() and not any(self.path.iterdir()):
@@ -145,3 +150,35 @@ def write_tile_file(folder: Path, index: int, run: RasterRun, arrays: Mapping[st
     """Write the arrays of one tile to an .npz file in a folder; other processes never see a partly written file."""
     with complete_or_absent(tile_file(folder, index)) as stream:
         write_arrays(stream, {name: arrays[name] for name in run.names})
+
+
+@contextmanager
+def _locked(folder: Path) -> Iterator[None]:
+    """Lock a folder within a `with` statement, without waiting; the operating system releases the lock of a killed process.
+
+    Raises:
+        WriteError: another process has locked the folder, or the folder cannot be opened.
+    """
+    if fcntl is None:  # Windows opens no folders
+        yield
+        return
+    try:
+        opened = os.open(folder, os.O_RDONLY)
+    except OSError as error:
+        raise WriteError(f"{folder} cannot be written: {error.strerror or error}") from error
+    try:
+        if not _is_locked(opened):
+            raise WriteError(f"{folder} cannot be written: another process is writing it")
+        yield
+    finally:
+        os.close(opened)
+
+
+def _is_locked(opened: int) -> bool:
+    """Lock an open folder if no other run has locked it; True also where the file system has no locks."""
+    with suppress(OSError):
+        try:
+            fcntl.flock(opened, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+    return True

@@ -1,27 +1,23 @@
 """`warpsample bake --texture`: compute a quantity at the texels of a mesh, and write a glTF file or an image."""
 
 import json
-import os
 from collections.abc import Iterator
 from dataclasses import fields
 from functools import partial
-from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
 
 from warpsample.host.files import complete_or_absent, write_arrays
-from warpsample.mesh.files.linked_files import list_linked_files, list_linked_pictures
 from warpsample.output.baked import BakeRun
-from warpsample.output.linked_data import write_with_data
 from warpsample.output.quantities import quantity_of
 from warpsample.output.run_record import RunRecord
 from warpsample.output.textures.images import Filled, fill_texture
-from warpsample.output.textures.instances import Picture, describe_places, pictures_of, place_pictures
-from warpsample.output.textures.source import DATA, TextureSource
+from warpsample.output.textures.instances import PlacedTexture, describe_places, pictures_of, place_pictures
+from warpsample.output.textures.source import TextureSource
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.inside import Closed
-from warpsample.texture.jobs import SCENES, describe_flaws
+from warpsample.texture.jobs import describe_flaws
 from warpsample.texture.materials import THICKNESS, Slot, add_texture, slot_for_quantity
 from warpsample.texture.pictures import encode_exr, encode_png
 from warpsample.texture.primitives import Primitive
@@ -57,7 +53,7 @@ def bake_texture(source: TextureSource, record: RunRecord) -> str:
     return "\n  ".join([*lines, *record.describe(), *source.notes, *notes])
 
 
-def _compute(source: TextureSource, record: RunRecord) -> list[list[Picture]]:
+def _compute(source: TextureSource, record: RunRecord) -> list[list[PlacedTexture]]:
     """Compute the images of all textures of a command, for each place of the meshes in the scene."""
     closed = Closed(source.traced)
     fill = partial(fill_texture, run=source.run, how=source.how, closed=closed, high=source.high, record=record)
@@ -66,7 +62,7 @@ def _compute(source: TextureSource, record: RunRecord) -> list[list[Picture]]:
         return [pictures_of(job, fill, source.how) for job in source.jobs]
 
 
-def _refuse_without_values(source: TextureSource, found: list[list[Picture]]) -> None:
+def _refuse_without_values(source: TextureSource, found: list[list[PlacedTexture]]) -> None:
     """Raise a ValueError if no texel of any picture has a value."""
     if not all(np.isnan(picture.filled.mean) for row in found for picture in row):
         return
@@ -79,7 +75,7 @@ def _refuse_without_values(source: TextureSource, found: list[list[Picture]]) ->
     raise ValueError(f"mesh: got {source.run.mesh.name!r}, at whose texels {quantity} has no value, want another mesh")
 
 
-def _refuse_mostly_inside(source: TextureSource, found: list[list[Picture]]) -> None:
+def _refuse_mostly_inside(source: TextureSource, found: list[list[PlacedTexture]]) -> None:
     """Raise a ValueError, with `--strict`, if most points of a UV chart are inside closed bodies."""
     pictures = (picture.filled for row in found for picture in row)
     doubtful = [f"{one.job.name!r}: {_describe_mostly_inside(one)}" for one in pictures if one.mostly_inside]
@@ -93,7 +89,7 @@ def _describe_mostly_inside(found: Filled) -> str:
     return f"{charts} more than half inside closed bodies and filled: if a body is a room, pass --inside keep"
 
 
-def _write(source: TextureSource, found: list[list[Picture]]) -> list[str]:
+def _write(source: TextureSource, found: list[list[PlacedTexture]]) -> list[str]:
     """Write the pictures into a glTF file or an image, and return sentences on replaced textures."""
     if source.file is not None:
         return _write_scene(source.file, source, found)
@@ -102,29 +98,17 @@ def _write(source: TextureSource, found: list[list[Picture]]) -> list[str]:
     return []
 
 
-def _write_scene(file: GlbFile, source: TextureSource, found: list[list[Picture]]) -> list[str]:
-    """Write a .glb, or a .gltf and the data next to it, with all pictures; return sentences on replaced textures."""
+def _write_scene(file: GlbFile, source: TextureSource, found: list[list[PlacedTexture]]) -> list[str]:
+    """Write a .glb or .gltf with all pictures; return sentences on replaced textures."""
     run, notes = source.run, list[str]()
     slot = slot_for_quantity(run.quantity)
     for row, groups in zip(found, place_pictures(file, found), strict=True):
         for picture, group in reversed(list(zip(row, groups, strict=True))):  # copies are of unchanged materials
             notes += _add_picture(file, picture.filled, group, slot, source.how)
     notes = list(dict.fromkeys(notes))
-    if run.output.suffix == ".glb":
-        with complete_or_absent(run.output) as stream:
-            file.write(stream)
-        return notes
-    output = Path(os.path.realpath(run.output))  # a .gltf names its data relative to its own folder
-    ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": _list_data}
-    data = write_with_data(output, DATA, **ways, inputs=[*source.inputs, *list_linked_pictures(output)])
-    if data.stem != output.stem:
-        notes.append(f"its data are in {data.name}: {output.with_suffix(DATA).name} belongs to another file")
+    with complete_or_absent(run.output) as stream:
+        (file.write if run.output.suffix == ".glb" else file.write_text)(stream)
     return notes
-
-
-def _list_data(path: Path) -> list[Path]:
-    """Return the paths of the files that a glTF file refers to; an empty list for other formats."""
-    return list_linked_files(path) if path.suffix.lower() in SCENES else []
 
 
 def _add_picture(file: GlbFile, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions) -> Iterator[str]:
@@ -154,7 +138,7 @@ def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Fil
         write_arrays(stream, {**arrays, "run": np.array(json.dumps(run.recorded | options | texture))})
 
 
-def _count(found: list[list[Picture]]) -> str:
+def _count(found: list[list[PlacedTexture]]) -> str:
     """Return the number of computed images as text, for example "2 pictures"."""
     count = sum(map(len, found))
     return "one picture" if count == 1 else f"{count} pictures"

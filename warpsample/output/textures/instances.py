@@ -20,7 +20,7 @@ _STEP = 1 / 255  # of the largest number: differences that a picture of 8 bits d
 
 
 @dataclass(frozen=True, eq=False)
-class Picture:
+class PlacedTexture:
     """Computed texture, and the places in the scene (instances of the mesh) that show the texture.
 
     Attributes:
@@ -34,7 +34,7 @@ class Picture:
     rays: tuple[int, int]
 
 
-def pictures_of(job: TextureJob, fill: Callable[[TextureJob], Filled], how: TextureOptions) -> list[Picture]:
+def pictures_of(job: TextureJob, fill: Callable[[TextureJob], Filled], how: TextureOptions) -> list[PlacedTexture]:
     """Compute a texture for each place of its mesh in the scene, and return the pictures that differ."""
     found = [_picture(fill(job), job)]
     if how.instances == "mean":
@@ -49,13 +49,13 @@ def pictures_of(job: TextureJob, fill: Callable[[TextureJob], Filled], how: Text
     return found
 
 
-def _joined(known: Picture, other: Picture) -> Picture:
+def _joined(known: PlacedTexture, other: PlacedTexture) -> PlacedTexture:
     """Return one picture for the places of two equal pictures."""
     rays = known.rays[0] + other.rays[0], known.rays[1] + other.rays[1]
     return replace(known, groups=known.groups + other.groups, rays=rays)
 
 
-def _mean_of(first: Picture, others: Iterator[Picture], gutter: Any) -> Picture:
+def _mean_of(first: PlacedTexture, others: Iterator[PlacedTexture], gutter: Any) -> PlacedTexture:
     """Return the mean of the pictures of all places of a mesh, with the mean of their standard errors."""
     total, count = _sums(first.filled)
     for other in others:
@@ -70,8 +70,8 @@ def _mean_of(first: Picture, others: Iterator[Picture], gutter: Any) -> Picture:
     return replace(first, filled=replace(old, value=value, error=error, mean=float(value[points.covered].mean())))
 
 
-def _picture(filled: Filled, job: TextureJob) -> Picture:
-    return Picture(filled, [job.group], (filled.rays, filled.inside_rays))
+def _picture(filled: Filled, job: TextureJob) -> PlacedTexture:
+    return PlacedTexture(filled, [job.group], (filled.rays, filled.inside_rays))
 
 
 def _differ(known: Filled, other: Filled) -> bool:
@@ -105,7 +105,7 @@ def _sums(filled: Filled) -> tuple[np.ndarray, np.ndarray]:
     return np.where(covered, both.reshape(2, *covered.shape[:2], -1), 0.0), covered.astype(np.int64)
 
 
-def place_pictures(file: GlbFile, pictures: list[list[Picture]]) -> list[list[list[Primitive]]]:
+def place_pictures(file: GlbFile, pictures: list[list[PlacedTexture]]) -> list[list[list[Primitive]]]:
     """Copy meshes in a .glb so that each place in the scene can show its own picture.
 
     Args:
@@ -139,7 +139,7 @@ def _mesh_for(file: GlbFile, one: Primitive, shown: dict[int, int], known: dict[
     return known[key]
 
 
-def describe_places(pictures: list[Picture]) -> Iterator[str]:
+def describe_places(pictures: list[PlacedTexture]) -> Iterator[str]:
     """Yield a sentence on how many pictures the places of a mesh share, if the mesh is in several places."""
     places = sum(len(picture.groups) for picture in pictures)
     if places > 1:

@@ -11,7 +11,6 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.output.bake_rules import check_table
 from warpsample.output.baked import BakeRun
 from warpsample.output.faces_option import with_optics
-from warpsample.output.linked_data import check_linked_data
 from warpsample.output.quantities import quantity_of
 from warpsample.output.source import input_files
 from warpsample.output.textures.choice import texture_options
@@ -30,9 +29,6 @@ from warpsample.texture.pictures import check_library
 from warpsample.texture.primitives import group_by_material, is_flat, list_primitives, visible_primitives
 from warpsample.texture.sets import TextureOptions
 
-DATA = ".bin"
-"""Suffix of the data next to a .gltf."""
-
 _WITHOUT_LIGHT = ("normals", "position", "thickness")  # quantities that do not depend on light
 
 
@@ -48,7 +44,6 @@ class TextureSource:
         high: Finer mesh, or None.
         traced: Mesh that the rays are traced against.
         notes: Sentences on the file.
-        inputs: Files that the run reads.
         coarse: Sentences on texels that are too small for the rays.
     """
 
@@ -59,7 +54,6 @@ class TextureSource:
     high: HighMesh | None
     traced: Mesh
     notes: list[str]
-    inputs: list[Path]
     coarse: list[str]
 
 
@@ -79,7 +73,7 @@ def read_texture_source(run: BakeRun) -> TextureSource:
         run.mesh, traced if high is None else mesh, how, run.output.suffix, slot_for_quantity(run.quantity)
     )
     notes = [] if file is None else _check_scene(file, run, how, jobs)
-    return TextureSource(run, how, jobs, file, high, traced, notes, _inputs(run, how), _coarse(jobs, traced, how))
+    return TextureSource(run, how, jobs, file, high, traced, notes, _coarse(jobs, traced, how))
 
 
 def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[str]:
@@ -123,5 +117,3 @@ def _check(run: BakeRun, how: TextureOptions) -> None:
     check_library(run.output.suffix)
     Memory.of(run.options.get("device"))
     check_output(run.output, "--output", *_inputs(run, how))
-    if run.output.suffix == ".gltf":
-        check_linked_data(run.output, DATA, "--output")

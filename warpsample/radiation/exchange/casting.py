@@ -19,7 +19,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.radiation.exchange.coincident import coincident_kernel
 from warpsample.radiation.exchange.face_kernel import face_kernel
 from warpsample.radiation.exchange.face_rays import BACK, FaceRaysArgs, step_of
-from warpsample.radiation.exchange.hits_to_matrix import Block, Collector, Counts, block_of
+from warpsample.radiation.exchange.hits_to_matrix import Block, Collector, HitCounts, block_of
 from warpsample.radiation.exchange.open_faces import open_kernel
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.queries import AcceleratorArgs
@@ -77,7 +77,7 @@ class Casting:
             return None
         return np.clip(0.5 + 0.5 * (self.mesh.face_normals.astype(np.float64) @ self.up), 0.0, 1.0)
 
-    def counts(self, rows: np.ndarray, surfaces: np.ndarray | None) -> tuple[Counts, np.ndarray]:
+    def counts(self, rows: np.ndarray, surfaces: np.ndarray | None) -> tuple[HitCounts, np.ndarray]:
         """Cast rays from the faces with the given numbers; return counts of the surfaces hit, and a mask of casting faces.
 
         surfaces: (F,) int32, column of each face; None for one column per face.

@@ -18,7 +18,7 @@ _BYTES, _HIT_BYTES = 40, 8  # per entry, and per replicate of an entry, while bl
 
 
 @dataclass(frozen=True, eq=False)
-class Counts:
+class HitCounts:
     """Sparse matrix of the numbers of rays of each face that hit each surface, for each independent set of rays.
 
     Attributes:
@@ -43,8 +43,8 @@ class Block:
         rows: (B,) numbers of the rows, ascending.
         sizes: (B,) number of entries of each row.
         columns: Columns of the entries, row by row.
-        hits: Hits of the entries, as in `Counts`.
-        special: Hits of no front, as in `Counts`.
+        hits: Hits of the entries, as in `HitCounts`.
+        special: Hits of no front, as in `HitCounts`.
     """
 
     rows: np.ndarray
@@ -112,11 +112,11 @@ class Collector:
         wants = "pass a smaller count, fewer replicates, or groups"
         check_memory(self._bytes * self._entries, f"{self._entries:,} view factors and more", wants)
 
-    def counts(self) -> Counts:
+    def counts(self) -> HitCounts:
         """Return the complete matrix of hit counts, and free the blocks."""
         columns, hits = (np.concatenate(parts) for parts in zip(*self._blocks, strict=True))
         self._blocks.clear()
-        return Counts(np.cumsum(self._sizes), columns, hits, self._special)
+        return HitCounts(np.cumsum(self._sizes), columns, hits, self._special)
 
 
 def _count_codes(codes: np.ndarray, weights: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from warpsample.host.locks import imported
 from warpsample.radiation.exchange.design_effects import factors_and_variances
-from warpsample.radiation.exchange.hits_to_matrix import Counts
+from warpsample.radiation.exchange.hits_to_matrix import HitCounts
 from warpsample.radiation.exchange.surfaces import Surfaces
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class RowFactors:
     others: dict[str, tuple[np.ndarray, np.ndarray]]
 
 
-def factors_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
+def factors_of(counts: HitCounts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
     """Compute the view factors of all surfaces from the numbers of ray hits.
 
     rays: number of rays per face. upward: (F,) float64, share of each face's hemisphere above the horizon; None to omit sky
@@ -64,7 +64,7 @@ def matrices_of(
     return csr_array((value, *pattern), shape=shape), errors
 
 
-def _group_factors(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
+def _group_factors(counts: HitCounts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
     """Compute the view factors between groups of faces, as area-weighted means over each group's faces."""
     groups, weights, size = surfaces.groups, surfaces.weights, len(surfaces.areas)
     face = np.repeat(np.arange(len(weights)), np.diff(counts.indptr))
@@ -80,7 +80,9 @@ def _group_factors(counts: Counts, rays: int, upward: np.ndarray | None, surface
     return RowFactors(indptr, (keys % size).astype(np.int32), value, variance, others)
 
 
-def _iterate_lost_rays(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tuple[str, np.ndarray, np.ndarray]]:
+def _iterate_lost_rays(
+    counts: HitCounts, rays: int, upward: np.ndarray | None
+) -> Iterator[tuple[str, np.ndarray, np.ndarray]]:
     """Yield the kinds of rays that hit no front of a face, as (name, (F, replicates) counts, (F,) exact share or NaN).
 
     Sky and ground have exact shares for faces all of whose rays hit nothing.
