@@ -50,6 +50,38 @@ def test_directions_file_holds_the_run(call, cube, tmp_path, where, rows, monkey
     assert list(tmp_path.iterdir()) == [cube, output] or set(tmp_path.iterdir()) == {cube, output}
 
 
+@pytest.mark.parametrize("at", ["vertices", "faces", None])
+def test_lobes_of_a_textured_mesh_lie_along_u(call, tmp_path, at, monkeypatch):
+    """Of a quad whose u grows along y; a lobe that is symmetric needs no tangents."""
+    monkeypatch.setattr(export, "DIRECTIONS_PER_PART", 100)  # several parts
+    mesh, output = tmp_path / "quad.obj", tmp_path / "d.npz"
+    corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0 1\nvt 1 1\nvt 1 0\n"
+    mesh.write_text(corners + "f 1/1 2/2 3/3 4/4\n")
+    options = ["-o", output, *(("--at", at) if at else ("--points", 30)), "--samples", 50, "--distribution"]
+    assert call("directions", mesh, *options, "ggx(alpha=0.02, alpha_y=0.5)")[0] == 0
+    with np.load(output) as file:
+        assert np.array_equal(np.sign(file["tangent"][:, :3]), np.tile([0.0, 1.0, 0.0], (len(file["face"]), 1)))
+        points = ws.SurfacePoints(file["position"], file["normal"], tangent=file["tangent"])
+        lobe = ws.GGX(0.02, 0.5)
+        assert np.array_equal(file["vectors"], ws.sample_directions(points, 50, distribution=lobe).vectors)
+    assert call("directions", mesh, *options, "ggx(alpha=0.02)")[0] == 0
+    with np.load(output) as file:
+        assert "tangent" not in file
+
+
+def test_directions_file_holds_the_hash_of_a_picture(call, cube, tmp_path):
+    """The name alone does not tell two pictures apart."""
+    picture, output, kept = tmp_path / "sky.npy", tmp_path / "d.npz", []
+    for pixels in (np.ones((2, 4)), np.ones((2, 4)), np.eye(2, 4)):
+        np.save(picture, pixels)
+        options = ("--points", 3, "--samples", 2, "--distribution", f"environment_map(picture='{picture}')")
+        assert call("directions", cube, "-o", output, *options)[0] == 0
+        with np.load(output) as file:
+            kept.append(json.loads(str(file["run"]))["pictures_sha256"])
+    assert kept[0] == kept[1] != kept[2]
+    assert list(map(len, kept[0])) == [64]
+
+
 def test_skipped_points_are_counted_in_the_summary(call, tmp_path):
     path = tmp_path / "flat.off"
     path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")

@@ -322,3 +322,25 @@ def test_a_store_of_other_streams_is_not_resumed(path, mesh, monkeypatch):
     file.write_text(file.read_text().replace('"streams": 4,', ""))  # as it was made before streams had numbers
     with pytest.raises(ValueError, match=r"with random numbers of version 1, want version 7"):
         bake()
+
+
+@pytest.mark.parametrize(
+    "lobe",
+    [
+        lambda path: f"environment_map(picture={str(path)!r})",
+        lambda path: ws.Mixture((ws.EnvironmentMap(path), ws.CosineHemisphere()), (1.0, 1.0)),
+    ],
+)
+def test_a_picture_of_the_same_name_is_another_run(tmp_path, lobe):
+    picture, path = tmp_path / "sky.npy", tmp_path / "d.zarr"
+
+    def baked(**more):
+        return cluster.bake(path, "sample_directions", np.eye(3), 2, distribution=lobe(picture), **more)
+
+    with dask.config.set(scheduler="sync"):
+        np.save(picture, np.ones((2, 4)))
+        first = baked().vectors
+        assert np.array_equal(baked(resume=True).vectors, first)
+        np.save(picture, np.eye(2, 4))
+        with pytest.raises(ValueError, match=r"of pictures \['.*, want a store of pictures \['"):
+            baked(resume=True)

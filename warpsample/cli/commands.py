@@ -26,6 +26,7 @@ from warpsample.cli.terminal import (
 )
 from warpsample.cli.verify import verify_command
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.uv import find_uv
 from warpsample.mesh.points.arrays import read_array
 from warpsample.texture.occlusion_picture import read_occlusion
 
@@ -199,7 +200,7 @@ def view(
     with working("testing whether pictures can be drawn on this machine"):
         rendering.check_rendering()
     with working(f"reading {path}"):
-        surface, occlusion, uv = load_mesh(path), read_occlusion(path), start.read_axes(path, choice)
+        surface, occlusion, uv = load_mesh(path), read_occlusion(path), find_uv(path)
     if occlusion is not None and not chosen:
         with signals.at_once() if screenshot is None else working(f"drawing {screenshot}"):
             summary = show_occlusion(surface, occlusion, up=up, size=size, path=screenshot)

@@ -15,6 +15,8 @@ from dask.base import tokenize
 
 from warpsample.cluster.chunks import BY_POINT, FUNCTIONS, Call, numbers
 from warpsample.cluster.named import Named, named
+from warpsample.distributions import as_distribution
+from warpsample.distributions.lights.environment_map import list_picture_hashes
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.source.content import WHAT, function_content
 from warpsample.host.arguments import check_first_point, check_integer, check_seed, quote
@@ -137,6 +139,7 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
     first = check_first_point(taken.get("first_point", 0), max(total, 1), given.get("id"))
     if place:
         taken.pop(at)
+    taken |= _read_pictures(taken.get("distribution"))
     taken = {argument: named(argument, value, taken.get("integrand")) for argument, value in taken.items()}
     call = Call(name, taken, tuple(shared), tuple(rows), at if place else None, place or "", tuple(given), seed, first)
     about = _identify_run(call, {**shared, **given, **rows}, total, chunk)
@@ -158,6 +161,12 @@ def _pop_large_arguments(taken: dict[str, Any], on: Any) -> dict[str, Any]:
         shared["radiance"] = read_picture(radiance) if path else np.array(as_ndarray(radiance, "radiance"))
         taken.pop("radiance")
     return shared
+
+
+def _read_pictures(distribution: Any) -> dict[str, Distribution]:
+    """Return the `distribution` of a text that names a picture's file, so that the file is read once; {} for others."""
+    made = as_distribution(distribution) if isinstance(distribution, str) else None
+    return {} if made is None or not list_picture_hashes(made) else {"distribution": made}
 
 
 def _find_placement(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, dict[str, Any]]:
@@ -273,11 +282,14 @@ def _identify_run(call: Call, large: dict[str, Any], total: int, chunk: int) -> 
     options = {name: value for name, value in call.options.items() if name not in _OF_THE_WORKERS}
     mesh = large.get("mesh")
     shape = None if mesh is None else digest_of(mesh.vertices, mesh.faces)
+    distribution = options.get("distribution")
+    pictures = list_picture_hashes(distribution) if isinstance(distribution, Distribution) else []
     return {
         "call": call.name,
         **({} if mesh is None or shape == mesh.digest else {SHAPE: shape}),
         **{name: _convert_for_json(value) for name, value in options.items()},
         **{name: _identify_content(value) for name, value in large.items()},
+        **({"pictures": pictures} if pictures else {}),
         "place": call.place,
         "points": total,
         "chunk": chunk,

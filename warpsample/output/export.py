@@ -12,6 +12,7 @@ import numpy as np
 
 from warpsample.directions.sample import Directions, Status, sample_directions
 from warpsample.distributions import as_spatial
+from warpsample.distributions.lights.environment_map import list_picture_hashes
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_integer, check_seed
 from warpsample.host.arrays import cpu
@@ -21,8 +22,10 @@ from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.gltf import describe_invisible
 from warpsample.mesh.files.linked_files import list_linked_files
+from warpsample.mesh.files.uv import find_uv
 from warpsample.mesh.points.arrays import Rows, carry_to_points, read_array
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.mesh.tangents import face_tangents, vertex_tangents
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.output.places import check_places, points_on
 from warpsample.output.run_record import RunRecord
@@ -71,11 +74,12 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
     """Sample directions as a `warpsample directions` command asks, write the file, and return a sentence about it.
 
     An .npz file holds position, normal, face, vectors, status and `run`, a JSON text; the points and one part of the
-    directions are in memory at a time. In .vtp and .ply each direction w is a point at position + CLOUD_SCALE * diagonal *
-    w, with w as its normal; .vtp also has the row of its surface point. Positions are float64, since float32 would displace
-    a small cloud far from the origin. A cloud that is larger than the free memory is a MemoryError. An argument that cannot
-    be used is refused before anything is written. The file appears when it is complete; an interrupted run, and one whose
-    file cannot be written (WriteError), leaves the old one, or none.
+    directions are in memory at a time. Lobes that are not symmetric about the normal lie along u of the texture coordinates,
+    if the mesh file has some; the .npz then holds the tangents, too. In .vtp and .ply each direction w is a point at
+    position + CLOUD_SCALE * diagonal * w, with w as its normal; .vtp also has the row of its surface point. Positions are
+    float64, since float32 would displace a small cloud far from the origin. A cloud that is larger than the free memory is a
+    MemoryError. An argument that cannot be used is refused before anything is written. The file appears when it is complete;
+    an interrupted run, and one whose file cannot be written (WriteError), leaves the old one, or none.
     """
     _check(run)
     check_workers(workers)
@@ -90,6 +94,9 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
         return carry_to_points(array, name, mesh, points, at)
 
     lobe = as_spatial(run.distribution, carry)
+    if not lobe.symmetric and not lobe.in_world and (uv := find_uv(run.mesh)) is not None:
+        tangent = vertex_tangents(mesh, uv) if run.at == "vertices" else face_tangents(mesh, uv, points.face)
+        points = points.with_tangents(tangent)
     with complete_or_absent(run.output) as file:
         if run.output.suffix == ".npz":
             status = _write_archive(file, points, lobe, run, workers)
@@ -114,11 +121,13 @@ def _array(run: DirectionsRun, name: str) -> Rows:
 def _write_archive(
     file: BinaryIO, points: SurfacePoints, lobe: Distribution, run: DirectionsRun, workers: int | None
 ) -> np.ndarray:
-    record, status = _record(run), np.empty(len(points), np.uint8)
+    record, status = _record(run, lobe), np.empty(len(points), np.uint8)
     with new_archive(file) as archive:
         write_array(archive, "position", points.position)
         write_array(archive, "normal", points.normal)
         write_array(archive, "face", points.face)
+        if points.tangent is not None:
+            write_array(archive, "tangent", points.tangent)
         header = {"descr": "<f4", "fortran_order": False, "shape": (len(points), run.samples, 3)}
         with archive.open("vectors.npy", "w", force_zip64=True) as member:
             np.lib.format.write_array_header_2_0(member, header)
@@ -172,9 +181,9 @@ def _parts(
     with record.show("sampling"), record.count(len(points), f"{run.output} is as it was before"):
         for start in range(0, len(points), step):
             rows = slice(start, start + step)
-            normals = points.normal[rows]
-            yield start, _sampled(normals, lobe.take(rows), run, workers, start)
-            record.advance(len(normals))
+            part = points.take(rows)
+            yield start, _sampled(part, lobe.take(rows), run, workers, start)
+            record.advance(len(part))
 
 
 def _sampled(points: Any, lobe: Distribution, run: DirectionsRun, workers: int | None, first_point: int = 0) -> Directions:
@@ -182,13 +191,15 @@ def _sampled(points: Any, lobe: Distribution, run: DirectionsRun, workers: int |
     return sample_directions(points, run.samples, distribution=lobe, sequence=run.sequence, **options)
 
 
-def _record(run: DirectionsRun) -> dict[str, object]:
-    """Return what is needed to repeat a command to the bit: arguments, hash of the mesh, versions of libraries."""
+def _record(run: DirectionsRun, lobe: Distribution) -> dict[str, object]:
+    """Return what is needed to repeat a command to the bit: arguments, hashes of files, versions of libraries."""
     digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
     if run.arrays is None:
         arguments.pop("arrays")
     else:
         arguments["arrays_sha256"] = hashlib.sha256(run.arrays.read_bytes()).hexdigest()
+    if pictures := list_picture_hashes(lobe):
+        arguments["pictures_sha256"] = pictures
     versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy")} | {"streams": STREAMS}
     return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": cpu().name}

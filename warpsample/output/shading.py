@@ -9,6 +9,7 @@ from warpsample.host.arguments import check_file, check_integer, check_seed, quo
 from warpsample.host.engine import check_workers
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.gltf import describe_invisible
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
@@ -80,7 +81,10 @@ def write_shading(run: Shading, workers: int | None = None) -> str:
         for (month, day, hour), row in zip(YEAR, shares.tolist(), strict=True):
             file.write(f"{month:02}/{day:02} {hour:02}:00,{','.join(f'{share:.6f}' for share in row)}\n".encode())
     error = np.sqrt(np.mean(shares[rows] * (1.0 - shares[rows])) / run.samples)
-    return f"{len(names):,} surfaces, {len(YEAR):,} hours; standard error {error:.2g} while the sun is up, root mean square"
+    report = (
+        f"{len(names):,} surfaces, {len(YEAR):,} hours; standard error {error:.2g} while the sun is up, root mean square"
+    )
+    return "; ".join([report, *describe_invisible(run.mesh)])
 
 
 def _groups(path: Path, mesh: Mesh) -> tuple[list[str], np.ndarray]:

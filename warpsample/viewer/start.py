@@ -11,7 +11,6 @@ from warpsample.distributions import Arrays, as_spatial
 from warpsample.distributions.offset_sphere import OffsetSphere
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_integer, check_seed
-from warpsample.mesh.files.uv import SUFFIXES, load_uv
 from warpsample.mesh.mesh import Mesh
 from warpsample.plotting.rendering import save_scene
 from warpsample.plotting.scenes import clouds_on_mesh
@@ -70,19 +69,6 @@ def _parse_density(name: str, arrays: Arrays | None) -> Distribution:
         return as_spatial(name, arrays)
     except (TypeError, ValueError) as error:
         raise type(error)(str(error).replace("distribution:", "density:", 1)) from None
-
-
-def read_axes(path: Path, chosen: Choice) -> np.ndarray | None:
-    """Read the texture coordinates of a mesh file, along which the x axes of lobes lie, (F, 3, 2).
-
-    Return None if the file has none, or if all lobes are symmetric about the normal.
-    """
-    if (chosen.distribution.symmetric and chosen.claim.symmetric) or path.suffix.lower() not in SUFFIXES:
-        return None
-    try:
-        return load_uv(path)
-    except ValueError:  # no face has coordinates: the mesh itself has been read
-        return None
 
 
 def window(

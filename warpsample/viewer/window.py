@@ -66,7 +66,8 @@ class Viewer(Panels):
             size: width and height of the window in pixels.
             off_screen: whether no window is opened. The widgets work without a window too.
             occlusion: picture of baked occlusion, shown on the mesh.
-            uv: (F, 3, 2) texture coordinates of face corners. The x axes of lobes are then along increasing u.
+            uv: (F, 3, 2) texture coordinates of face corners. The x axes of lobes that are not symmetric are then
+                along increasing u.
 
         Raises:
             ValueError: the lobe of the compared density is too narrow to draw, or parameters by point have another number
@@ -137,7 +138,7 @@ class Viewer(Panels):
         _, shown = limit_counts(len(self.points), choice.samples)
         self._drawn_eye = self.eye
         self._drawn = self._lobes_at(replace(choice, samples=shown), self.points)
-        self.clouds = all_clouds(self._drawn, self.points, self.scale)
+        self.clouds = all_clouds(self._drawn, self._frame(choice, self.points), self.scale)
         self.show_clouds(self.clouds)
         self.caption.input = self._describe_settings(choice)
         self._draw_near(choice)
@@ -146,7 +147,7 @@ class Viewer(Panels):
     def _draw_near(self, choice: Choice) -> None:
         """Draw the enlarged cloud of directions at the selected point, and its density."""
         drawn = replace(choice, samples=min(choice.samples, _MOST_NEAR))
-        self.near = one_cloud(self._lobes_at(drawn, self.chosen), self.chosen, self._chosen_id)
+        self.near = one_cloud(self._lobes_at(drawn, self.chosen), self._frame(choice, self.chosen), self._chosen_id)
         self.show_near(self.near)
 
     def _lobes_at(self, choice: Choice, points: SurfacePoints) -> Choice:
@@ -157,6 +158,10 @@ class Viewer(Panels):
     def _with_tangents(self, points: SurfacePoints) -> SurfacePoints:
         """Return points on faces with tangents along increasing u, if the mesh has texture coordinates."""
         return points if self._uv is None else replace(points, tangent=face_tangents(self._mesh, self._uv, points.face))
+
+    def _frame(self, choice: Choice, points: SurfacePoints) -> SurfacePoints:
+        """Return points without tangents for lobes that are symmetric about the normal; else return the points."""
+        return replace(points, tangent=None) if _is_symmetric(choice) else points
 
     def _draw_charts(self) -> None:
         """Count the directions that are drawn, and draw the charts."""
@@ -190,7 +195,7 @@ class Viewer(Panels):
             f"{choice.sequence} points, seed {choice.seed}; compared with {density}",
             f"length and colour: compared density{' / largest at the point' if own else ' [1/sr]'}",
         ]
-        if self._uv is not None:
+        if self._uv is not None and not _is_symmetric(choice):
             lines.append("x of the lobes: along u of the texture coordinates")
         if used < len(self.points):
             why = "face away from the camera" if follows_camera(choice) else "have invalid parameters"
@@ -202,6 +207,11 @@ class Viewer(Panels):
         if self.clouds.outside:
             lines.append(f"orange: {self.clouds.outside:,} directions outside that density")
         return "\n".join(piece for line in lines for piece in wrap(line, _MOST_LETTERS))
+
+
+def _is_symmetric(choice: Choice) -> bool:
+    """Return whether the sampled and the compared distribution are symmetric about the normal."""
+    return choice.distribution.symmetric and choice.claim.symmetric
 
 
 def _kernels_of(distribution: Distribution) -> tuple[Any, ...]:

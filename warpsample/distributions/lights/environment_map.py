@@ -204,6 +204,12 @@ class EnvironmentMap(Distribution):
         return self._digest, self.up, self.north
 
 
+def list_picture_hashes(distribution: Distribution) -> list[str]:
+    """Return the SHA-256 of each picture that a distribution or one of its nested lobes samples, in hexadecimal digits."""
+    own = [digest_of(distribution.picture)] if isinstance(distribution, EnvironmentMap) else []
+    return own + [found for lobe in distribution.nested.values() for found in list_picture_hashes(lobe)]
+
+
 def _lend_table(loan: Loan, table: np.ndarray) -> int:
     """Return the address of the table of a picture in the memory of the kernels' device; copy the table if necessary."""
     if (

@@ -89,3 +89,13 @@ def load_uv(path: str | PathLike[str], *, set: int = 0) -> np.ndarray:
         if np.isnan(uv).all():
             raise ValueError(f"no face of the file has set {set} of texture coordinates")
         return uv
+
+
+def find_uv(path: Path) -> np.ndarray | None:
+    """Return the texture coordinates of a mesh file, set 0, as `load_uv` does; None for a file without coordinates."""
+    if path.suffix.lower() not in SUFFIXES:
+        return None
+    try:
+        return load_uv(path)
+    except ValueError:  # no face has coordinates: the mesh itself has been read
+        return None

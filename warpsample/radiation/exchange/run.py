@@ -8,6 +8,7 @@ import numpy as np
 from warpsample.host.arguments import check_file, naming_file
 from warpsample.host.files import read_array
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.gltf import describe_invisible
 from warpsample.radiation.exchange.files import check_factors_file
 from warpsample.radiation.exchange.result import ViewFactors
 from warpsample.radiation.exchange.view_factors import view_factors
@@ -30,7 +31,7 @@ def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dic
     check_factors_file(output, "--output", mesh, groups)
     found = view_factors(load_mesh(mesh), groups=_read_groups(groups), progress=True, **options)
     found.save(output)
-    return f"{output}: {summary(found)}"
+    return "\n  ".join([f"{output}: {summary(found)}", *describe_invisible(mesh)])
 
 
 def _read_groups(path: Path | None) -> Any:
