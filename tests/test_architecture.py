@@ -333,3 +333,9 @@ def test_what_is_imported_late_is_heavy_or_missing_on_some_machines(repository):
 def test_few_lines_are_kept_from_the_linter(repository):
     kept = sum(path.read_text().count("# noqa") for path in (repository / "warpsample").rglob("*.py"))
     assert 0 < kept <= MOST_NOQA
+
+
+def test_only_benchmarks_wait_for_the_import_of_benchmarks(child_environment):
+    code = "import sys, warpsample.cli.commands; print({'warpsample.bench', 'warpsample.cli.bench'} & set(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=True)
+    assert (done.stdout, done.stderr) == ("set()\n", "")

@@ -17,9 +17,7 @@ from warpsample.bench.scenes import check_scenes
 from warpsample.cli.terminal import console, fail_plainly, option, with_progress, working
 from warpsample.host.files import check_output, check_output_folder
 
-app: typer.Typer = typer.Typer(
-    no_args_is_help=True, help="Measure run times and errors on this machine, and compare with other programs."
-)
+app = typer.Typer()
 
 Write = Annotated[
     bool,

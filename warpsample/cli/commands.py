@@ -1,13 +1,15 @@
 """The commands `warpsample info`, `directions` and `view`, and the registration of all commands."""
 
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import typer
+from typer.core import TyperGroup
 
 import warpsample
 from warpsample import distributions, sequences
-from warpsample.cli import bench, radiation, signals, stores
+from warpsample.cli import radiation, signals, stores
 from warpsample.cli.bake import bake_command
 from warpsample.cli.streams import escape, print_report
 from warpsample.cli.terminal import (
@@ -29,7 +31,26 @@ from warpsample.mesh.points.arrays import read_array
 from warpsample.texture.occlusion_picture import read_occlusion
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
-app.add_typer(bench.app, name="bench")
+
+
+class _Benchmarks(TyperGroup):
+    """The commands of `warpsample bench`, imported on first use: their import takes two thirds of a second."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        return self._loaded.list_commands(ctx)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        return self._loaded.get_command(ctx, cmd_name)
+
+    @cached_property
+    def _loaded(self) -> Any:
+        from warpsample.cli.bench import app
+
+        return typer.main.get_command(app)
+
+
+_BENCH_HELP = "Measure run times and errors on this machine, and compare with other programs."
+app.add_typer(typer.Typer(cls=_Benchmarks, no_args_is_help=True, help=_BENCH_HELP), name="bench")
 
 _SPATIAL = (name for name in distributions.names() if distributions.get(name).width == 3)
 DISTRIBUTION_HELP = (
