@@ -158,6 +158,24 @@ def test_nothing_stands_where_there_is_no_height(model):
     assert np.array_equal(np.isnan(laid), hole)
 
 
+@pytest.mark.parametrize("transform", [NORTH_UP, Affine(1, 0, 0, 0, 1, 0)])
+@pytest.mark.parametrize("model", MODELS)
+def test_walls_next_to_cells_without_data_reach_the_ground(model, transform):
+    """A house of 5 m beside a strip of 2 cells without data, behind which is the ground."""
+    heights = np.array([[5.0, 5.0, np.nan, np.nan, 0.0, 0.0]] * 4)
+    made = surface(heights, transform, model)
+    walls = made.kind == 1
+    corners = made.mesh.vertices[made.mesh.faces[walls]]
+    assert corners.shape == (6 if model == "tin" else 8, 3, 3)
+    assert (corners[..., 0] == (1.5 if model == "tin" else 2.0)).all()
+    assert np.array_equal(np.unique(corners[..., 2]), [0.0, 5.0])
+    assert np.allclose(made.mesh.face_normals[walls], [1.0, 0.0, 0.0])
+    assert made.mesh.face_areas[walls].sum() == pytest.approx(5.0 * (3 if model == "tin" else 4))
+    assert (made.cell[walls] % 6 == 1).all()
+    border = surface(np.pad(np.full((3, 3), 5.0), 1, constant_values=np.nan), transform, model)
+    assert (border.kind == 0).all()  # nothing is behind cells without data along the outside
+
+
 def test_map_coordinates_are_exact():
     made = surface(np.zeros((3, 4)), Affine(0.5, 0.0, 563999.5, 0.0, -0.5, 5147000.25))
     assert np.array_equal(np.unique(made.mesh.vertices[:, 0]), 563999.5 + 0.5 * np.arange(5))

@@ -88,10 +88,10 @@ def test_standard_errors_under_crowns_are_right():
 
 @pytest.mark.parametrize("seed", [11, 5, None])
 def test_irradiation_has_no_error_of_0_with_a_wrong_value(seed):
-    """Within 2 standard errors are 93 to 98 % of 1,600 cells; before, 90 to 93 %, and 0.4 to 2 % had 0 and a wrong value.
+    """Within 2 standard errors are 95 to 99 % of 1,600 cells; before, 90 to 93 %, and 0.4 to 2 % had 0 and a wrong value.
 
     The known numbers have standard errors of 0.002 kWh/m2 in half of the cells, a twentieth of those of 1,024 rays. The
-    largest error is 6.5 standard errors; it was 14.
+    largest error is 3.8 standard errors; it was 14.
     """
     pytest.importorskip("pyradiance")
     heights, model = (hills(40), "joined") if seed is None else (blocks(seed=seed), "block")
@@ -102,8 +102,8 @@ def test_irradiation_has_no_error_of_0_with_a_wrong_value(seed):
         off, known = np.abs(found.value - right.value), right.standard_error
         assert ((found.standard_error > 0.0) | ((off <= 1e-5) & (known == 0.0))).all()
         assert 0.0 < float((found.standard_error == 0.0).mean()) < 0.05
-        assert 0.93 < float((off <= 2.0 * found.standard_error + 1e-6).mean()) < 0.98
-        assert (off <= 7.0 * found.standard_error + 1e-6).all()
+        assert 0.93 < float((off <= 2.0 * found.standard_error + 1e-6).mean()) < 0.99
+        assert (off <= 5.0 * found.standard_error + 1e-6).all()
 
 
 def test_irradiation_has_the_value_and_the_error_of_its_mesh():

@@ -46,6 +46,14 @@ def test_one_warning_a_call(tmp_path, options):
     assert f"source: got '{path}' {WARNED}" in warned(heard)[0]
 
 
+@pytest.mark.parametrize("argument", ["canopy", "far"])
+def test_a_warning_names_the_raster_that_it_is_about(argument):
+    """Before, warnings about all rasters named "source"."""
+    furlongs = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": "furlong"}).rio.write_transform(NORTH_UP)
+    with pytest.warns(UserWarning, match=f"^{argument}: got heights in 'furlong', a unit that is not known here"):
+        ws.rasters.sky_view_factor((0.0 * HEIGHTS, NORTH_UP, None), 4, **{argument: np.abs(furlongs)})
+
+
 def test_an_array_of_xarray_is_warned_of_and_a_tuple_is_not(tmp_path):
     array = xr.DataArray(HEIGHTS, dims=("y", "x")).rio.write_transform(NORTH_UP)
     with pytest.warns(UserWarning, match=f"got an xarray.DataArray {WARNED}"):

@@ -125,6 +125,19 @@ def test_terrain_around_a_city_may_be_a_raster(call, tmp_path):
     assert np.mean(walls) == pytest.approx(0.5, abs=0.05)
 
 
+def test_a_warning_about_the_raster_names_context(call, tmp_path):
+    """Not "source", which is the city."""
+    pytest.importorskip("rasterio")
+    rows_of_heights = "\n".join([" ".join(["-3.5"] * 40)] * 40)
+    header = "ncols 40\nnrows 40\nxllcorner 83000\nyllcorner 446000\ncellsize 50\n"
+    (tmp_path / "dtm.asc").write_text(header + rows_of_heights)
+    system = {"metadata": {"referenceSystem": "EPSG:28992"}}
+    path = cases.written(tmp_path / "a.json", cases.house(cases.surfaces(boundaries=cases.FACES[:6]), **system))
+    with pytest.warns(UserWarning, match=r"^context: got '.*dtm\.asc' without a CRS"):
+        status = call("bake", path, "-o", tmp_path / "b.csv", "--samples", 4, "--context", tmp_path / "dtm.asc")[0]
+    assert status == 0
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

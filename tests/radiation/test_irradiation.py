@@ -188,7 +188,10 @@ def test_the_hours_add_up_to_the_sum(yard, athens):
 
 
 def test_the_error_bars_are_honest(yard, athens):
-    """The mean square of the differences between two runs is twice that of the error bars."""
+    """The mean square of the differences between two runs is twice that of the error bars, or less.
+
+    It is less, because an edge may pass between rays that agree, and in most patches none does.
+    """
     mesh, where = yard
     light = light_of(
         athens, period=("06-21T12", "06-21T13"), ground_albedo=1.0, patches="tregenza", up=(0, 0, 1), north=(0, 1, 0)
@@ -199,7 +202,7 @@ def test_the_error_bars_are_honest(yard, athens):
     values, errors = (np.array([getattr(run, name) for run in runs], np.float64) for name in ("value", "standard_error"))
     estimated, seen = np.mean(np.square(errors)), np.mean(values.var(axis=0, ddof=1))
     assert estimated > 0.0
-    assert 0.7 < estimated / seen < 1.4
+    assert 0.7 < estimated / seen < 2.0
 
 
 def test_the_ground_beyond_the_mesh_has_rays_of_its_own(athens):

@@ -163,18 +163,22 @@ def test_in_a_closed_box_it_is_dark():
     for skip in (True, False):
         found = ws.sky_matrix(BOX, inside, 64, skip=skip)
         assert not found.value.any()
-        assert not found.standard_error.any()
+        # Rays do not prove that the box has no hole: 0.32 of a ray, of at least two in a patch of at most 0.0145.
+        assert 0.0 < found.standard_error.max() < 0.16 * 0.0145
 
 
 def test_error_bars_are_honest(bunny):
-    """The mean of squared bars, over runs and patches, is the variance between the runs."""
+    """The mean of squared bars, over runs and patches, is 1 to 1.6 times the variance between the runs.
+
+    It is more than 1, because an edge may pass between rays that agree, and in most patches none does.
+    """
     for mesh in (bunny, scenes.city(8)):
         points = ws.sample_surface(mesh, 200, seed=9)
         for count, patches in ((128, "tregenza"), (1024, "tregenza")):
             runs = [ws.sky_matrix(mesh, points, count, patches=patches, seed=s) for s in range(24)]
             between = np.var([run.value.astype(np.float64) for run in runs], axis=0, ddof=1).mean()
             estimated = np.mean([np.square(run.standard_error.astype(np.float64)).mean() for run in runs])
-            assert 0.9 * between <= estimated <= 1.1 * between
+            assert 0.9 * between <= estimated <= 1.7 * between
 
 
 def test_a_fold_is_the_matrix_times_skies(bunny, monkeypatch):

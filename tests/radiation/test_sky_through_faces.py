@@ -48,7 +48,7 @@ def test_a_sky_matrix_behind_shells_is_the_open_one_times_their_product():
     points = ws.SurfacePoints(np.zeros((3, 3)), np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.6, 0.0, 0.8]]))
     clear, dim = (ws.sky_matrix(cases.shells(*taus), points, 256) for taus in ((1.0, 1.0, 1.0), (0.5, 0.25, 0.5)))
     np.testing.assert_allclose(dim.value, 0.0625 * clear.value, rtol=1e-6)
-    assert dim.standard_error.max() < 1e-8
+    assert 0.0 < dim.standard_error.max() < 0.16 * 0.0145  # 0.32 of a ray, as behind a wall: a hole may be between the rays
     assert clear.rays.sum() == 0
 
 

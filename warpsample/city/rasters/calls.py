@@ -85,8 +85,7 @@ def sky_view_factor(
     Returns:
         Dataset of `value`, `standard_error` and `half_width` (y, x), NaN in cells without data, with the options as
         attributes. value -+ half_width is a 95 % confidence interval; `interval` computes other levels. With tiles also
-        `far_error`, a bound of the error due to pooled terrain; it excludes rays that pass below the surface through cells
-        without data.
+        `far_error`, a bound of the error due to pooled terrain.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.

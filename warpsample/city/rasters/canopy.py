@@ -1,11 +1,11 @@
 """Tree crowns over a raster of heights: one closed prism per cell, from the crown's base to its top."""
 
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from numbers import Real
 from typing import Any
-from warnings import warn
 
 import numpy as np
 
@@ -105,7 +105,7 @@ class Canopy:
         if isinstance(self.trunk, RasterReader):
             trunk = self.trunk.read(rows, columns)
             if (bottomless := np.isnan(trunk) & ~np.isnan(top)).any():
-                warn(
+                warnings.warn(
                     f"trunk: got no height for {bottomless.sum():,} crowns, which then reach down to the ground",
                     stacklevel=3,
                 )
@@ -114,7 +114,9 @@ class Canopy:
             base = grid.height + self.trunk * (top - grid.height)
         hollow = ~np.isnan(top) & ~(base < top)
         if hollow.any():
-            warn(f"trunk: got undersides at or above the tops of {hollow.sum():,} crowns, which are left out", stacklevel=3)
+            warnings.warn(
+                f"trunk: got undersides at or above the tops of {hollow.sum():,} crowns, which are left out", stacklevel=3
+            )
         none = hollow | np.isnan(top)
         return Crowns(np.where(none, np.nan, base), np.where(none, np.nan, top))
 
@@ -187,8 +189,18 @@ def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> 
 
 @contextmanager
 def rename_argument(argument: str) -> Iterator[None]:
-    """Context manager that replaces "source: " by the name of another argument in messages of errors raised inside."""
+    """Context manager that replaces "source: " by the name of another argument in errors and warnings raised inside."""
+
+    def rename(message: Warning | Exception | str) -> str:
+        return str(message).replace("source: ", f"{argument}: ", 1)
+
+    heard: list[warnings.WarningMessage] = []
     try:
-        yield
+        with warnings.catch_warnings(record=True) as heard:
+            warnings.simplefilter("always")
+            yield
     except (TypeError, ValueError, FileNotFoundError) as error:
-        raise type(error)(str(error).replace("source: ", f"{argument}: ", 1)) from error
+        raise type(error)(rename(error)) from error
+    finally:
+        for one in heard:
+            warnings.warn_explicit(rename(one.message), one.category, one.filename, one.lineno)

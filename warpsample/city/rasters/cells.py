@@ -23,7 +23,8 @@ _RING = ((0, 0), (0, 1), (1, 1), (1, 0))
 class _Corners:
     """Vertices at the corners of raster cells: one for each group of cells of similar height that meet at the corner.
 
-    number: (4, rows + 1, columns + 1) int32, vertex of each of the four cells around a corner; -1 without a cell.
+    A corner of cells with and without data has another vertex below, at the lowest height, for the cells without data.
+    number: (4, rows + 1, columns + 1) int32, vertex of each of the four cells around a corner; -1 without a vertex.
     height: (V,) float64. row, column: (V,) position of each vertex.
     """
 
@@ -37,8 +38,8 @@ def build_joined_cells(grid: Grid, step: float) -> Triangles:
     """Build a triangle mesh of a raster of heights, with vertical walls where neighbouring cells differ by more than a step.
 
     A cell consists of four triangles around its centre, which keeps the cell's height, or of two if all corners are in one
-    plane with the centre. A wall fills the gap between the edges of two cells and faces away from the upper cell. There are
-    no walls at the border or next to cells without data.
+    plane with the centre. A wall fills the gap between the edges of two cells and faces away from the upper cell. Walls to
+    cells without data reach down to the lowest height, so that no ray gets below a cell. There are no walls at the border.
 
     Args:
         grid: Heights of the cells.
@@ -81,6 +82,15 @@ def _build_corners(grid: Grid, step: float) -> _Corners:
         heights.append((around[slot] + more / total).ravel()[place])
         places.append(place)
         known += len(place)
+    if not grid.whole:
+        inside = np.pad(np.ones((rows, columns), bool), 1)
+        gaps = np.isnan(around) & np.stack([inside[i : i + rows + 1, j : j + columns + 1] for i, j in _RING])
+        place = np.flatnonzero(gaps.any(axis=0) & (number >= 0).any(axis=0))
+        own = np.full(gaps.shape[1:], -1, np.int32)
+        own.ravel()[place] = known + np.arange(len(place), dtype=np.int32)
+        np.copyto(number, own, where=gaps)
+        heights.append(np.full(len(place), np.nanmin(grid.height)))
+        places.append(place)
     row, column = np.divmod(np.concatenate(places), columns + 1)
     return _Corners(number, np.concatenate(heights), row, column)
 

@@ -203,7 +203,7 @@ class RasterRun:
         foreground = self._build_foreground(mesh, grid, window)
         del mesh  # whose arrays are in it
         scenes = self._build_scenes(foreground, span, near)
-        found = [self._compute_values(points, grid.whole, scenery) for scenery in scenes]
+        found = [self._compute_values(points, scenery) for scenery in scenes]
         for name, values in _average_bounds(found).items():
             if name in laid:
                 laid[name][i - row, j - column] = values
@@ -230,15 +230,15 @@ class RasterRun:
 
     @property
     def by_horizons(self) -> bool:
-        """True if tiles without missing heights are computed by a search for the horizon in each azimuth.
+        """True if tiles are computed by a search for the horizon in each azimuth.
 
-        Rays pass below crowns and through cells without data, so that an azimuth has no single horizon there.
+        Rays pass below crowns, so that an azimuth has no single horizon there.
         """
         return self.canopy is None and finds_horizons(self.quantity, self.options)
 
-    def _compute_values(self, points: SurfacePoints, whole: bool, scene: Scenery) -> Seen:
+    def _compute_values(self, points: SurfacePoints, scene: Scenery) -> Seen:
         """Compute the quantity at points of a tile: from horizons where possible, else by independent rays."""
-        if whole and self.by_horizons:
+        if self.by_horizons:
             return sky_by_horizons(self.quantity, scene.without_crowns(), points, self.options)
         return compute_through_crowns(self.quantity, scene, points, self.options, self.transmittance)
 

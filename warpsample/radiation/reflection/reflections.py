@@ -107,7 +107,8 @@ class Reflections:
     def at(self, points: SurfacePoints, count: int, options: RayOptions) -> Reflected:
         """Compute the irradiance at points by the light that the patches reflect.
 
-        Each point casts `count` rays, rounded down to a multiple of the runs.
+        Each point casts `count` rays, rounded down to a multiple of the runs. If no ray of a point hits a lit patch, the
+        error is the light of one ray from the brightest patch, for patches between the rays.
         """
         count = max(1, count // REPLICATES)
         shape = len(points), self.leaving[0].shape[1]
@@ -120,6 +121,8 @@ class Reflections:
                 mean[rows] += apart / (number + 1)
                 squares[rows] += np.square(apart) * (number / (number + 1))
         error = np.sqrt(squares) / sqrt(REPLICATES * (REPLICATES - 1))
+        brightest = np.mean([np.abs(leaving).max(axis=0, initial=0.0) for leaving in self.leaving], axis=0)
+        error = np.where((mean == 0.0) & (error == 0.0), brightest / (REPLICATES * count), error)
         return Reflected(mean, error, REPLICATES * count)
 
 

@@ -106,10 +106,9 @@ def _build_row_filler(glass: bool) -> wp.Function:
                 below += 1
             elif known == UNKNOWN or sky.skip == 0:
                 per_replicate = wp.max(1, wp.int32(density * share))
-                part, deviation, rays = sum_rays(sky, seen, point, local, n, k, patch_at(sky.table, k), per_replicate)
+                part, error_of_rays, rays = sum_rays(sky, seen, point, local, n, k, patch_at(sky.table, k), per_replicate)
                 cast += rays
-                if known == UNKNOWN:
-                    deviation = wp.max(deviation, sky.unseen / wp.float64(rays))
+                deviation = wp.where(known == UNKNOWN, error_of_rays, ZERO)
             elif known == OPEN:
                 open += 1
             else:

@@ -44,8 +44,8 @@ class SkyMatrix(PointResult):
         value: (P, K) float32, integral of visibility times max(0, n.w) over the patch, divided by pi. A value times pi and
             the patch's radiance is an irradiance. The sum over the patches is the sky view factor. With `fold`, (P,) or
             (P, T). 0 where the status is not 0.
-        standard_error: Standard error in the shape of `value`, from two independent randomisations of each patch's rays; 0
-            where both agree. It is right on average, not for each patch.
+        standard_error: Standard error in the shape of `value`, from two independent randomisations of each patch's rays. If
+            all rays of a patch agree, it is 0.32 of the weight of a ray. It is 0 only for values known without rays.
         rays: (P,) int32, number of rays cast.
         status: (P,) uint8, a `PointStatus`.
         skipped: Counts of the skipped work.

@@ -83,14 +83,13 @@ def sky_matrix(
     return compute_sky_matrix(plan, sky, None if fold is None else _check_fold(fold, len(sky)))
 
 
-def compute_sky_matrix(plan: Plan, sky: SkyPatches, fold: np.ndarray | None, unseen: float = 0.0) -> SkyMatrix:
+def compute_sky_matrix(plan: Plan, sky: SkyPatches, fold: np.ndarray | None) -> SkyMatrix:
     """Compute the sky matrix for checked arguments, or its product with `fold`.
 
     Args:
         plan: Points and options.
         sky: Patches.
         fold: (K,) or (K, T) finite numbers. None for the matrix.
-        unseen: Least standard error of a patch that rays decide, in rays: for edges between rays that agree.
     """
     columns = len(sky) if fold is None else prod(fold.shape[1:])
     check_memory(
@@ -99,7 +98,7 @@ def compute_sky_matrix(plan: Plan, sky: SkyPatches, fold: np.ndarray | None, uns
         "pass fewer points at a time" if fold is not None else "pass fewer points at a time, or pass fold",
     )
     with bar(plan.options.progress, "casting rays", len(plan.at)):
-        rows = _Rows(plan, sky, unseen)
+        rows = _Rows(plan, sky)
         out = rows.whole() if fold is None else rows.folded(fold)
     return SkyMatrix(*out, rows.tally[:, 0].copy(), rows.status, rows.skipped(), sky, fold is not None)
 
@@ -122,9 +121,9 @@ def _check_fold(fold: Any, patches: int) -> np.ndarray:
 class _Rows:
     """Computation of a sky matrix at prepared points, in one piece or in blocks of rows."""
 
-    def __init__(self, plan: Plan, sky: SkyPatches, unseen: float) -> None:
+    def __init__(self, plan: Plan, sky: SkyPatches) -> None:
         """Prepare the points to cast rays, and allocate the counters of skipped work."""
-        self.plan, self.sky, self.unseen, points = plan, sky, unseen, len(plan.at)
+        self.plan, self.sky, points = plan, sky, len(plan.at)
         self.tally = np.zeros((points, 4), np.int32)
         self.status = np.zeros(points, np.uint8)
         self.placement = plan.at.facing(plan.options) if points else None
@@ -191,7 +190,6 @@ class _Rows:
             groups=len(sky.begins) - 1,
             skip=options.skip,
             by_task=by_task,
-            unseen=self.unseen,
             **{name: array.ctypes.data for name, array in (own | vars(sky)).items()},
         )
         scene = plan.at.scene

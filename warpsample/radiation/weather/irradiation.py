@@ -23,12 +23,6 @@ from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.placed_points import PlacedPoints
 
-_UNSEEN = 0.17
-"""Least standard error of a sky patch that rays decide, in rays, for edges that pass between rays that agree.
-
-In two towns, a terrain and a yard, the mean square error of patches whose rays agree was 0.005 to 0.1 rays squared.
-"""
-
 _BYTES = 5 * 4 + 5 * 8  # per point and hour: five results in float32, and their parts in float64
 
 
@@ -151,9 +145,9 @@ def received(plan: Plan, light: Light, series: bool, reflections: Reflections | 
     if series:
         size = _BYTES * len(plan.at) * hours
         check_memory(size, f"{hours:,} hours of {len(plan.at):,} points", "pass fewer points, or a shorter period")
-    sky = compute_sky_matrix(plan, light.sky, light.radiance if series else sum_hours(light.radiance), _UNSEEN)
+    sky = compute_sky_matrix(plan, light.sky, light.radiance if series else sum_hours(light.radiance))
     options = replace(plan.options, seed=seed_for("ground", plan.options.seed))
-    ground = compute_sky_matrix(replace(plan, options=options), light.below, np.ones(len(light.below)), _UNSEEN)
+    ground = compute_sky_matrix(replace(plan, options=options), light.below, np.ones(len(light.below)))
     bright = light.ground if series else sum_hours(light.ground)
     found = {
         "direct": (direct_light(plan.at, plan.options, light, series), light.sun_rows),
@@ -180,7 +174,8 @@ def received(plan: Plan, light: Light, series: bool, reflections: Reflections | 
 
 def _add_reflected(found: Irradiation, reflected: Reflected, light: Light) -> Irradiation:
     """Add reflected light to the radiation from sun, sky and ground, and combine the errors."""
-    value, error = reflected.value, reflected.error
+    good = has_status(found.status, PointStatus.OK)
+    value, error = reflected.value, np.where(good[:, None], reflected.error, 0.0)
     if found.value.ndim == 2:
         value, error = (_expand_hours(part, light.sky_rows, len(light.hours)) for part in (value, error))
     value, error = (part.reshape(found.value.shape).astype(np.float32) for part in (value, error))
@@ -188,7 +183,7 @@ def _add_reflected(found: Irradiation, reflected: Reflected, light: Light) -> Ir
         found,
         value=found.value + value,
         standard_error=np.hypot(*np.float64([found.standard_error, error])).astype(np.float32),
-        rays=found.rays + np.where(has_status(found.status, PointStatus.OK), reflected.rays, 0).astype(np.int32),
+        rays=found.rays + np.where(good, reflected.rays, 0).astype(np.int32),
         reflected=value,
         reflected_error=error,
     )
