@@ -60,7 +60,7 @@ RNG_NORMALS = RNG.normal(size=(5, 3, 3))
 
 CALLS = {
     "points": surface_points,
-    "mesh": lambda order: with_optics(order),
+    "mesh": with_optics,
     "occlusion": lambda order: ws.ambient_occlusion(with_optics(order), surface_points(order), 16, active=order([True] * 6)),
     "up": lambda order: ws.sky_view_factor(MESH, surface_points(order), 16, up=order([0.1, 0.2, 1.0])),
     "refit": lambda order: ws.ambient_occlusion(ws.refit(MESH, order(SQUARE * [1, 1, 0.5])), POINTS, 16),
