@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample.estimate.least_errors import least_errors, raised_errors
+from warpsample.estimate.intervals import least_errors, raised_errors
 
 SIDE = 16
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from warpsample.estimate.least_errors import raised_errors
+from warpsample.estimate.intervals import raised_errors
 from warpsample.host.arguments import check_choice, check_flag, check_integer, quote
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property

@@ -5,8 +5,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from warpsample.estimate.intervals import interval_of
-from warpsample.estimate.least_errors import DEGREES, LEVEL, least_errors
+from warpsample.estimate.intervals import DEGREES, LEVEL, interval_of, least_errors
 from warpsample.estimate.result import Estimate
 from warpsample.host.arguments import check_number
 from warpsample.host.neighbours import describe_type

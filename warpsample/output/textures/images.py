@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.estimate.least_errors import raised_errors
+from warpsample.estimate.intervals import raised_errors
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.thickness import Thickness
 from warpsample.estimate.result import ExactResult
