@@ -14,8 +14,8 @@ If rays disagree, the variance `unseen` of the sequence is added: half a ray squ
 rays, of which two may hit where six are expected. If a single ray differs from the others of its stratum, up to 5.6 rays
 are compatible with the sample.
 
-Where the rays of each stratum agree, the unbiased standard error of an `Estimate` is 0. Files of rasters and textures hold only
-a standard error. So their errors include geometry between the rays, too.
+Where the rays of each stratum agree, the unbiased standard error of an `Estimate` is 0. Files of rasters and textures hold
+only a standard error. So errors in files include geometry between the rays, too.
 """
 
 from typing import Any, NamedTuple
