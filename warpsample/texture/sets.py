@@ -152,7 +152,7 @@ class Texels:
                     return ChosenSet(number, found, tuple(passed))
                 passed.append(f"set {number} is passed over: {why}")
                 if len(found) and not found.report.outside:
-                    within = within or ChosenSet(number, found)
+                    within = within or ChosenSet(number, found, tuple(passed[:-1]))  # without its own flaw
         return within if lenient and within else ChosenSet(passed=tuple(passed))
 
     def _describe_flaw(self, number: int, rows: list[slice], found: TexturePoints, *, may_overlap: bool) -> str | None:
