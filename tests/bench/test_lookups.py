@@ -54,7 +54,8 @@ def test_noise_overlap_and_resolution_are_the_whole_error():
     best = t.image(ws.ambient_occlusion(mesh, t.points, 65_536, seed=99).value)
     squares = [(read_bilinear(image, places.uv) - places.right) ** 2 for image in images]
     common = (read_bilinear(best, places.uv) - places.right) ** 2
-    noise = compute_lookup_variance(places.uv, np.mean([np.square(t.image_error(bake)).ravel() for bake in bakes], axis=0))
+    variances = [np.square(t.image_error(bake.standard_error)).ravel() for bake in bakes]
+    noise = compute_lookup_variance(places.uv, np.mean(variances, axis=0))
     pairs = [places.compute_error(images[k : k + 2]) for k in range(0, len(images), 2)]
 
     for name, half in (("overlap", places.shared), ("resolution", ~places.shared)):

@@ -139,6 +139,13 @@ with_attributes["CityObjects"]["house"]["attributes"] = [1]
 DAMAGED["attributes of a list"] = (with_attributes, r"CityObjects.house.attributes: got \[1\], want an object$")
 
 
+def test_a_file_without_an_area_is_named(tmp_path):
+    flat = cases.surfaces(boundaries=[[[0, 1, 0]]])
+    path = cases.written(tmp_path / "a.json", cases.house(flat))
+    with pytest.raises(ValueError, match=rf"^path: got '{re.escape(str(path))}', all of whose polygons have no area, want"):
+        ws.load_city(path)
+
+
 @pytest.mark.parametrize("name", DAMAGED)
 def test_what_is_damaged_is_refused_in_a_sentence(tmp_path, name):
     document, why = DAMAGED[name]

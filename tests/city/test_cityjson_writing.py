@@ -183,6 +183,10 @@ def test_bad_arguments_of_writing(tmp_path):
             r"results\['ws_x'\]: got shape \(4,\), want \(3,\), one for each surface",
         ),
         (tmp_path / "b.json", {"ws_x": ["a"] * 3}, r"results\['ws_x'\]: got dtype <U1, want real numbers"),
+        *(
+            (tmp_path / "b.json", good | {name: np.zeros(3)}, f"results: got '{name}', want names other than type, parent, ")
+            for name in ("type", "parent", "children", "type_m2")
+        ),
         (tmp_path / "b.json", {"ws_x_error": np.zeros(3)}, "results: got 'ws_x_error' without 'ws_x', want both the err"),
     ):
         with pytest.raises((TypeError, ValueError), match=f"^{message}"):

@@ -13,7 +13,7 @@ pytest.importorskip("rasterio")
 pytest.importorskip("rioxarray")
 
 import warpsample as ws
-from warpsample.city.rasters import far
+from warpsample.city.rasters import far, grid
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.horizons import sky_by_horizons
 from warpsample.city.rasters.reading import reader_of
@@ -146,6 +146,47 @@ def test_columns_are_above_and_below_the_terrain(model, transform):
     assert covered.sum() > 0.9 * known.sum()
     assert (lower[covered] <= heights[covered] + 1e-4).all()
     assert not covered[50:52, 2:4].any()
+
+
+def test_terrain_of_another_raster_is_fine_next_to_the_edge(monkeypatch):
+    """It was pooled by the margin alone, also in the cell beside the edge: 0.38 with a bound of 0.25 in place of 0.19."""
+    monkeypatch.setattr(far, "_FINENESS", 4)
+    heights = town()
+    rows, columns = slice(21, 34), slice(17, 28)
+    whole, own = (
+        reader_of((array, NORTH_UP @ Affine.translation(*at), None))
+        for array, at in ((heights, (0, 0)), (heights[rows, columns], (columns.start, rows.start)))
+    )
+    field = FarField.of(own, whole, margin=40, model="block")
+    assert field.size == 8
+    tile = slice(0, 13), slice(0, 11)
+    upper, lower = (
+        _height_of(ws.as_mesh(made()), whole, 100.0) for made in field.columns(tile, field.window_of(tile, 40), 0.0)
+    )
+    i, j = np.mgrid[:60, :44]
+    apart = np.maximum(np.maximum(21 - i, i - 33), np.maximum(17 - j, j - 27))
+    assert np.isnan(upper[apart <= 0]).all()
+    assert (upper - heights)[apart > 0].min() > -5e-4  # float32, and the Earth's curvature
+    assert (lower - heights)[(apart > 0) & ~np.isnan(lower)].max() < 1e-4
+    fine = (apart > 0) & (apart <= 8)
+    assert (upper - lower)[fine].max() < 1e-4
+    assert np.nanmax((upper - lower)[apart > 8]) > 5.0
+
+
+def test_coarse_cells_of_another_raster_are_laid_out_at_once():
+    """Each of the passes was over one of (far cell / cell of the ring)^2 places: minutes, or without end."""
+    rng = np.random.default_rng(8)
+    heights, turned = rng.random((5, 6)), Affine.rotation(20.0)
+    for scale, turn in ((3.0, turned), (9.5, Affine.identity()), (9.5, turned), (1e6, turned)):
+        where = Affine.translation(-3.0, 2.0) @ turn @ Affine.scale(scale)
+        bounds = grid.Bounds(heights, heights - 1.0, Affine.translation(7.0, 4.0) @ where)
+        found = []
+        for most in (0, 10**9)[: 1 if scale > 1e3 else 2]:
+            with pytest.MonkeyPatch.context() as patch:
+                patch.setattr(grid, "_MOST_PASSES", most)
+                found.append(grid.resample_extremes(bounds, Affine.scale(2.0), (20, 25)))
+        assert all(np.array_equal(*pair, equal_nan=True) for pair in zip(found[0], found[-1], strict=True))
+        assert np.isfinite(found[0]).all(axis=0).any()
 
 
 def _height_of(mesh, reader, top):

@@ -203,6 +203,40 @@ def test_a_damaged_arc_grid_is_refused(tmp_path, text, got):
         ws.rasters.surface(path)
 
 
+@pytest.mark.parametrize(
+    ("line", "want"),
+    [
+        *(
+            (f"NODATA_value {text}", "want a number")
+            for text in ("none", "NA", "n/a", "-99x", "null", "1d3", "0x10", "-1_0")
+        ),
+        ("cellsize -1", "want a length above 0"),
+        ("cellsize 1x", "want a number"),
+        ("xllcorner 5x", "want a number"),
+        ("dy 0", "want a length above 0"),
+    ],
+)
+def test_a_value_of_an_arc_header_that_is_no_number_is_refused(tmp_path, line, want):
+    """GDAL reads 0 or the first digits, so that level ground became cells without data."""
+    lines = {"ncols": "ncols 3", "nrows": "nrows 2", "xllcorner": "xllcorner 0", "yllcorner": "yllcorner 0"}
+    lines |= {"dx": "dx 1", "dy": "dy 1"} if line[0] == "d" else {"cellsize": "cellsize 1"}
+    name, value = line.split()
+    path = tmp_path / "dsm.asc"
+    path.write_text("\n".join([*(lines | {name: line}).values(), "1 2 3", "4 5 6", ""]))
+    with pytest.raises(ValueError, match=f"^source: got '.*dsm.asc' with {name} '{value}', {want}$"):
+        ws.rasters.surface(path)
+
+
+@pytest.mark.parametrize("text", ["-9999", "7", "7,0", "+7.", "0.7e1", "nan", "1.#QNAN"])
+def test_a_number_is_a_nodata_value_of_an_arc_grid(tmp_path, text):
+    """With a decimal comma, too, which GDAL reads in heights as well."""
+    path, gone = tmp_path / "dsm.asc", "7" if "7" in text else text
+    path.write_text(f"ncols 3\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1,0\nNODATA_value {text}\n0 {gone} 2,5\n")
+    with pytest.warns(UserWarning, match=WARNED):
+        heights = ws.rasters.surface(path, model="block").grid.height
+    assert np.array_equal(heights, [[0.0, np.nan, 2.5]], equal_nan=True)
+
+
 @pytest.mark.parametrize("chunk", [7, 1 << 24])
 def test_every_spelling_of_a_number_in_an_arc_grid_is_one(tmp_path, monkeypatch, chunk):
     """Without a value for no data, with all sorts of spaces, and in chunks that end within numbers."""

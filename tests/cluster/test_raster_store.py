@@ -89,7 +89,7 @@ def computed(monkeypatch):
     ran, numbers = [], RasterRun.numbers
 
     def counted(run, span):
-        if run.reader.shape == (1, 1):  # a check of the options
+        if run.reader.shape == (2, 2):  # a check of the options
             return numbers(run, span)
         if len(ran) == counted.most:
             raise KeyboardInterrupt
@@ -313,7 +313,8 @@ def test_what_files_say_is_compared_not_their_size_and_age(dsm, folder, computed
     ]
     for name, file, change, what in cases:
         rewritten(file, change)
-        with pytest.raises(ValueError, match=f"of {what} '"):
+        advice = f"the heights of the raster '{what[:-8]}' have changed" if "_heights" in what else "repeat the arguments"
+        with pytest.raises(ValueError, match=f"of {what} '.*; {advice}"):
             bake_job(jobs[name], folder / f"{name}.zarr", resume=True)
 
 
@@ -327,7 +328,7 @@ def test_a_file_that_changes_meanwhile_puts_no_number_into_the_store(dsm, folder
 
     def changing(run, span):
         found = numbers(run, span)
-        if run.reader.shape != (1, 1) and list(run.spans()).index(span) == when:
+        if run.reader.shape != (2, 2) and list(run.spans()).index(span) == when:
             change(dsm)
         return found
 

@@ -92,7 +92,15 @@ def test_hdr_is_divided_by_the_factors_that_its_header_states(pixels, tmp_path):
     lines = b"# made\nEXPOSURE=4.0\nCOLORCORR=1 2 0.5\npfilt -e 0.5\nEXPOSURE= 5.000000e-01\n"
     path.write_bytes(header().replace(b"# made\n", lines) + encoded(pixels))
     assert np.array_equal(read_picture(path), plain / np.float32([2.0, 4.0, 1.0]))
-    for wrong in (b"EXPOSURE=0", b"EXPOSURE=nan", b"EXPOSURE=", b"EXPOSURE=1 2", b"EXPOSURE=1e99", b"COLORCORR=1 x 1"):
+    for wrong in (
+        b"EXPOSURE=0",
+        b"EXPOSURE=nan",
+        b"EXPOSURE=",
+        b"EXPOSURE=1 2",
+        b"EXPOSURE=1e99",
+        b"COLORCORR=1 x 1",
+        b"EXPOSURE=1_0",
+    ):
         path.write_bytes(header().replace(b"# made", wrong) + encoded(pixels))
         with refused(path, f"the header has '{wrong.decode()}', want (1 number|3 numbers) above 0"):
             read_picture(path)

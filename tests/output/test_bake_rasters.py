@@ -68,3 +68,14 @@ def test_info_describes_rasters_cities_and_parts(dsm, call, monkeypatch):
     dsm.with_name("parts.obj").write_text("\n".join(lines))
     out = call("info", "parts.obj")[1]
     assert all(text in out for text in ("named parts", "part a[/b]", "part rest", "faces, 0.5 square units"))
+
+
+@pytest.mark.parametrize("model", ["joined", "block", "tin"])
+def test_each_model_is_computed(dsm, call, model):
+    """The trial of the options was on one cell, of which the model "tin" makes no triangle."""
+    raster_cases.write_tif("crowns.tif", np.eye(24, 30, dtype=np.float32))
+    given = ("--quantity", "sky", "--samples", "4", "--receiver", "surface", "--tile", "24", "--canopy", "crowns.tif")
+    status, _, err = call("bake", "dsm.tif", "-o", "sky.tif", "--model", model, "--far", "dsm.tif", *given)
+    assert (status, err) == (0, "")
+    with rasterio.open("sky.tif") as file:
+        assert np.isnan(file.read(1)).sum() == 1

@@ -125,8 +125,9 @@ FLAWS = {
     "negative": (cell(4000, 15, "-1"), "diffuse horizontal radiation .* first -1 in line 4000"),
     "blank": (cell(4000, 15, ""), "diffuse horizontal radiation .* first nan in line 4000"),
     "infinite": (cell(4000, 15, "inf"), "diffuse horizontal radiation .* first inf in line 4000"),
-    "words": (cell(4000, 15, "bright"), "could not convert string to float: 'bright'"),
+    "words": (cell(4000, 15, "bright"), "line 4000 has the radiation 'bright', want a number"),
     "a year of words": (cell(4000, 0, "now"), "line 4000 has the year 'now', want a year from 1800 to 2199"),
+    "an underscore": (cell(4000, 14, "1_000"), "line 4000 has the radiation '1_000', want a number"),
     "a year of two digits": (cell(4000, 0, "99"), "line 4000 has the year '99', want a year from 1800 to 2199"),
 }
 
@@ -144,7 +145,8 @@ PLACES = {
     "zone": ({"zone": 120.0}, "line 1 has the time zone 120, want a number from -14 to 14"),
     "nan": ({"longitude": float("nan")}, "line 1 has the longitude nan"),
     "west": ({"longitude": -118.0, "zone": 8.0}, r"\d+% of the direct radiation is at night"),
-    "words": ({"altitude": "high"}, "could not convert string to float: 'high'"),
+    "words": ({"altitude": "high"}, "line 1 has the altitude 'high', want a number from -9000 to 9000"),
+    "underscore": ({"altitude": "1_000"}, "line 1 has the altitude '1_000', want a number"),
 }
 
 

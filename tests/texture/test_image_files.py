@@ -165,6 +165,27 @@ def test_what_the_inputs_need_is_not_replaced(call, floor, tmp_path):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no limits on a file's size")
+@pytest.mark.parametrize("short", [10, 1500])
+def test_an_exr_that_cannot_be_written_leaves_the_old_one(call, floor, tmp_path, short):
+    """A disk that lacks a few bytes: OpenEXR reports no error if the last buffer of a file cannot be written."""
+    import resource
+
+    output = tmp_path / "out.exr"
+    arguments = ["bake", floor, "-o", output, "--texture", 32, "--quantity", "position"]
+    assert call(*arguments)[0] == 0
+    whole = output.read_bytes()
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (len(whole) - short, limits[1]))
+    try:
+        status, _, err = call(*arguments)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert (status, err) == (1, f"error: {output} cannot be written: File too large\n")
+    assert output.read_bytes() == whole
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no limits on a file's size")
 def test_a_gltf_that_cannot_be_written_leaves_the_old_one(call, tmp_path):
     import resource
 

@@ -9,6 +9,9 @@ import numpy as np
 _CHUNK = 1 << 24  # bytes read at a time
 _HEADER = re.compile(rb"(?:\s*(?:ncols|nrows|[xy]ll(?:corner|center)|cellsize|d[xy]|nodata_value)\s+\S+)+", re.IGNORECASE)
 _LONGEST_HEADER = 4096
+_NUMBER = re.compile(rb"[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?", re.IGNORECASE)
+_NO_NUMBER = re.compile(rb"[+-]?(nan|inf(inity)?|1[.]#(qnan|ind|inf))", re.IGNORECASE)  # nodata values that are no heights
+_LENGTHS = (b"cellsize", b"dx", b"dy")
 
 _SPACE, _DIGIT, _SIGN, _POINT, _EXPONENT, _LETTER, _OTHER = range(7)
 _CLASSES = np.full(256, _OTHER, np.uint8)
@@ -32,14 +35,15 @@ for _first, _seconds in (
 def check_arc_grid(path: str, shape: tuple[int, int]) -> None:
     """Raise a ValueError for an Arc ASCII grid with a wrong count of heights, or with a text that is not a number.
 
-    The bytes are compared with those that may follow each other in numbers, without converting the numbers.
+    The bytes of the heights are compared with those that may follow each other in numbers, without converting the numbers.
 
     Args:
         path: Path of the file.
         shape: Numbers of rows and columns from its header.
     """
-    count = 0
-    for chunk in _chunks(path):
+    header, count = _read_header(path), 0
+    _check_header(path, header)
+    for chunk in _chunks(path, len(header)):
         classes = _CLASSES[np.frombuffer(chunk, np.uint8)]
         wrong = ~_FOLLOWS.ravel()[7 * classes[:-1] + classes[1:]]
         if wrong.any():
@@ -54,14 +58,31 @@ def check_arc_grid(path: str, shape: tuple[int, int]) -> None:
         )
 
 
-def _chunks(path: str) -> Iterator[bytes]:
-    """Yield the text of the heights in chunks of bytes; each begins with the last byte of the preceding one.
+def _read_header(path: str) -> bytes:
+    """Return the text before the heights: names with their values."""
+    with Path(path).open("rb") as file:
+        header = _HEADER.match(file.read(_LONGEST_HEADER))
+    return header[0] if header else b""
+
+
+def _check_header(path: str, header: bytes) -> None:
+    """Raise a ValueError for a value of the header that is not a number, or for cells without a positive length."""
+    words = header.split()
+    for name, text in zip(words[::2], words[1::2], strict=True):
+        key, got = name.lower(), f"source: got {path!r} with {name.decode()} {text.decode('ascii', 'replace')!r}"
+        if not _NUMBER.fullmatch(text) and not (key == b"nodata_value" and _NO_NUMBER.fullmatch(text)):
+            raise ValueError(f"{got}, want a number")
+        if key in _LENGTHS and not float(text.replace(b",", b".")) > 0.0:
+            raise ValueError(f"{got}, want a length above 0")
+
+
+def _chunks(path: str, start: int) -> Iterator[bytes]:
+    """Yield the text of the heights, from byte `start`, in chunks; each begins with the last byte of the preceding one.
 
     The last chunk ends in a space.
     """
     with Path(path).open("rb") as file:
-        header = _HEADER.match(file.read(_LONGEST_HEADER))
-        file.seek(header.end() if header else 0)
+        file.seek(start)
         last = b"\n"
         while chunk := file.read(_CHUNK):
             yield last + chunk

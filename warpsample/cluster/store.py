@@ -21,6 +21,7 @@ from warpsample.host.arguments import quote
 from warpsample.host.engine import check_space
 from warpsample.host.files import WriteError
 from warpsample.host.interrupts import uninterrupted
+from warpsample.host.shared_values import describe_remedy
 
 SUFFIX = ".zarr"
 
@@ -134,8 +135,8 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
             )
         if old != new:
             raise ValueError(
-                f"{argument}: got {str(path)!r} of {name} {quote(old)}, want a store of {name} {quote(new)}; repeat the "
-                "arguments of that run, or use a new name"
+                f"{argument}: got {str(path)!r} of {name} {quote(old)}, want a store of {name} {quote(new)}; "
+                + describe_remedy(name)
             )
 
 

@@ -119,11 +119,14 @@ class Loan:
     def lend(self, array: Array | None, rows: slice = slice(None)) -> int:
         """Copy rows of an input array to the device if necessary, and return their address for kernels; 0 for None.
 
-        `rows` is a slice of `Memory.parts`, or all rows. In place it is not used: kernels get the whole array.
+        Kernels read rows in C order: a NumPy array in another memory order is copied. `rows` is a slice of `Memory.parts`,
+        or all rows. In place it is not used: kernels get the whole array.
         """
         if array is None:
             return 0
-        return self._keep(array) if self.memory.in_place else self._keep(self._copy(np.ascontiguousarray(array[rows])))
+        if not self.memory.in_place:
+            return self._keep(self._copy(np.ascontiguousarray(array[rows])))
+        return self._keep(np.ascontiguousarray(array) if isinstance(array, np.ndarray) else array)
 
     def output(self, array: Array, rows: slice = slice(None), zero: bool = False) -> int:
         """Return the address to which kernels write results; the results are copied to rows of `array` at the end.

@@ -85,7 +85,7 @@ def _header(file: BinaryIO) -> tuple[slice, slice, int, int, np.ndarray]:
 def _factors(line: str, values: list[bytes], count: int) -> np.ndarray:
     """Return the numbers in a line of the header, (count,) float64."""
     try:
-        factors = np.array(values, np.float64)
+        factors = np.zeros(0) if b"_" in b"".join(values) else np.array(values, np.float64)  # Python reads 1_0 as 10
     except ValueError:
         factors = np.zeros(0)
     if factors.shape != (count,) or not ((factors >= _FAINTEST) & (factors <= 1.0 / _FAINTEST)).all():

@@ -12,6 +12,9 @@ from warpsample.host.locks import making
 
 _KEPT = 4  # number of received values that are kept between tasks
 
+HEIGHTS_OF = "_heights"
+"""Suffix of the attribute of a stored run that has the hash of a raster's heights; the rest is the raster's argument."""
+
 _values: WeakValueDictionary[str, Any] = WeakValueDictionary()
 _received: deque[Any] = deque(maxlen=_KEPT)
 
@@ -42,3 +45,11 @@ def find_or_make(digest: str, make: Callable[..., Any], *content: Any) -> Any:
             value = _values[digest] = make(*content)
             _received.append(value)
         return value
+
+
+def describe_remedy(name: str) -> str:
+    """Describe, for an error message, what to do if a stored run has another value of the attribute `name`."""
+    if name.endswith(HEIGHTS_OF):
+        raster = name.removesuffix(HEIGHTS_OF)
+        return f"the heights of the raster {raster!r} have changed since that run: restore its file, or use a new name"
+    return "repeat the arguments of that run, or use a new name"

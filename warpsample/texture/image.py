@@ -74,8 +74,8 @@ class TexelRows:
     def errors(self, values: np.ndarray, own: np.ndarray, columns: int) -> np.ndarray:
         """Return the standard errors (texels, C) float64 of the texels' means, from the spread of values within texels.
 
-        A texel with one value has no spread: its variance is pooled from the surrounding texels, and is at least the square
-        of the value's own standard error.
+        A texel with one value has no spread: its variance is pooled from the surrounding texels. The error of a mean of k
+        values is at least a k-th of the largest standard error among these values, because equal values have no spread.
 
         Args:
             values: (P, C), values at the points.
@@ -88,10 +88,16 @@ class TexelRows:
         errors = np.sqrt(squares / np.maximum(count - 1, 1)[:, None])
         single = np.flatnonzero(count == 1)
         if len(single):
-            alone, _ = self.means(width, lambda rows, _: own[rows])
-            around = np.sqrt(_pool_variance(squares, count, single, columns))
-            errors[single] = np.fmax(alone[single], around)
-        return errors
+            errors[single] = np.sqrt(_pool_variance(squares, count, single, columns))
+        return np.fmax(errors, self._largest(own) / np.maximum(count, 1)[:, None])
+
+    def _largest(self, values: np.ndarray) -> np.ndarray:
+        """Return the largest of the values (P, C) in each texel, (texels, C), without NaN; 0 for texels without points."""
+        found = np.zeros((self.texels, values.shape[1]), values.dtype)
+        for rows, texel in self.blocks():
+            starts = np.flatnonzero(np.diff(texel, prepend=-1))
+            found[texel[starts]] = np.fmax(found[texel[starts]], np.fmax.reduceat(values[rows], starts))
+        return found
 
 
 def _pool_variance(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, columns: int) -> np.ndarray:

@@ -2,14 +2,11 @@
 
 from collections.abc import Mapping
 from io import BytesIO
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from types import ModuleType
 
 import numpy as np
 
 from warpsample.host.extras import missing
-from warpsample.host.files import WriteError
 from warpsample.host.locks import imported
 
 _WHITE = {8: (255.0, np.uint8), 16: (65535.0, np.uint16)}
@@ -47,13 +44,9 @@ def encode_exr(layers: Mapping[str, np.ndarray]) -> bytes:
         names = "RGB" if image.ndim == 3 else "Y"
         channels |= {prefix + name: np.ascontiguousarray(one, np.float32) for name, one in zip(names, split, strict=True)}
     header = {"compression": openexr.ZIP_COMPRESSION, "type": openexr.scanlineimage}
-    with TemporaryDirectory() as folder:  # OpenEXR writes to files only
-        path = Path(folder, "image.exr")
-        try:
-            openexr.File(header, channels).write(str(path))
-        except RuntimeError as error:
-            raise WriteError(f"the picture cannot be written to the temporary folder {folder}: {error}") from None
-        return path.read_bytes()
+    stream = BytesIO()  # of a file on a full disk, OpenEXR reports no error when it closes the file
+    openexr.File(header, channels).write(stream)
+    return stream.getvalue()
 
 
 def check_library(suffix: str) -> None:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from warpsample.estimate.intervals import raised_errors
 from warpsample.host.arguments import check_choice, check_flag, check_integer, quote
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property
@@ -132,9 +133,10 @@ class TexturePoints(Summary):
         """Return the image of the standard errors of the values that `image` shows.
 
         Args:
-            errors: `Estimate` at the points, or with one sample per texel its standard errors, (P,) or (P, C). With several
-                samples, the errors come from the spread of the values in a texel and are somewhat too large, since samples
-                are stratified. A texel with a single sample uses the spread in the surrounding texels.
+            errors: `Estimate` at the points, or with one sample per texel standard errors, (P,) or (P, C). Where all rays of
+                a point agree, the error of an `Estimate` is that of its interval, unless the point is proven to be free.
+                With several samples, the errors come from the spread of the values in a texel and are up to 2.5 times too
+                large, since samples are stratified. A texel with a single sample uses the spread in the surrounding texels.
             gutter: Fill distance, as for `image`. Default: "all".
 
         Returns:
@@ -149,7 +151,8 @@ class TexturePoints(Summary):
             >>> print(t.image_error(ws.ambient_occlusion(triangle, t.points, 16)).max())
             0.0
         """
-        own = self._check_rows(getattr(errors, "standard_error", errors), "errors")
+        own = raised_errors(errors) if hasattr(errors, "standard_error") else errors
+        own = self._check_rows(own, "errors")
         flat = own.reshape(len(self), *own.shape[1:] or (1,))
         if self.samples == 1:
             made = self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0]

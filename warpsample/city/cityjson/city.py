@@ -18,7 +18,7 @@ from warpsample.city.cityjson.gathering import Gathered, Geometry, gather
 from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
 from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks, tabulate_surfaces, warn_of_overlaps
-from warpsample.city.cityjson.writing import ERROR, Editor
+from warpsample.city.cityjson.writing import ERROR, MEMBERS, PER_AREA, Editor
 from warpsample.host.arguments import check_file, check_flag, check_seed, naming_file, quote
 from warpsample.host.arrays import as_real
 from warpsample.host.files import check_output, write_bytes
@@ -151,7 +151,8 @@ class City(Summary):
                 of a result have its name with "_error" appended.
 
         Raises:
-            TypeError, ValueError: the path cannot be written, or results have another shape or no name.
+            TypeError, ValueError: the path cannot be written, or results have another shape, no name, or the name of a
+                member of semantic surfaces ("type", "parent" or "children").
             OSError: the file cannot be written.
 
         Example:
@@ -239,6 +240,11 @@ def _check_target(path: Any, source: Path) -> Path:
 def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
     if not isinstance(results, Mapping) or not all(isinstance(name, str) and name for name in results):
         raise TypeError(f"results: got {quote(results)}, want a dict of attribute names and arrays of numbers")
+    for name in results:
+        if name.removesuffix(PER_AREA) in MEMBERS:
+            raise ValueError(
+                f"results: got {name!r}, want names other than {', '.join(MEMBERS)}, the members of semantic surfaces"
+            )
     columns = {name: as_real(column, f"results[{name!r}]") for name, column in results.items()}
     for name, column in columns.items():
         if column.shape != (count,):
@@ -255,6 +261,8 @@ def _build_city(
 ) -> City:
     surfaces, rows = tabulate_surfaces(found, points, outlines, split)
     triangles, owner = outlines.triangles(points)
+    if not len(triangles):
+        raise ValueError(f"path: got {str(path)!r}, all of whose polygons have no area, want at least one with an area")
     vertices, faces = append_context(points, triangles, context, found.units)
     surface = np.full(len(faces), -1, np.int32)
     surface[: len(owner)] = rows.row[owner]

@@ -14,8 +14,13 @@ from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks
 
 _SUFFIXES = {ROOF: "_roof", WALL: "_wall", "": ""}
 """Suffixes of the results of city objects, by type of surface. Surfaces of other types are not summarized on objects."""
-_PER_AREA = "_m2"
 _DIGITS = 7  # significant digits of a float32
+
+PER_AREA = "_m2"
+"""Suffix of the name of results per m2."""
+
+MEMBERS = ("type", "parent", "children")
+"""Members of a semantic surface in CityJSON; attributes cannot have these names."""
 
 ERROR = "_error"
 """Suffix of the name of standard errors."""
@@ -80,10 +85,10 @@ class Editor:
                     weights = np.ones(len(areas)) if self._is_total(name) else areas / areas.sum()
                     terms = weights * column[held[has]]
                     mean = np.sqrt(np.square(terms).sum()) if name.endswith(ERROR) else terms.sum()
-                    yield from _format_finite({name + end: float(mean), f"ws_area{_PER_AREA}{end}": float(areas.sum())})
+                    yield from _format_finite({name + end: float(mean), f"ws_area{PER_AREA}{end}": float(areas.sum())})
 
     def _is_total(self, name: str) -> bool:
-        return name.removesuffix(ERROR) + _PER_AREA in self.results
+        return name.removesuffix(ERROR) + PER_AREA in self.results
 
 
 def add_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
@@ -94,8 +99,8 @@ def add_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.nd
     for name, column in results.items():
         yield name, column
         plain, end = (name.removesuffix(ERROR), ERROR) if name.endswith(ERROR) else (name, "")
-        if plain.endswith(_PER_AREA):
-            yield plain.removesuffix(_PER_AREA) + end, column * areas
+        if plain.endswith(PER_AREA):
+            yield plain.removesuffix(PER_AREA) + end, column * areas
 
 
 def _format_finite(cells: Mapping[str, float]) -> Iterator[tuple[str, float]]:

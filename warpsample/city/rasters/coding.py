@@ -91,9 +91,9 @@ class Coding:
 
 
 def _is_number(text: bytes) -> bool:
-    """Return True if the text can be converted to a float."""
+    """Return True if the text is a number to GDAL, too, which does not read 1_0 as 10."""
     try:
         float(text)
     except ValueError:
         return False
-    return True
+    return b"_" not in text

@@ -1,42 +1,30 @@
 """Simplified terrain far from a tile: columns too high and columns too low, between which the true result lies.
 
 Around a tile and its margin, cells of the raster are pooled to their highest and lowest heights, in rings. Cells of a ring
-double in size when the distance doubles; their size is a fiftieth of the distance. A coarser raster covers the terrain
-beyond the edges. A ray that hits the terrain hits the upper columns; a ray that hits the lower columns hits the terrain. So
-the true value lies between the values with upper and with lower columns.
+double in size when the distance doubles; their size is at most a fiftieth of the distance. Another raster covers the terrain
+beyond the edges, also inside the margin, in cells by the same rule. A ray that hits the terrain hits the upper columns; a
+ray that hits the lower columns hits the terrain. So the true value lies between the values with upper and with lower
+columns.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
 
 import numpy as np
 from affine import Affine
 
 from warpsample.city.rasters.canopy import Canopy, Crowns, build_prisms
-from warpsample.city.rasters.grid import Grid
+from warpsample.city.rasters.grid import Bounds, Grid, resample_extremes
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.scenery import Columns, Part, join_triangles
 
 _FINENESS = 50  # smallest distance of a ring in cells of the ring
 _EARTH, _REFRACTION = 6_371_000.0, 0.13  # radius in m; curvature of light rays as a fraction of the Earth's curvature
 _BAND = 1 << 22  # cells per reading step
-_ALMOST = 1e-6  # rounding of corner coordinates, in cells
 
-
-@dataclass(frozen=True, eq=False)
-class Bounds:
-    """Upper and lower bounds of the heights of the terrain in each cell of a coarse raster.
-
-    Attributes:
-        upper: (rows, columns) float64 upper bounds; NaN in cells without data.
-        lower: (rows, columns) float64 lower bounds; NaN in cells that may lack data.
-        transform: Transform from (column, row) of these arrays to (column, row) of the raster that is cut into tiles.
-    """
-
-    upper: np.ndarray
-    lower: np.ndarray
-    transform: Affine
+Window = tuple[slice, slice]
+"""Rows and columns."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +62,7 @@ class FarField:
             beyond = Bounds(*_bounds_of_surface(heights, heights, grow), ~reader.transform @ other.transform)
         return cls(_pool_raster(reader, canopy, size, grow), beyond, size, reader.outline)
 
-    def columns(self, tile: tuple[slice, slice], near: tuple[slice, slice], lowest: float) -> list[Columns]:
+    def columns(self, tile: Window, near: Window, lowest: float) -> list[Columns]:
         """Return two functions that build a tile's distant terrain as triangles: with too high and with too low columns.
 
         The list is empty if there is no terrain outside the full-resolution part.
@@ -93,30 +81,24 @@ class FarField:
         """Build the triangles of all columns of distant terrain, at upper (`which` = 0) or lower (`which` = 1) bounds."""
         return join_triangles([self._build_prisms(level[which], level[2], floor) for level in levels])
 
-    def window_of(self, tile: tuple[slice, slice], margin: int) -> tuple[slice, slice]:
+    def window_of(self, tile: Window, margin: int) -> Window:
         """Return the rows and columns to read at full resolution for a tile and its margin.
 
         The margin is extended to whole cells of the nearest ring.
         """
-        lowest = [(part.start - margin) // self.size * self.size for part in tile]
-        highest = [-(-(part.stop + margin) // self.size) * self.size for part in tile]
-        return tuple(slice(low, high) for low, high in zip(lowest, highest, strict=True))
+        return _widen_window(tile, margin, self.size)
 
-    def _pool_rings(
-        self, tile: tuple[slice, slice], near: tuple[slice, slice]
-    ) -> list[tuple[np.ndarray, np.ndarray, Affine]]:
+    def _pool_rings(self, tile: Window, near: Window) -> list[tuple[np.ndarray, np.ndarray, Affine]]:
         """Return bounds of the terrain's heights around a tile, in rings of cells that grow with distance.
 
         Return the upper heights, the lower heights and the transform of each ring.
         """
-        levels = [self._read_other(near, size) for size in dict.fromkeys((1, self.size))] if self.surroundings else []
+        levels = list(self._read_other(tile, near)) if self.surroundings else []
         inner, size = near, self.size
         reach = _FINENESS * size
         while any(part.start > low or part.stop < high for part, (low, high) in zip(inner, self._extent(), strict=True)):
             whole = 2 * size
-            outer = tuple(
-                slice((part.start - reach) // whole * whole, -(-(part.stop + reach) // whole) * whole) for part in inner
-            )
+            outer = _widen_window(inner, reach, whole)
             upper, lower, where = self._pool_window(outer, size)
             hole = tuple(
                 slice((i.start - o.start) // size, (i.stop - o.start) // size) for i, o in zip(inner, outer, strict=True)
@@ -138,7 +120,7 @@ class FarField:
                 y.append(row)
         return [(min(y), max(y)), (min(x), max(x))]
 
-    def _pool_window(self, window: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
+    def _pool_window(self, window: Window, size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
         """Return bounds of the terrain's heights in a window, in blocks of `size` x `size` cells.
 
         Return the upper heights, the lower heights and the transform of the blocks.
@@ -147,9 +129,9 @@ class FarField:
         whole, none = self._mask_own_blocks(rows, columns, size)
         where = Affine.translation(window[1].start, window[0].start) @ Affine.scale(size)
         shape = len(rows), len(columns)
-        upper, lower = _scatter_extremes(self.own, where, shape)
+        upper, lower = resample_extremes(self.own, where, shape)
         if self.surroundings:
-            highest, lowest = _scatter_extremes(self.surroundings, where, shape)
+            highest, lowest = resample_extremes(self.surroundings, where, shape)
             upper = np.where(whole, upper, np.fmax(upper, highest))
             lower = np.where(whole, lower, np.where(none, lowest, np.nan))
         return upper, lower, where
@@ -165,22 +147,30 @@ class FarField:
             outside.append((first + size <= 0) | (first >= most))
         return within[0][:, None] & within[1], outside[0][:, None] | outside[1]
 
-    def _read_other(self, near: tuple[slice, slice], size: int) -> tuple[np.ndarray, np.ndarray, Affine]:
-        """Return bounds of heights of the terrain beyond the raster's edge, inside a window, from the surrounding raster.
+    def _read_other(self, tile: Window, near: Window) -> Iterator[tuple[np.ndarray, np.ndarray, Affine]]:
+        """Yield bounds of heights of the terrain beyond the raster's edge, inside a window, from the surrounding raster.
 
-        Blocks are large, or small where the edge cuts a large block.
+        Blocks have a side of 1 cell, and of 2, 4, ... cells from 50 times this distance from the tile on. Where the raster's
+        edge cuts a large block, blocks of 1 cell replace it.
         """
-        rows, columns = (np.arange(part.start, part.stop, size) for part in near)
-        large = (np.arange(part.start, part.stop, size) // self.size * self.size for part in near)
-        _, outside = self._mask_own_blocks(rows, columns, size)
-        whole, beyond = self._mask_own_blocks(*large, self.size)
-        chosen = outside if size == self.size else outside & ~whole & ~beyond
-        where = Affine.translation(near[1].start, near[0].start) @ Affine.scale(size)
-        heights = _scatter_extremes(self.surroundings, where, (len(rows), len(columns)))
-        return (*(np.where(chosen, height, np.nan) for height in heights), where)
+        rings, inner = {}, [slice(0, 0), slice(0, 0)]
+        for size in (1 << power for power in range(self.size.bit_length())):
+            outer = near if size == self.size else _widen_window(tile, 2 * _FINENESS * size, 2 * size)
+            rings[size], inner = (outer, inner), outer
+        single = _mask_ring(near, 1, *rings[1])
+        for size, ring in rings.items():
+            whole, none = self._mask_own_blocks(*(np.arange(part.start, part.stop) // size * size for part in near), size)
+            single |= _mask_ring(near, 1, *ring) & ~whole & ~none
+        for size, ring in rings.items():
+            _, outside = self._mask_own_blocks(*(np.arange(part.start, part.stop, size) for part in near), size)
+            chosen = outside & (single if size == 1 else _mask_ring(near, size, *ring))
+            if chosen.any():
+                where = Affine.translation(near[1].start, near[0].start) @ Affine.scale(size)
+                upper, lower = resample_extremes(self.surroundings, where, chosen.shape)
+                yield np.where(chosen, upper, np.nan), np.where(chosen, lower, np.nan), where
 
     def _lower_by_curvature(
-        self, tile: tuple[slice, slice], upper: np.ndarray, lower: np.ndarray, where: Affine
+        self, tile: Window, upper: np.ndarray, lower: np.ndarray, where: Affine
     ) -> tuple[np.ndarray, np.ndarray]:
         """Lower bounds of distant heights by the drop due to the Earth's curvature, less atmospheric refraction.
 
@@ -202,6 +192,26 @@ class FarField:
         outline = self.outline
         grid = Grid(heights, outline.transform @ where, outline.crs, outline.metres, outline.dims, {})
         return build_prisms(grid, Crowns(np.where(np.isnan(heights), np.nan, floor), heights))
+
+
+def _widen_window(window: Window, reach: int, whole: int) -> Window:
+    """Return a window widened by `reach` cells on all sides, and further to whole blocks of `whole` x `whole` cells."""
+    rows, columns = (
+        slice((part.start - reach) // whole * whole, -(-(part.stop + reach) // whole) * whole) for part in window
+    )
+    return rows, columns
+
+
+def _mask_ring(near: Window, size: int, outer: Window, inner: Window) -> np.ndarray:
+    """Return the mask of the blocks of a window, of `size` x `size` cells, inside one window and outside another."""
+    masks = []
+    for window in (outer, inner):
+        rows, columns = (
+            (np.arange(part.start, part.stop, size) >= one.start) & (np.arange(part.start, part.stop, size) < one.stop)
+            for part, one in zip(near, window, strict=True)
+        )
+        masks.append(rows[:, None] & columns)
+    return masks[0] & ~masks[1]
 
 
 def _pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, grow: int) -> Bounds:
@@ -248,56 +258,3 @@ def _widen_extremes(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarra
     padded = np.pad(heights, 1, constant_values=np.nan)
     along = pick(pick(padded[:-2], padded[1:-1]), padded[2:])
     return pick(pick(along[:, :-2], along[:, 1:-1]), along[:, 2:])
-
-
-def _scatter_extremes(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
-    """Resample upper and lower bounds of heights to another grid of cells.
-
-    Return the highest and lowest height of all raster cells that overlap each lattice cell.
-    """
-    upper, lower = np.full(shape, -np.inf), np.full(shape, np.inf)
-    rows, columns, box = _find_overlap(bounds, where, shape)
-    part = slice(rows[0], rows[1]), slice(columns[0], columns[1])
-    highest, lowest = bounds.upper[part].ravel(), bounds.lower[part].ravel()
-    first, last = (np.stack(ends).reshape(2, -1) for ends in box)
-    span = (last - first).max(axis=1, initial=0)
-    for down in range(span[0]):
-        for right in range(span[1]):
-            i, j = first[0] + down, first[1] + right
-            inside = (i < last[0]) & (j < last[1]) & (i >= 0) & (j >= 0) & (i < shape[0]) & (j < shape[1])
-            at = i[inside], j[inside]
-            np.fmax.at(upper, at, highest[inside])
-            np.minimum.at(lower, at, lowest[inside])
-    upper[np.isinf(upper)] = np.nan
-    lower[np.isinf(lower) | ~_mask_covered(bounds, where, shape)] = np.nan
-    return upper, lower
-
-
-def _find_overlap(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[Any, Any, Any]:
-    """Return the cells of a raster that overlap another grid, and the range of grid cells that each one overlaps."""
-    to_lattice = ~where @ bounds.transform
-    corners = [~to_lattice @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), (shape[1], shape[0]))]
-    ends = []
-    for along, most in ((1, bounds.upper.shape[0]), (0, bounds.upper.shape[1])):
-        places = [corner[along] for corner in corners]
-        ends.append((int(np.clip(np.floor(min(places)), 0, most)), int(np.clip(np.ceil(max(places)), 0, most))))
-    row, column = np.mgrid[ends[0][0] : ends[0][1], ends[1][0] : ends[1][1]]
-    a, b, c, d, e, f = to_lattice[:6]
-    x, y = a * column + b * row + c, d * column + e * row + f
-    box = ([], [])
-    for start, one, other in ((y, d, e), (x, a, b)):
-        low = start + min(one, 0.0) + min(other, 0.0)
-        high = start + max(one, 0.0) + max(other, 0.0)
-        box[0].append(np.floor(low + _ALMOST).astype(np.int64))
-        box[1].append(np.ceil(high - _ALMOST).astype(np.int64))
-    return *ends, box
-
-
-def _mask_covered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> np.ndarray:
-    """Return a mask of the cells of a grid that lie entirely within a raster."""
-    row, column = np.mgrid[: shape[0] + 1, : shape[1] + 1]
-    a, b, c, d, e, f = (~bounds.transform @ where)[:6]
-    x, y = a * column + b * row + c, d * column + e * row + f
-    rows, columns = bounds.upper.shape
-    inside = (x > -_ALMOST) & (x < columns + _ALMOST) & (y > -_ALMOST) & (y < rows + _ALMOST)
-    return inside[:-1, :-1] & inside[1:, :-1] & inside[:-1, 1:] & inside[1:, 1:]

@@ -1,4 +1,4 @@
-"""Checked raster of heights, and the triangles of its surface."""
+"""Checked raster of heights, the triangles of its surface, and bounds of heights in the cells of another grid."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -12,6 +12,9 @@ from warpsample.city.rasters.reference import true_north
 
 TOP, WALL = 0, 1
 """Kinds of triangles."""
+
+_ALMOST = 1e-6  # rounding of corner coordinates, in cells
+_MOST_PASSES = 64  # passes over all cells of a raster, from which on a loop over its cells is faster
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,3 +105,77 @@ class Triangles:
     faces: np.ndarray
     kind: np.ndarray
     cell: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Bounds:
+    """Upper and lower bounds of the heights of the terrain in each cell of a coarse raster.
+
+    Attributes:
+        upper: (rows, columns) float64 upper bounds; NaN in cells without data.
+        lower: (rows, columns) float64 lower bounds; NaN in cells that may lack data.
+        transform: Transform from (column, row) of these arrays to (column, row) of the raster that is cut into tiles.
+    """
+
+    upper: np.ndarray
+    lower: np.ndarray
+    transform: Affine
+
+
+def resample_extremes(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
+    """Resample upper and lower bounds of heights to another grid of cells.
+
+    Return the highest and lowest height of all raster cells that overlap each lattice cell.
+    """
+    upper, lower = np.full(shape, -np.inf), np.full(shape, np.inf)
+    rows, columns, box = _find_overlap(bounds, where, shape)
+    part = slice(rows[0], rows[1]), slice(columns[0], columns[1])
+    highest, lowest = bounds.upper[part].ravel(), bounds.lower[part].ravel()
+    first, last = (np.stack(ends).reshape(2, -1) for ends in box)
+    span = (last - first).max(axis=1, initial=0)
+    if span.prod() > _MOST_PASSES:
+        first, last = (np.clip(ends, 0, np.array(shape)[:, None]) for ends in (first, last))
+        for n in np.flatnonzero((last > first).all(axis=0)):
+            at = slice(first[0, n], last[0, n]), slice(first[1, n], last[1, n])
+            upper[at], lower[at] = np.fmax(upper[at], highest[n]), np.minimum(lower[at], lowest[n])
+        span *= 0
+    for down in range(span[0]):
+        for right in range(span[1]):
+            i, j = first[0] + down, first[1] + right
+            inside = (i < last[0]) & (j < last[1]) & (i >= 0) & (j >= 0) & (i < shape[0]) & (j < shape[1])
+            at = i[inside], j[inside]
+            np.fmax.at(upper, at, highest[inside])
+            np.minimum.at(lower, at, lowest[inside])
+    upper[np.isinf(upper)] = np.nan
+    lower[np.isinf(lower) | ~_mask_covered(bounds, where, shape)] = np.nan
+    return upper, lower
+
+
+def _find_overlap(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[Any, Any, Any]:
+    """Return the cells of a raster that overlap another grid, and the range of grid cells that each one overlaps."""
+    to_lattice = ~where @ bounds.transform
+    corners = [~to_lattice @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), (shape[1], shape[0]))]
+    ends = []
+    for along, most in ((1, bounds.upper.shape[0]), (0, bounds.upper.shape[1])):
+        places = [corner[along] for corner in corners]
+        ends.append((int(np.clip(np.floor(min(places)), 0, most)), int(np.clip(np.ceil(max(places)), 0, most))))
+    row, column = np.mgrid[ends[0][0] : ends[0][1], ends[1][0] : ends[1][1]]
+    a, b, c, d, e, f = to_lattice[:6]
+    x, y = a * column + b * row + c, d * column + e * row + f
+    box = ([], [])
+    for start, one, other in ((y, d, e), (x, a, b)):
+        low = start + min(one, 0.0) + min(other, 0.0)
+        high = start + max(one, 0.0) + max(other, 0.0)
+        box[0].append(np.floor(low + _ALMOST).astype(np.int64))
+        box[1].append(np.ceil(high - _ALMOST).astype(np.int64))
+    return *ends, box
+
+
+def _mask_covered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> np.ndarray:
+    """Return a mask of the cells of a grid that lie entirely within a raster."""
+    row, column = np.mgrid[: shape[0] + 1, : shape[1] + 1]
+    a, b, c, d, e, f = (~bounds.transform @ where)[:6]
+    x, y = a * column + b * row + c, d * column + e * row + f
+    rows, columns = bounds.upper.shape
+    inside = (x > -_ALMOST) & (x < columns + _ALMOST) & (y > -_ALMOST) & (y < rows + _ALMOST)
+    return inside[:-1, :-1] & inside[1:, :-1] & inside[:-1, 1:] & inside[1:, 1:]

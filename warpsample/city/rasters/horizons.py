@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from warpsample.city.rasters.horizon_kernel import HorizonRowsArgs, horizon_kernel
-from warpsample.city.rasters.intervals import half_width_of_normal
 from warpsample.city.rasters.scenery import Seen
+from warpsample.estimate.intervals import half_width_of_normal
 from warpsample.estimate.plan import Plan, reach_of
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.visible_sky import visible_sky

@@ -5,23 +5,12 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from warpsample.estimate.intervals import interval_of
+from warpsample.estimate.intervals import DEGREES, LEVEL, interval_of, least_errors
 from warpsample.estimate.result import Estimate
 from warpsample.host.arguments import check_number
 from warpsample.host.neighbours import describe_type
 
-_LEVEL = 0.95
-_DEGREES = np.float64(9.0)
-"""Degrees of freedom of the t distribution for other levels, as in `estimate.intervals`."""
-
 _SHARES = ("ao", "sky", "visible-sky")
-
-
-def half_width_of(found: Any) -> np.ndarray:
-    """Return half the width of the 95 % confidence interval at each point of a result, (P,) float32, in its unit."""
-    if isinstance(found, Estimate):
-        return interval_of(np.float32(0.0), found.spread, found.degrees_of_freedom, _LEVEL).upper
-    return half_width_of_normal(found.standard_error)
 
 
 def standard_error_of(found: Any) -> np.ndarray:
@@ -32,17 +21,11 @@ def standard_error_of(found: Any) -> np.ndarray:
     """
     if not isinstance(found, Estimate):
         return found.standard_error
-    least = (half_width_of(found) / half_width_of_normal(np.float32(1.0))).astype(np.float32)
     is_open = (found.rays == 0) & (found.value == 1.0)
-    return np.where(is_open, found.standard_error, np.maximum(found.standard_error, least))
+    return np.where(is_open, found.standard_error, np.maximum(found.standard_error, least_errors(found)))
 
 
-def half_width_of_normal(standard_error: np.ndarray) -> np.ndarray:
-    """Return half the width of the 95 % confidence interval for each standard error of a sum of many terms, float32."""
-    return interval_of(np.float32(0.0), standard_error, _DEGREES, _LEVEL).upper
-
-
-def interval(dataset: xr.Dataset, level: float = _LEVEL) -> xr.Dataset:
+def interval(dataset: xr.Dataset, level: float = LEVEL) -> xr.Dataset:
     """Return the lower and upper ends of the confidence interval of each cell of a raster result.
 
     The interval is value -+ half_width at a level of 0.95. At other levels the half width is scaled with the quantile of a t
@@ -75,7 +58,7 @@ def interval(dataset: xr.Dataset, level: float = _LEVEL) -> xr.Dataset:
     if not {"value", "half_width"} <= set(dataset):
         raise ValueError(f"dataset: got a dataset of {', '.join(map(str, dataset)) or 'nothing'}, want value and half_width")
     level = check_number(level, "level", 0.01, 0.9999)
-    one, wanted = (float(interval_of(np.float64(0.0), 1.0, _DEGREES, at).upper) for at in (_LEVEL, level))
+    one, wanted = (float(interval_of(np.float64(0.0), 1.0, DEGREES, at).upper) for at in (LEVEL, level))
     half = dataset.half_width * np.float32(wanted / one) + dataset.get("far_error", np.float32(0.0))
     greatest = np.float32(1.0 if dataset.attrs.get("quantity") in _SHARES else np.inf)
     ends = {"lower": dataset.value - half, "upper": dataset.value + half}

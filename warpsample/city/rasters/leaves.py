@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.intervals import half_width_of, standard_error_of
+from warpsample.city.rasters.intervals import standard_error_of
 from warpsample.city.rasters.scenery import Scenery, Seen
+from warpsample.estimate.intervals import half_width_of
 from warpsample.estimate.plan import Plan
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.arguments import quote

@@ -108,14 +108,15 @@ class RasterRun:
         return cls(reader, quantity, options, model, receiver, trees, shares, tile, margin, other)
 
     def check(self) -> None:
-        """Raise an error for invalid options of the quantity, by a computation for one cell of level ground.
+        """Raise an error for invalid options of the quantity, by a computation for 2 x 2 cells of level ground.
+
+        The model "tin" has no triangles with fewer cells.
 
         Raises:
             TypeError, ValueError: An option that cannot be used; the message names the option.
         """
-        flat = replace(self.reader, shape=(1, 1), coordinates={}, heights=lambda *_: np.zeros((1, 1)))
-        cell = slice(0, 1), slice(0, 1)
-        replace(self, reader=flat, canopy=None, tile=None, other=None).numbers(cell)
+        flat = replace(self.reader, shape=(2, 2), coordinates={}, heights=lambda *_: np.zeros((2, 2)))
+        replace(self, reader=flat, canopy=None, tile=None, other=None).numbers((slice(0, 2), slice(0, 2)))
 
     @property
     def rasters(self) -> dict[str, RasterReader]:

@@ -117,7 +117,7 @@ def _header(file: BinaryIO) -> tuple[str, list[_Element]]:
                 case ["format", name, _]:
                     order = _ORDERS[name]
                 case ["element", name, count]:
-                    elements.append(_Element(name, int(count)))
+                    elements.append(_Element(name, whole(count)))
                 case ["property", "list", count_kind, kind, name]:
                     elements[-1].properties.append(_Property(name, _kind(order, kind), _kind(order, count_kind, "iu")))
                 case ["property", kind, name]:

@@ -19,7 +19,7 @@ from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.estimate.quantities.record import ARGUMENTS, Quantity
 from warpsample.host.arguments import quote
 from warpsample.host.files import WriteError, check_output, write_bytes
-from warpsample.host.shared_values import digest_of
+from warpsample.host.shared_values import HEIGHTS_OF, digest_of
 from warpsample.output.bake_rules import check_table
 from warpsample.output.bake_table import STORE
 from warpsample.output.baked import BakeRun
@@ -248,7 +248,7 @@ class BakedRaster:
 
 def describe_heights(digests: Mapping[str, np.ndarray]) -> dict[str, str]:
     """Return a hash of each input raster, as an attribute of the run, from the hashes of its blocks."""
-    return {f"{name}_heights": digest_of(found) for name, found in digests.items()}
+    return {f"{name}{HEIGHTS_OF}": digest_of(found) for name, found in digests.items()}
 
 
 def check_unchanged(

@@ -17,6 +17,7 @@ from warpsample.host.arguments import quote
 from warpsample.host.engine import check_space
 from warpsample.host.files import WriteError, complete_or_absent, read_arrays, write_arrays, write_bytes
 from warpsample.host.interrupts import uninterrupted
+from warpsample.host.shared_values import describe_remedy
 from warpsample.output.rasters.bake import RasterJob, Tiles, read_unchanging, summarize_tile
 
 try:
@@ -86,8 +87,8 @@ class TileFiles:
                 if kept.get(name) != about.get(name):
                     was, now = quote(kept.get(name)), quote(about.get(name))
                     raise ValueError(
-                        f"--output: got {str(self.path)!r} of {name} {was}, want tiles of {name} {now}; repeat the "
-                        "arguments of that run, or use a new name"
+                        f"--output: got {str(self.path)!r} of {name} {was}, want tiles of {name} {now}; "
+                        + describe_remedy(name)
                     )
         whole = np.array([self._is_whole(index, run) for index in range(run.grid[0] * run.grid[1])])
         cells = run.reader.shape[0] * run.reader.shape[1]

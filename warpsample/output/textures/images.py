@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.estimate.intervals import raised_errors
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.thickness import Thickness
 from warpsample.estimate.result import ExactResult
@@ -31,7 +32,8 @@ class Filled:
     Attributes:
         job: Texture that the images belong to.
         value: (H, W) or (H, W, C) float32 values.
-        error: Standard errors of the same shape.
+        error: Standard errors of the same shape, raised where they ignore geometry that no ray has hit.
+        unbiased: Standard errors that are 0 where all rays agree, without a gutter; None unless places are compared by them.
         mean: Mean of the values at the points.
         inside: Number of points inside closed bodies that are filled.
         enclosed: Number of points inside closed bodies that keep their values.
@@ -45,6 +47,7 @@ class Filled:
     job: TextureJob
     value: np.ndarray
     error: np.ndarray
+    unbiased: np.ndarray | None
     mean: float
     inside: int
     enclosed: int
@@ -79,27 +82,33 @@ def fill_texture(
 
     kept, rays, bad = [], 0, 0
     for part in compute_parts(points, of_part, part_size(quantity, options), record):
-        kept.append((np.where(part.status == 0, part.value.T, np.nan).T, part.standard_error))
+        kept.append((np.where(part.status == 0, part.value.T, np.nan).T, raised_errors(part), part.standard_error))
         rays, bad = rays + int(part.rays.sum(dtype=np.int64)), bad + int(np.count_nonzero(part.status))
-    value, error = (np.concatenate(arrays) for arrays in zip(*kept, strict=True))
+    value, error, unbiased = (np.concatenate(arrays) for arrays in zip(*kept, strict=True))
     del kept
     buried = bodies.find_buried(np.isfinite(value.reshape(len(value), -1)).all(axis=1)) & ~missed
     within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, bodies.inside & ~buried & ~missed, missed))
     value[buried] = np.nan
-    image, errors, mean = _images(job, how, value, error)
+    pictures = _images(job, how, value, error, unbiased if job.group and how.instances == "split" else None)
     charts = bodies.count_mostly_buried(buried)
     counts = {"mostly_inside": charts, "inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
-    return Filled(job, image, errors, mean, **counts, rays=rays, inside_rays=bodies.rays)
+    return Filled(job, *pictures, **counts, rays=rays, inside_rays=bodies.rays)
 
 
-def _images(job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray) -> tuple[Any, Any, float]:
-    """Return the images of values and of standard errors at the texels, and the mean value."""
-    error[np.isnan(value)] = np.nan
+def _images(
+    job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray, unbiased: np.ndarray | None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray | None, float]:
+    """Return the images of values, of standard errors and of unbiased standard errors at the texels, and the mean value."""
     known = np.isfinite(value)
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
-    image = job.points.image(value, gutter=how.gutter)
-    errors = job.points.image_error(SimpleNamespace(value=value, standard_error=error), gutter=how.gutter)
-    return image, errors, mean
+
+    def image_error(own: np.ndarray, gutter: Any) -> np.ndarray:
+        """Return the image of standard errors; points without a value have none."""
+        own[~known] = np.nan
+        return job.points.image_error(SimpleNamespace(value=value, standard_error=own), gutter=gutter)
+
+    image, errors = job.points.image(value, gutter=how.gutter), image_error(error, how.gutter)
+    return image, errors, None if unbiased is None else image_error(unbiased, 0), mean
 
 
 def _converter(

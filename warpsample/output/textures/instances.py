@@ -77,7 +77,8 @@ def _picture(filled: Filled, job: TextureJob) -> PlacedTexture:
 def _differ(known: Filled, other: Filled) -> bool:
     """Return whether the pictures of two places differ by more than the standard errors, in a block of texels or overall.
 
-    Errors of single texels do not do: they are 0 where all rays of each stratum agree.
+    Errors of single texels do not do: they are 0 where all rays of each stratum agree. Errors of blocks are sums of unbiased
+    variances; raised errors would hide differences.
     """
     both = known.job.points.covered & other.job.points.covered
     row, column = np.nonzero(both)
@@ -85,7 +86,7 @@ def _differ(known: Filled, other: Filled) -> bool:
     count = np.maximum(np.bincount(block), 1)
     value, error = (
         [getattr(one, name)[both].reshape(len(block), -1).astype(np.float64) for one in (known, other)]
-        for name in ("value", "error")
+        for name in ("value", "unbiased")
     )
     squares = np.square(np.nan_to_num(error)).sum(axis=0)
     step = _STEP * float(np.abs(value).max(initial=0.0))

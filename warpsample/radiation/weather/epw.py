@@ -13,6 +13,7 @@ _FIELDS = 16  # per row, up to the diffuse radiation; pvlib names 35 fields, and
 _PVLIB_FIELDS = 35
 _DIRECT = 14  # the field of the direct radiation, from 0
 _YEAR = re.compile("(1[89]|2[01])[0-9]{2}")
+_NUMBER = re.compile(r"[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)(e[+-]?[0-9]+)?|nan|[+-]?inf", re.IGNORECASE)
 _STRONGEST = 1500.0  # W/m²: 1,412 outside the atmosphere; files mark missing values with 9999
 _LIMITS = {"latitude": 90, "longitude": 180, "time zone": 14, "altitude": 9000}  # degrees, hours, metres
 _DAYS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
@@ -51,6 +52,9 @@ def check_text(path: Path) -> str:
             )
         if not _YEAR.fullmatch(row[0].strip()):
             raise ValueError(f"line {number} has the year {quote(row[0])}, want a year from 1800 to 2199")
+        for text in map(str.strip, row[_DIRECT:_FIELDS]):
+            if text and not _NUMBER.fullmatch(text):  # float() would read 1_000 as 1000
+                raise ValueError(f"line {number} has the radiation {quote(text)}, want a number")
     between, after = [""] * (_DIRECT - 4), [""] * (_PVLIB_FIELDS - _FIELDS)
     kept = [",".join([*row[:4], *between, *row[_DIRECT:_FIELDS], *after]) for row in rows]
     return "\n".join([lines[0], *["-"] * (_HEADER - 1), *kept])
@@ -67,9 +71,10 @@ def _check_place(line: str) -> None:
         raise ValueError(
             f"line 1 has {len(fields)} fields, want 10, the last the latitude, longitude, time zone and altitude"
         )
-    for value, (name, limit) in zip(map(float, fields[6:10]), _LIMITS.items(), strict=True):
-        if not -limit <= value <= limit:
-            raise ValueError(f"line 1 has the {name} {value:g}, want a number from -{limit} to {limit}")
+    for text, (name, limit) in zip(map(str.strip, fields[6:10]), _LIMITS.items(), strict=True):
+        if not (_NUMBER.fullmatch(text) and -limit <= float(text) <= limit):
+            got = f"{float(text):g}" if _NUMBER.fullmatch(text) else quote(text)
+            raise ValueError(f"line 1 has the {name} {got}, want a number from -{limit} to {limit}")
 
 
 def radiation(table: Any, column: str, name: str) -> np.ndarray:

@@ -1,0 +1,79 @@
+"""Errors of texels whose rays all agree, although a small plate hides a part of the sky."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+import warpsample as ws
+from warpsample.estimate.intervals import least_errors, raised_errors
+
+SIDE = 16
+
+
+def floor_below_a_plate():
+    """A floor of 4 x 4, which fills the image, and a plate of 0.4 x 0.4 at a height of 0.7 without coordinates."""
+    square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
+    vertices = np.pad(np.concatenate([2.0 * square, 0.2 * square + 0.3]), ((0, 0), (0, 1)))
+    vertices[4:, 2] = 0.7
+    faces = np.array([[0, 1, 2], [0, 2, 3], [4, 6, 5], [4, 7, 6]])
+    uv = np.full((4, 3, 2), np.nan)
+    uv[:2] = (0.5 + 0.5 * square)[faces[:2]]
+    return ws.Mesh(vertices, faces), uv
+
+
+def test_two_errors_contain_the_truth_where_all_rays_agree():
+    """Before, the error was 0 in 195 of 256 texels, half of them with a wrong value. Other errors keep their size."""
+    mesh, uv = floor_below_a_plate()
+    t = ws.texture_points(mesh, uv, SIDE)
+    truth = t.image(ws.ambient_occlusion(mesh, t.points, 1 << 13, seed=9).value)
+    found = ws.ambient_occlusion(mesh, t.points, 64)
+    own, error = t.image(found.standard_error), t.image_error(found)
+    wrong = np.abs(t.image(found.value) - truth)
+    assert ((own == 0.0) & (wrong > 0.002)).sum() > 80
+    assert (error > 0.0).all()
+    assert (wrong <= 2.0 * error).mean() > 0.97
+    assert error.max() < 0.07  # at most 3.7 of 64 rays: a 95 % interval by the counts
+    ordinary = own > 0.0
+    assert np.sqrt(np.mean(error[ordinary] ** 2)) < 1.03 * np.sqrt(np.mean(own[ordinary] ** 2))
+    assert np.array_equal(t.image_error(found.standard_error), own)  # nothing is known of rays
+
+
+@pytest.mark.parametrize("samples", [2, 4])
+def test_equal_samples_of_a_texel_have_an_error(samples):
+    mesh, uv = floor_below_a_plate()
+    t, fine = (ws.texture_points(mesh, uv, SIDE, samples=many) for many in (samples, 64))
+    truth = fine.image(ws.ambient_occlusion(mesh, fine.points, 64, seed=9).value)
+    found = ws.ambient_occlusion(mesh, t.points, 16)
+    error = t.image_error(found)
+    assert (error > 0.0).all()
+    assert (np.abs(t.image(found.value) - truth) <= 2.0 * error + 0.004).mean() > 0.97  # error of the truth
+    assert error.min() <= 1.01 * 1.64 / 16 / samples  # of one ray among all rays of the texel
+
+
+def test_points_without_rays_keep_an_error_of_0():
+    mesh, uv = floor_below_a_plate()
+    t = ws.texture_points(mesh, uv, SIDE)
+    found = ws.ambient_occlusion(mesh, t.points, 64)
+    rays = np.where(np.arange(len(t)) % 2, found.rays, 0).astype(np.int32)
+    some = dataclasses.replace(found, rays=rays)
+    error = raised_errors(some)
+    assert np.array_equal(error[rays == 0], found.standard_error[rays == 0])
+    agree = (rays > 0) & (found.standard_error == 0.0)
+    assert np.array_equal(error[agree], least_errors(found)[agree])
+    vectors = raised_errors(ws.bent_normals(mesh, t.points, 64))
+    assert vectors.shape == (len(t), 3)
+    assert (vectors > 0.0).all()
+
+
+def test_errors_in_files_are_raised(call, tmp_path):
+    vertices, faces = (getattr(floor_below_a_plate()[0], name) for name in ("vertices", "faces"))
+    path, output = tmp_path / "a.obj", tmp_path / "a.npz"
+    corners = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 5 5\n"
+    lines = [f"f {' '.join(f'{v + 1}/{v + 1 if v < 4 else 5}' for v in face)}\n" for face in faces]
+    path.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in vertices) + corners + "".join(lines))
+    command = ("bake", path, "-o", output, "--texture", SIDE, "--uv", "0", "--samples", 32)
+    for options in ((), ("--supersample", 2)):
+        assert call(*command, *options)[0] == 0
+        with np.load(output) as file:
+            assert (file["standard_error"] > 0.0).all()
