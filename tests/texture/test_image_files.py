@@ -57,6 +57,28 @@ def test_all_files_hold_the_same_numbers(call, floor, tmp_path):
     assert (options["texture_size"], options["texture_samples"], options["samples"]) == ("(64, 32)", "4", "64")
 
 
+def test_positions_far_from_the_origin_keep_their_digits(call, tmp_path):
+    """At 4.5e6, the spacing of float32 is half a unit: 32 columns of texels had three different positions."""
+    path, start = tmp_path / "far.obj", 4.5e6 + 0.123
+
+    def bake(output, start):
+        vertices = [f"v {start + x} {start + y} 0\n" for x, y in ((0, 0), (1, 0), (0, 1))]
+        path.write_text("".join(vertices) + "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n")
+        command = ("bake", path, "-o", tmp_path / output, "--quantity", "position", "--uv", "0", "--texture", 32)
+        status, out, err = call(*command)
+        assert (status, err) == (0, "")
+        return out
+
+    assert "rounded" not in bake("far.npz", start)
+    with np.load(tmp_path / "far.npz") as file:
+        row = file["value"][31, :, 0]
+        assert (row.dtype, file["standard_error"].dtype) == (np.float64, np.float32)
+    assert np.abs(row - (start + (np.arange(32) + 0.5) / 32)).max() < 2e-9
+    note = "positions are rounded to multiples of 0.5, because an .exr holds float32, and the smallest texels are 0.031 wide"
+    assert f"  {note}: an .npz holds float64\n" in bake("far.exr", start)
+    assert "rounded" not in bake("near.exr", 0.0)
+
+
 @pytest.mark.slow
 def test_three_channels(call, floor, tmp_path):
     """The bent normals of the floor: away from the wall, and of length 2/3 far from it."""

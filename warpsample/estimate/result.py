@@ -200,7 +200,7 @@ class ExactResult(PointResult):
     """Exact values at P points, with a standard error of 0.
 
     Attributes:
-        value: (P,) or (P, 3) float32; 0 where the status is neither OK nor INVALID_TANGENT.
+        value: (P,) or (P, 3) float32, for positions float64; 0 where the status is neither OK nor INVALID_TANGENT.
         standard_error: Zeros, float32, of the shape of `value`.
         rays: Number of rays cast per point, (P,) int32.
         status: `PointStatus` of each point, (P,) uint8.

@@ -129,10 +129,10 @@ def _pool_variance(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, c
 def fill_texels(
     found: np.ndarray, covered: np.ndarray, charts: Callable[[], np.ndarray], size: tuple[int, int], gutter: float
 ) -> np.ndarray:
-    """Return the (H, W, C) float32 image in which empty texels have the value of the nearest texel with a value.
+    """Return the (H, W, C) image in which empty texels have the value of the nearest texel with a value.
 
     Args:
-        found: (texels, C), values, NaN where there is none.
+        found: (texels, C), values, NaN where there is none. The image has the same type.
         covered: (texels,) bool, texels that faces reach. A covered texel is filled from its own chart if possible.
         charts: function that returns (texels,) int32, the chart of each texel. Called only if a covered texel has no value.
         size: width and height.
@@ -149,7 +149,7 @@ def fill_texels(
     if gutter and covered.any() and not covered.all():
         near = _find_nearest(covered.reshape(height, width), gutter).ravel()
         source = np.where(covered, source, source[near])
-    image = found[source].astype(np.float32)
+    image = found[source]
     image[~has[source]] = 0.0
     return image.reshape(height, width, -1)
 

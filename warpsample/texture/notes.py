@@ -14,6 +14,7 @@ from warpsample.texture.texture_points import TexturePoints
 from warpsample.tracing.placement import OFFSET
 from warpsample.tracing.scene import scene_of
 
+_ROUNDED = 1e-3  # of a texel: float32 spacing of positions above which the report warns
 _COARSE = 0.25  # of a texel; at a ray resolution of 0.6 texels, single texels beside a crate were wrong by 0.8
 
 _FEW = 0.01  # of the points: faces of nearly zero area in space always have small texels
@@ -88,14 +89,11 @@ def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
         points: texels as points.
         traced: mesh that the rays are traced against.
     """
-    scene = scene_of(traced, through=True)
-    corners, mesh = points.corners, points.mesh
+    scene, mesh = scene_of(traced, through=True), points.mesh
     faces = np.unique(points.face)
     reach = np.abs(mesh.vertices[mesh.faces[faces]] - scene.centre).max(axis=(1, 2))
     resolution = OFFSET * np.maximum(reach, scene.spread.max() / scene.scale)
-    first, second = (corners[faces, corner] - corners[faces, 0] for corner in (1, 2))
-    texels = 0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
-    size = np.sqrt(mesh.face_areas[faces] / np.maximum(texels, 1e-300))
+    size = _texel_sizes(points, faces)
     coarse = (resolution > _COARSE * size) & (size > 0.0)
     count = np.bincount(np.searchsorted(faces, points.face), minlength=len(faces)) * coarse
     if count.sum() <= _FEW * len(points):
@@ -105,6 +103,29 @@ def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
         f"rays resolve lengths above {resolution[face]:.2g}, and {count.sum():,} points have texels less than 4 times that "
         f"wide, such as {size[face]:.2g}: leave out distant faces"
     )
+
+
+def describe_rounding(points: TexturePoints, image: np.ndarray) -> Iterator[str]:
+    """Yield a sentence if the float32 of an .exr rounds an image of positions by more than a thousandth of a texel.
+
+    Args:
+        points: texels as points.
+        image: (H, W, 3) float64 positions.
+    """
+    spacing, size = np.spacing(np.float32(np.abs(image).max())), _texel_sizes(points, np.unique(points.face))
+    finest = float(size[size > 0.0].min(initial=np.inf))
+    if spacing > _ROUNDED * finest:
+        yield (
+            f"positions are rounded to multiples of {spacing:.2g}, because an .exr holds float32, and the smallest texels "
+            f"are {finest:.2g} wide: an .npz holds float64"
+        )
+
+
+def _texel_sizes(points: TexturePoints, faces: np.ndarray) -> np.ndarray:
+    """Return the side of a texel on each of some faces, (n,), in mesh units."""
+    first, second = (points.corners[faces, corner] - points.corners[faces, 0] for corner in (1, 2))
+    texels = 0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
+    return np.sqrt(points.mesh.face_areas[faces] / np.maximum(texels, 1e-300))
 
 
 def describe_missing_files(path: Path, tree: dict[str, Any], output: Path) -> Iterator[str]:

@@ -125,6 +125,27 @@ class TexturePoints(Summary):
             >>> print(t.image(t.points.position[:, 0])[3])
             [0.125 0.375 0.625 0.875]
         """
+        return self.precise_image(values, gutter=gutter).astype(np.float32)
+
+    def precise_image(self, values: Any, *, gutter: Any = "all") -> np.ndarray:
+        """Return the image of `image` as float64, for values such as positions far from the origin.
+
+        Args:
+            values: (P,) or (P, C) numbers, as for `image`.
+            gutter: Fill distance, as for `image`. Default: "all".
+
+        Returns:
+            (H, W) or (H, W, C) float64.
+
+        Raises:
+            TypeError, ValueError: `values` or `gutter` is invalid.
+
+        Example:
+            >>> triangle = ws.Mesh([[1e7, 0, 0], [1e7 + 1, 0, 0], [1e7, 1, 0]], [[0, 1, 2]])
+            >>> t = ws.texture_points(triangle, [[[0, 1], [1, 1], [0, 0]]], 4)
+            >>> print(t.precise_image(t.points.position[:, 0])[3])
+            [10000000.125 10000000.375 10000000.625 10000000.875]
+        """
         values = self._check_rows(values, "values")
         flat = values.reshape(len(self), *values.shape[1:] or (1,))
         return self._image(self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0], values, gutter)
@@ -164,7 +185,7 @@ class TexturePoints(Summary):
                 f"errors: got {quote(errors)}, want the whole Estimate, because errors of {self.samples} samples per "
                 "texel need its values, too"
             )
-        return self._image(made, own, gutter)
+        return self._image(made, own, gutter).astype(np.float32)
 
     @property
     def _texel_rows(self) -> TexelRows:

@@ -9,18 +9,18 @@ from warpsample.mesh.surface import SurfacePoints
 
 
 def vectors_of(points: SurfacePoints, vectors: np.ndarray) -> ExactResult:
-    """Wrap (P, 3) vectors of points as a result without errors, in float32; rows of invalid points are 0."""
+    """Wrap (P, 3) vectors of points as a result without errors, of the same type; rows of invalid points are 0."""
     status = status_of(points)
-    value = np.where((status == int(PointStatus.OK))[:, None], vectors, 0.0).astype(np.float32)
-    return ExactResult(value, np.zeros_like(value), np.zeros(len(value), np.int32), status)
+    value = np.where((status == int(PointStatus.OK))[:, None], vectors, vectors.dtype.type(0.0))
+    return ExactResult(value, np.zeros(value.shape, np.float32), np.zeros(len(value), np.int32), status)
 
 
 def position(
     mesh: Mesh, points: SurfacePoints, *, seed: int = 0, first_point: int = 0, workers: int | None = None
 ) -> ExactResult:
-    """Return the position of each point in mesh coordinates, float32."""
+    """Return the position of each point in mesh coordinates, float64: float32 has only 7 digits, too few for a map."""
     del mesh, seed, first_point, workers  # nothing is computed
-    return vectors_of(points, np.asarray(points.position))
+    return vectors_of(points, np.asarray(points.position, np.float64))
 
 
 RECORD = Quantity(

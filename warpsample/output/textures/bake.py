@@ -19,6 +19,7 @@ from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import describe_flaws
 from warpsample.texture.materials import THICKNESS, Slot, add_texture, slot_for_quantity
+from warpsample.texture.notes import describe_rounding
 from warpsample.texture.pictures import encode_exr, encode_png
 from warpsample.texture.primitives import Primitive
 from warpsample.texture.sets import TextureOptions
@@ -90,12 +91,14 @@ def _describe_mostly_inside(found: Filled) -> str:
 
 
 def _write(source: TextureSource, found: list[list[PlacedTexture]]) -> list[str]:
-    """Write the pictures into a glTF file or an image, and return sentences on replaced textures."""
+    """Write the pictures into a glTF file or an image; return sentences on replaced textures and rounded positions."""
     if source.file is not None:
         return _write_scene(source.file, source, found)
+    filled = found[0][0].filled
     with complete_or_absent(source.run.output) as stream:
-        _write_image(stream, source.run, source.how, found[0][0].filled)
-    return []
+        _write_image(stream, source.run, source.how, filled)
+    is_rounded = source.run.output.suffix == ".exr" and filled.value.dtype == np.float64
+    return list(describe_rounding(filled.job.points, filled.value)) if is_rounded else []
 
 
 def _write_scene(file: GlbFile, source: TextureSource, found: list[list[PlacedTexture]]) -> list[str]:

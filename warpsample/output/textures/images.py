@@ -31,8 +31,8 @@ class Filled:
 
     Attributes:
         job: Texture that the images belong to.
-        value: (H, W) or (H, W, C) float32 values.
-        error: Standard errors of the same shape, raised where they ignore geometry that no ray has hit.
+        value: (H, W) or (H, W, C) values, float32, or float64 for positions.
+        error: Standard errors of the same shape, float32, raised where they ignore geometry that no ray has hit.
         unbiased: Standard errors that are 0 where all rays agree, without a gutter; None unless places are compared by them.
         mean: Mean of the values at the points.
         inside: Number of points inside closed bodies that are filled.
@@ -107,7 +107,8 @@ def _images(
         own[~known] = np.nan
         return job.points.image_error(SimpleNamespace(value=value, standard_error=own), gutter=gutter)
 
-    image, errors = job.points.image(value, gutter=how.gutter), image_error(error, how.gutter)
+    make_image = job.points.precise_image if value.dtype == np.float64 else job.points.image  # positions
+    image, errors = make_image(value, gutter=how.gutter), image_error(error, how.gutter)
     return image, errors, None if unbiased is None else image_error(unbiased, 0), mean
 
 
