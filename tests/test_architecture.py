@@ -30,6 +30,7 @@ import importlib
 import re
 import subprocess
 import sys
+from functools import cache
 
 import pytest
 
@@ -92,22 +93,26 @@ IN_ONE_PLACE |= {name: {"rasters"} for name in ("rasterio", "rioxarray", "affine
 """Libraries that whole folders are based on; such a folder is imported on first use of one of its names."""
 MOST_FILES = 20
 """Largest number of files in a folder, without `__init__.py`; a larger folder is divided into folders by topic."""
-MOST_CLASSES_TWICE = 5
-"""Largest number of class names that are defined in several files."""
 MOST_NOQA = 20
 """Largest number of lines with a `noqa` comment."""
 SAYS_NOTHING = re.compile(r"(Of|As|Likewise|The same)\b|\S+(\s+\S+)?$")
 """First lines of docstrings that are unclear: they refer to another docstring, or have one or two words."""
 
 
+@cache
+def tree_of(path):
+    return ast.parse(path.read_text())
+
+
 def trees(folder):
     """Return (path, syntax tree) of each file."""
-    return [(path, ast.parse(path.read_text())) for path in sorted(folder.rglob("*.py"))]
+    return [(path, tree_of(path)) for path in sorted(folder.rglob("*.py"))]
 
 
+@cache
 def imports(path):
     """Return (module, when) of each import: "first" with the file, "late" inside a function, or only for "types"."""
-    tree = ast.parse(path.read_text())
+    tree = tree_of(path)
     typing_only = {
         id(child)
         for node in ast.walk(tree)
@@ -115,6 +120,7 @@ def imports(path):
         for child in ast.walk(node)
     }
     top = {id(node) for node in tree.body}
+    found = []
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             names = [alias.name for alias in node.names]
@@ -123,8 +129,9 @@ def imports(path):
             names = [node.module] + ([f"warpsample.{a.name}" for a in node.names] if node.module == "warpsample" else [])
         else:
             continue
-        for name in names:
-            yield name, "types" if id(node) in typing_only else "first" if id(node) in top else "late"
+        when = "types" if id(node) in typing_only else "first" if id(node) in top else "late"
+        found += [(name, when) for name in names]
+    return found
 
 
 def room_of(module):
@@ -203,7 +210,7 @@ def test_functions_of_six_parameters_take_some_by_keyword(repository):
     package = repository / "warpsample"
     files = sorted(package.rglob("*.py"))
     for path in files:
-        for function in host_functions(ast.parse(path.read_text())):
+        for function in host_functions(tree_of(path)):
             taken = function.args
             named = f"{path.relative_to(package)}: {function.name}"
             assert taken.kwonlyargs or len(taken.posonlyargs) + len(taken.args) < 6, named
@@ -303,15 +310,14 @@ def test_the_first_line_of_a_docstring_is_a_full_phrase(repository):
     )
 
 
-def test_few_class_names_stand_for_two_things(repository):
+def test_each_class_has_its_own_name(repository):
     homes = {}
     for path, tree in trees(repository / "warpsample"):
         for node in ast.walk(tree):
             if isinstance(node, ast.ClassDef):
                 homes.setdefault(node.name, []).append(str(path.relative_to(repository)))
-    twice = {name: files for name, files in homes.items() if len(files) > 1}
     assert len(homes) > 100
-    assert len(twice) <= MOST_CLASSES_TWICE, twice
+    assert {name: files for name, files in homes.items() if len(files) > 1} == {}
 
 
 def test_no_folder_holds_more_files_than_one_sees_at_once(repository):

@@ -22,9 +22,8 @@ def test_the_surface_has_a_roughness_and_a_view_above_it_at_each_point():
     assert surface.view[:, 2].min() >= 0.1
 
 
-@pytest.mark.parametrize(
-    "lobe", [pytest.param(lobe, marks=pytest.mark.slow if lobe == "GGX" else pytest.mark.thorough) for lobe in LOBES]
-)
+@pytest.mark.thorough
+@pytest.mark.parametrize("lobe", LOBES)
 def test_lobes_of_one_roughness_and_of_many_are_timed(lobe, ours, capsys, tmp_path):
     rows = lobes.compare(64, lobe, 64, 2)
     assert {row.tool for row in rows if row.failure is None} == {CONSTANT, BY_POINT}

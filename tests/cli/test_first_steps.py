@@ -68,7 +68,7 @@ def test_an_ascii_terminal_shows_all_texts(run, can_render, tmp_path):
         assert (status, err, out.isascii()) == (0, "", True)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_an_html_is_made_without_a_network(child_environment, can_render, tmp_path):
     code = """
 import socket, sys

@@ -81,7 +81,7 @@ def test_a_function_of_a_module_travels(client, mesh):
     assert_same(found, ws.integrate(points, integrand, RAYS, mesh=mesh))
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_worker_that_is_killed_costs_no_chunk(client, mesh, path):
     client.wait_for_workers(2)
     victim = next(iter(client.run(os.getpid).values()))

@@ -149,6 +149,7 @@ def test_so_they_are_when_they_end_or_pause_at_work(threads, mesh, path, monkeyp
         cluster.bake(path, "ambient_occlusion", mesh, POINTS, 2)
 
 
+@pytest.mark.thorough
 def test_a_dataset_of_a_closed_client_says_so(mesh, monkeypatch):
     said = "this dataset's mesh was sent to a Dask Client that is closed; make the dataset again"
     with distributed.LocalCluster(n_workers=1, processes=False, **OWN) as own:

@@ -76,7 +76,10 @@ def _for_kernels_alone(d: wp.vec3) -> wp.float64:
 
 @pytest.mark.parametrize(
     "radiance",
-    [pytest.param(other, marks=pytest.mark.slow) for other in (_float32, _whole, _for_kernels_alone)],
+    [
+        pytest.param(other, marks=pytest.mark.slow if other is _whole else pytest.mark.thorough)
+        for other in (_float32, _whole, _for_kernels_alone)
+    ],
     ids=lambda f: f.key,
 )
 def test_a_function_may_give_any_number(radiance):

@@ -75,7 +75,7 @@ def test_each_point_has_its_own_lobe_and_bad_rows_a_status(blocked, points, mesh
     assert same(found, whole, np.setdiff1d(np.arange(P), [3, 9]))
 
 
-@pytest.mark.parametrize("blocked", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("blocked", [False, pytest.param(True, marks=pytest.mark.thorough)])
 def test_a_quotient_by_the_density_is_an_integral_over_solid_angle(blocked, points, mesh, alpha):
     """pi, for lobes of any roughness; with a mesh what no other face covers: the same as by the cosine lobe."""
     by = {"mesh": mesh} if blocked else {}
@@ -98,7 +98,7 @@ def test_the_density_is_that_of_the_direction(points):
     assert np.allclose(found.value, 2.0 * np.pi * cone, rtol=1e-6)
 
 
-@pytest.mark.parametrize("blocked", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("blocked", [False, pytest.param(True, marks=pytest.mark.thorough)])
 def test_tangents_orient_lobes_and_unusable_ones_keep_their_values(blocked, points, mesh):
     by = {"mesh": mesh} if blocked else {}
     lobe = ws.VisibleGGX(0.5, view=(1.0, 0.0, 0.3))

@@ -173,9 +173,8 @@ def test_cells_that_are_refused(folder):
     assert sorted(folder.iterdir()) == before
 
 
-@pytest.mark.parametrize(
-    "source", [pytest.param(s, marks=pytest.mark.slow if "texture" in s else pytest.mark.thorough) for s in SOURCES]
-)
+@pytest.mark.thorough
+@pytest.mark.parametrize("source", SOURCES)
 @pytest.mark.filterwarnings("ignore")  # such as that a small raster has walls at its rim
 def test_cells_that_work(folder, source, can_render):
     """The command ends with status 0 and the file, or with one sentence on the file's content, and without a file."""

@@ -18,6 +18,7 @@ def small(script, monkeypatch):
     return module
 
 
+@pytest.mark.thorough
 def test_the_sun_is_where_it_is_and_as_bright(script):
     """A point that faces the sun gets the sun's light: its radiance times π sin² of half the angle of the disc."""
     module = script("environment_map")
@@ -63,7 +64,7 @@ def test_errors_are_relative_to_the_mean(small):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_the_picture_has_three_columns_and_the_smallest_error_at_the_right(can_render, small, tmp_path, capsys):
     file = tmp_path / "sky.png"
     small.main(samples=64, screenshot=file, size=(900, 640))

@@ -87,7 +87,7 @@ def test_the_picture_of_a_raster_and_of_a_city(can_render, script, tmp_path, cap
     assert (np.ptp(picture[..., :3], axis=-1) > 0.3).mean() > 0.05  # viridis and inferno, which no text has
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_the_picture_of_light_between_and_through_faces(can_render, script, tmp_path, capsys, monkeypatch):
     drawn = script("light_between")
     monkeypatch.setattr(drawn, "PIXELS", 40)

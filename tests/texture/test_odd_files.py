@@ -65,6 +65,40 @@ def test_a_set_of_numbers_that_are_none_is_named(call, tmp_path, bad):
     assert (status, out.count(f", new coordinates, set 1 {why}: "), out.count(", new coordinates, set 0: ")) == (0, 1, 1)
 
 
+@pytest.mark.parametrize("output", ["out.glb", "out.png"])
+def test_a_set_that_cannot_be_read_is_named_with_the_reason(call, tmp_path, output):
+    """Set 1 of both meshes is a sparse accessor. Before, all faces lacked it or had NaN in it."""
+    path = two_quads(tmp_path, TEXCOORD_1=SQUARE)
+
+    def make_sparse(tree):
+        for mesh in tree["meshes"]:
+            tree["accessors"][mesh["primitives"][0]["attributes"]["TEXCOORD_1"]]["sparse"] = {"count": 1}
+
+    path.write_bytes(changed(path.read_bytes(), make_sparse))
+    command = ("bake", path, "-o", tmp_path / output, "--texture", 8, "--samples", 2, "--uv")
+    status, _, err = call(*command, 1)
+    why = "the file has sparse accessors, want a file that stores all numbers; export it without sparse accessors"
+    assert (status, err) == (2, f"error: --uv: got 1, a set that cannot be read: {why}\n")
+    path.write_bytes(changed(path.read_bytes(), swap_sets))
+    status, out, err = call(*command, "auto")
+    assert (status, err, f"set 0 is passed over: {why}" in out) == (0, "", True)
+
+
+def swap_sets(tree):
+    """Swap sets 0 and 1 of both meshes."""
+    for mesh in tree["meshes"]:
+        attributes = mesh["primitives"][0]["attributes"]
+        attributes["TEXCOORD_0"], attributes["TEXCOORD_1"] = attributes["TEXCOORD_1"], attributes["TEXCOORD_0"]
+
+
+def test_coordinates_of_an_obj_that_are_no_numbers_are_named(call, tmp_path):
+    path = tmp_path / "a.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt nan 0\nf 1/1 2/1 3/1\n")
+    status, out, err = call("bake", path, "-o", tmp_path / "a.npz", "--texture", 16, "--samples", 4)
+    why = "(set 0 is passed over: 1 of 1 faces lack it or have NaN in it)"
+    assert (status, err, f", new coordinates {why}: " in out) == (0, "", True)
+
+
 def drop_sets(tree):
     """Remove set 1 of both meshes, and set 0 of the second mesh."""
     floor, wall = (mesh["primitives"][0]["attributes"] for mesh in tree["meshes"])

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.mesh.files.gltf import find_faces_with
-from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, load_uv
+from warpsample.mesh.files.text import has_obj_uv
+from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, MissingSetError, load_uv
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.report import find_face_flaws
 from warpsample.texture.texture_points import TexturePoints, texture_points
@@ -87,6 +88,7 @@ class Texels:
         self.path, self.mesh, self.how, self.normals = path, mesh, how, normals
         self._sets: list[np.ndarray | None] = []
         self._named: list[np.ndarray] = []
+        self._unreadable: dict[int, str] = {}  # sets of the file that cannot be read, with the reasons
 
     def points(self, uv: np.ndarray, rows: list[slice]) -> TexturePoints:
         """Return the texels of some faces as points, for texture coordinates `uv`, (F, 3, 2)."""
@@ -122,7 +124,10 @@ class Texels:
         faces = sum(len(self.mesh.faces[some]) for some in rows)
         if self.how.uv != "auto":
             number = int(self.how.uv)
-            if lacking := self._count_lacking(number, rows):
+            lacking = self._count_lacking(number, rows)
+            if number in self._unreadable:
+                raise ValueError(f"--uv: got {number}, a set that cannot be read: {self._unreadable[number]}")
+            if lacking:
                 raise ValueError(
                     f"--uv: got {number}, want a set of texture coordinates for all faces of {name!r}, but {lacking:,} of "
                     f"{faces:,} lack it or have NaN in it; --uv new makes a set"
@@ -138,7 +143,8 @@ class Texels:
         for number in dict.fromkeys([*([] if first is None else [first]), *range(LAST_SET + 1)]):
             lacking = self._count_lacking(number, rows)
             if 0 < lacking < faces or (lacking and self._is_named(number, rows)):
-                passed.append(f"set {number} is passed over: {lacking:,} of {faces:,} faces lack it or have NaN in it")
+                why = f"{lacking:,} of {faces:,} faces lack it or have NaN in it"
+                passed.append(f"set {number} is passed over: {self._unreadable.get(number, why)}")
             if not lacking:
                 found = self.points_by_set(number, rows)
                 why = self._describe_flaw(number, rows, found, may_overlap=number == first)
@@ -146,7 +152,7 @@ class Texels:
                     return ChosenSet(number, found, tuple(passed))
                 passed.append(f"set {number} is passed over: {why}")
                 if len(found) and not found.report.outside:
-                    within = within or ChosenSet(number, found)
+                    within = within or ChosenSet(number, found, tuple(passed[:-1]))  # without its own flaw
         return within if lenient and within else ChosenSet(passed=tuple(passed))
 
     def _describe_flaw(self, number: int, rows: list[slice], found: TexturePoints, *, may_overlap: bool) -> str | None:
@@ -162,7 +168,7 @@ class Texels:
         return "faces have no area in it" if self._is_flat(number, rows) else None
 
     def _is_named(self, number: int, rows: Iterable[slice]) -> bool:
-        """Return whether a glTF file has a set of texture coordinates, perhaps with NaN, for some of the given faces."""
+        """Return whether the file has a set of texture coordinates, perhaps with NaN, for some of the given faces."""
         return self._read_set(number) is not None and any(self._named[number][some].any() for some in rows)
 
     def _count_lacking(self, number: int, rows: Iterable[slice]) -> int:
@@ -196,11 +202,19 @@ class Texels:
             return None
         try:
             return load_uv(self.path, set=number)
-        except ValueError:  # the mesh itself was read without error: the set is missing, or NaN at all faces
-            return np.full((len(self.mesh.faces), 3, 2), np.nan) if self._named[number].any() else None
+        except ValueError as error:  # the mesh itself was read without error
+            if not self._named[number].any():
+                return None
+            if not isinstance(error.__cause__, MissingSetError):
+                self._unreadable[number] = str(error.__cause__)
+            return np.full((len(self.mesh.faces), 3, 2), np.nan)
 
     def _find_named(self, number: int) -> np.ndarray:
-        """Return the (F,) bool mask of the faces for which a glTF file has the set `number`, perhaps with NaN."""
-        if self.path.suffix.lower() not in (".glb", ".gltf"):
-            return np.zeros(len(self.mesh.faces), bool)
-        return find_faces_with(self.path, f"TEXCOORD_{number}")
+        """Return the (F,) bool mask of the faces for which a .glb, .gltf or .obj has the set `number`, perhaps with NaN.
+
+        For an .obj with any texture coordinates, these are all faces.
+        """
+        if self.path.suffix.lower() in (".glb", ".gltf"):
+            return find_faces_with(self.path, f"TEXCOORD_{number}")
+        is_named = self.path.suffix.lower() == ".obj" and not number and has_obj_uv(self.path)
+        return np.full(len(self.mesh.faces), is_named)

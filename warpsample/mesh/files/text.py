@@ -82,6 +82,11 @@ def read_obj_uv(path: Path) -> np.ndarray:
     return np.frombuffer(texture).reshape(-1, 2)[np.frombuffer(named, "i")[cut]]
 
 
+def has_obj_uv(path: Path) -> bool:
+    """Return whether an .obj has any texture coordinates, which may be NaN or unused."""
+    return any(words[0] == "vt" for _, words in numbered(path, joins=True))
+
+
 def _texture_corners(words: list[str], coordinates: int) -> list[int]:
     """Parse a face line of an .obj; return the 1-based indices of its texture coordinates."""
     found = [index + 1 for index in _corners(words, coordinates, 1)]

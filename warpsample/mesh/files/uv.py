@@ -12,6 +12,11 @@ from warpsample.mesh.files import gltf, text, usd
 LAST_SET = 255
 """Largest index of a set of texture coordinates."""
 
+
+class MissingSetError(ValueError):
+    """Error for a set of texture coordinates that no face of a file has, or that is NaN at all faces."""
+
+
 _UPWARD = np.array((1.0, -1.0)), np.array((0.0, 1.0))
 
 
@@ -87,7 +92,7 @@ def load_uv(path: str | PathLike[str], *, set: int = 0) -> np.ndarray:
         if not len(uv):
             raise ValueError("the file has no faces")
         if np.isnan(uv).all():
-            raise ValueError(f"no face of the file has set {set} of texture coordinates")
+            raise MissingSetError(f"no face of the file has set {set} of texture coordinates")
         return uv
 
 
