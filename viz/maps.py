@@ -49,7 +49,7 @@ def town(path: Path, weather: Path, side: float, seed: int) -> Map:
     city = ws.load_city(path, split=True)
     points = city.points(seed=seed)
     year = ws.irradiation(city.mesh, points, weather, seed=seed)
-    values, _, _ = city.surface_means(year.value, year.standard_error, points=points)
+    values, _, _ = city.surface_means(year, points=points)
     surface = seen_from_above(city.mesh, city.surface, side)
     shown = np.where(surface < 0, np.nan, values[surface])
     high = float(rendering.round_ticks(float(np.nanmax(values)), 5)[-1])

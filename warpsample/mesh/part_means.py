@@ -4,6 +4,10 @@ The mean of a face is the mean of its points. The variance of that mean is the s
 points. This variance includes the noise of the rays, because each point has its own random numbers and errors of points are
 independent. A face with one point has the variance of that point's rays alone; a face without points is left out. Faces are
 weighted by area, and their errors are independent. Errors common to all points are not included: weather, sky model, mesh.
+
+If all values are equal, their spread is 0, but all rays may have missed the same geometry. So the error of a mean is at
+least the largest product of a point's weight and its least error. With k equal weights this is a k-th of the least error, as
+for a single point with all rays.
 """
 
 from dataclasses import dataclass
@@ -27,7 +31,14 @@ class PartMeans:
 
 
 def part_means(
-    part: np.ndarray, areas: np.ndarray, face: np.ndarray, value: np.ndarray, error: np.ndarray, *, count: int
+    part: np.ndarray,
+    areas: np.ndarray,
+    face: np.ndarray,
+    value: np.ndarray,
+    error: np.ndarray,
+    *,
+    count: int,
+    least: np.ndarray | None = None,
 ) -> PartMeans:
     """Compute the area-weighted mean over each part of a mesh, with its standard error.
 
@@ -38,21 +49,32 @@ def part_means(
         value: (P,) or (P, k) numbers at the points; NaN for points without a number.
         error: Standard errors of `value`, of the same shape.
         count: Number of parts.
+        least: Standard errors of `value` that account for geometry without a hit, of the same shape. Default: `error`.
     """
     inside = (face >= 0) & (part[face] >= 0) & np.isfinite(value.reshape(len(value), -1)).all(axis=1)
-    face, value, error = face[inside], value[inside], error[inside]
+    face, value, error, least = (array[inside] for array in (face, value, error, error if least is None else least))
     points = np.bincount(face, minlength=len(part))
     weights = np.where((points > 0) & (part >= 0), areas, 0.0)
     owner = np.maximum(part, 0)
     total = np.bincount(owner, weights, count)
-    components = zip(np.atleast_2d(value.T), np.atleast_2d(error.T), strict=True)
-    found = [_means(face, points, *component) for component in components]
+    components = [np.atleast_2d(array.T) for array in (value, error, least)]
+    found = [_means(face, points, *component) for component in zip(*components[:2], strict=True)]
+    weight = weights[face] / points[face]
     with np.errstate(invalid="ignore", divide="ignore"):
         means = [np.bincount(owner, weights * mean, count) / total for mean, _ in found]
-        errors = [np.sqrt(np.bincount(owner, weights**2 * variance, count)) / total for _, variance in found]
+        spreads = [np.sqrt(np.bincount(owner, weights**2 * variance, count)) / total for _, variance in found]
+        floors = [_largest(owner[face], weight * errors, count) / total for errors in components[2]]
+    errors = np.maximum(spreads, floors)
     shape = (count, *value.shape[1:])
     used = np.bincount(owner, np.where(weights > 0.0, points, 0), count).astype(np.int64)
-    return PartMeans(np.stack(means, axis=1).reshape(shape), np.stack(errors, axis=1).reshape(shape), used)
+    return PartMeans(np.stack(means, axis=1).reshape(shape), errors.T.reshape(shape), used)
+
+
+def _largest(owner: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
+    """Return the largest of the values of each owner, (count,) float64; 0 without values."""
+    found = np.zeros(count)
+    np.maximum.at(found, owner, values)
+    return found
 
 
 def _means(face: np.ndarray, points: np.ndarray, value: np.ndarray, error: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

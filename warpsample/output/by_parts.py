@@ -6,6 +6,7 @@ import numpy as np
 
 from warpsample.city.cityjson.city import City
 from warpsample.city.cityjson.writing import add_totals
+from warpsample.estimate.intervals import raised_errors
 from warpsample.host.files import complete_or_absent
 from warpsample.host.tables import write_csv
 from warpsample.mesh.mesh import Mesh
@@ -61,7 +62,15 @@ def _means(baked: Baked) -> Iterator[tuple[str, np.ndarray]]:
     assert mesh.part is not None
     good = (found.status == 0).reshape(-1, *[1] * (found.value.ndim - 1))
     value = np.where(good, found.value, np.nan)
-    means = part_means(mesh.part, mesh.face_areas, baked.points.face, value, found.standard_error, count=len(mesh.parts))
+    means = part_means(
+        mesh.part,
+        mesh.face_areas,
+        baked.points.face,
+        value,
+        found.standard_error,
+        count=len(mesh.parts),
+        least=raised_errors(found),
+    )
     for name in ("value", "standard_error"):
         array, header = getattr(means, name), baked.quantity.header
         split = zip(baked.quantity.channels, array.T, strict=True) if array.ndim == 2 else ()

@@ -19,6 +19,8 @@ from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
 from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks, tabulate_surfaces, warn_of_overlaps
 from warpsample.city.cityjson.writing import ERROR, MEMBERS, PER_AREA, Editor
+from warpsample.estimate.intervals import raised_errors
+from warpsample.estimate.result import PointResult, has_value
 from warpsample.host.arguments import check_file, check_flag, check_seed, naming_file, quote
 from warpsample.host.arrays import as_real
 from warpsample.host.files import check_output, write_bytes
@@ -96,9 +98,13 @@ class City(Summary):
         without `points`, only the noise of rays is included. Errors of the weather, the sky model and the mesh are not
         included; they are common to all surfaces.
 
+        Pass the result of a call, such as `ws.sky_view_factor`, as `values`. Where all rays agree, the error then accounts
+        for geometry that no ray has hit. For an array of values with standard errors of 0, the error of their mean is 0.
+
         Args:
-            values: (P,) values at the points; (F,) values at the centres of triangles if `points` is None.
-            error: standard errors of the same shape. Default: 0. They are used for triangles with one point.
+            values: a result with P values, or (P,) values at the points; (F,) values at the centres of triangles if `points`
+                is None.
+            error: standard errors of an array of values, of the same shape. Default: those of the result, or 0.
             points: the points of `values`, as from `City.points`, with their faces.
 
         Returns:
@@ -112,21 +118,28 @@ class City(Summary):
             >>> city = ws.load_city("courtyard")
             >>> points = city.points()
             >>> sky = ws.sky_view_factor(city.mesh, points, 64)
-            >>> values, errors, areas = city.surface_means(sky.value, sky.standard_error, points=points)
+            >>> values, errors, areas = city.surface_means(sky, points=points)
             >>> print(values.round(1), errors.max() < 0.01)
             [0.7 0.9 0.4] True
         """
         if not isinstance(points, SurfacePoints | None):
             raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
-        face = np.arange(len(self.surface)) if points is None else points.face
+        face, least = np.arange(len(self.surface)) if points is None else points.face, None
+        if isinstance(values, PointResult):
+            if error is not None:
+                raise TypeError("error: got errors for a result as values, want None, because the result has errors")
+            found: Any = values
+            error, least = found.standard_error, raised_errors(found)
+            good = has_value(found.status).reshape(-1, *[1] * (found.value.ndim - 1))
+            values = np.where(good, found.value, np.nan)
         value = as_real(values, "values")
         error = np.zeros(value.shape) if error is None else as_real(error, "error")
         for name, array in (("values", value), ("error", error)):
             if array.shape != (len(face),):
                 raise ValueError(f"{name}: got shape {array.shape}, want ({len(face)},), one for each point")
-        found = part_means(self.surface, self.mesh.face_areas, face, value, error, count=len(self.surfaces))
+        means = part_means(self.surface, self.mesh.face_areas, face, value, error, count=len(self.surfaces), least=least)
         earth = self.surfaces.type == GROUND
-        values, errors = (np.where(earth, np.nan, array) for array in (found.value, found.standard_error))
+        values, errors = (np.where(earth, np.nan, array) for array in (means.value, means.standard_error))
         return values, errors, self.surfaces.area.copy()
 
     def write(self, path: str | PathLike[str], results: Mapping[str, Any]) -> None:
