@@ -21,7 +21,7 @@ try:
 except ModuleNotFoundError:  # Windows
     resource = None  # type: ignore[assignment]
 
-UP = "up"
+UP, NORMALS = "up", "normals"
 _TWO_COUNTS = ("TOKENS", "PATHS")
 """Sections of a binary file that begin with two counts, where others begin with one."""
 _TEXTURE_TYPES = ("texCoord2", "float2[", "double2[", "half2[")
@@ -32,8 +32,8 @@ _MOST_OF_BYTE = 1020
 def main(path: str, what: str = "") -> None:
     """Write the meshes in a USD file to stdout: for each mesh three lengths, points, triangles, matrix and name.
 
-    With `what` "0", "1" ..., texture coordinates of that set replace the points. With "up", write only the axis that points
-    up.
+    With `what` "0", "1" ..., texture coordinates of that set replace the points, and with "normals" the normals. With "up",
+    write only the axis that points up.
     """
     found = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # whatever usd-core prints
@@ -66,12 +66,12 @@ def _limit_memory() -> None:
 
 
 def _read(path: Path, what: str) -> list[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]] | str:
-    """Read one kind of data from a USD file, named by `what`: the meshes, a set of texture coordinates, or the up axis."""
+    """Read one kind of data from a USD file, see `main`: meshes, a set of texture coordinates, normals, or the up axis."""
     from pxr import Tf, UsdGeom
 
     try:
         stage = _open(path)
-        return str(UsdGeom.GetStageUpAxis(stage)) if what == UP else list(_parts(stage, int(what) if what else None))
+        return str(UsdGeom.GetStageUpAxis(stage)) if what == UP else list(_parts(stage, what))
     except Tf.ErrorException as error:
         raise ValueError(_describe_error(error, path)) from None
 
@@ -171,8 +171,8 @@ def _describe_error(error: Any, path: Path) -> str:
     return reason.partition(" matching ")[0]
 
 
-def _parts(stage: Any, uv: int | None) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
-    """Yield (points or texture coordinates, triangles, matrix, name) of each visible mesh."""
+def _parts(stage: Any, what: str) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
+    """Yield (points, texture coordinates or normals, triangles, matrix, name) of each visible mesh."""
     from pxr import Usd, UsdGeom
 
     first = Usd.TimeCode.EarliestTime()
@@ -189,15 +189,16 @@ def _parts(stage: Any, uv: int | None) -> Iterator[tuple[np.ndarray, np.ndarray,
         )
         if len(counts):
             points = points.reshape(-1, 3)
-            if uv is None:
+            if not what:
                 faces = triangles(points, counts, indices)
             else:
-                points, faces = _texture_corners(prim, uv, counts, indices), corner_triangles(points, counts, indices)
+                faces = corner_triangles(points, counts, indices)
+                points = _normals(prim, counts, indices) if what == NORMALS else _uv(prim, int(what), counts, indices)
             is_left_handed = mesh.GetOrientationAttr().Get(first) == UsdGeom.Tokens.leftHanded
             yield points, faces[:, ::-1] if is_left_handed else faces, matrix, str(path).encode()
 
 
-def _texture_corners(prim: Any, number: int, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
+def _uv(prim: Any, number: int, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
     """Return (K, 3) texture coordinates u, v, 0 at the corners of a mesh's polygons; NaN if the mesh lacks the set.
 
     Sets are numbered from 0: "st" first, the others by name.
@@ -210,16 +211,39 @@ def _texture_corners(prim: Any, number: int, counts: np.ndarray, indices: np.nda
         return np.full((len(indices), 3), np.nan)
     found = sorted(sets, key=lambda primvar: (primvar.GetPrimvarName() != "st", primvar.GetPrimvarName()))[number]
     values = np.array(found.ComputeFlattened(Usd.TimeCode.EarliestTime()), np.float64).reshape(-1, 2)
+    corners = _at_corners(
+        values, found.GetInterpolation(), counts, indices, f"primvar {found.GetAttr().GetPath()}", "texture coordinates"
+    )
+    return np.pad(corners, ((0, 0), (0, 1)))
+
+
+def _normals(prim: Any, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
+    """Return (K, 3) normals at the corners of a mesh's polygons, NaN without any; the primvar comes before the attribute."""
+    from pxr import Usd, UsdGeom
+
+    first, mesh = Usd.TimeCode.EarliestTime(), UsdGeom.Mesh(prim)
+    primvar = UsdGeom.PrimvarsAPI(prim).GetPrimvar("normals")
+    has_primvar = bool(primvar) and primvar.HasValue()
+    found = primvar.ComputeFlattened(first) if has_primvar else mesh.GetNormalsAttr().Get(first)
+    how = primvar.GetInterpolation() if has_primvar else mesh.GetNormalsInterpolation()
+    values = np.array(found or (), np.float64).reshape(-1, 3)
+    if not len(values):
+        return np.full((len(indices), 3), np.nan)
+    return _at_corners(values, how, counts, indices, f"prim {prim.GetPath()}", "normals")
+
+
+def _at_corners(values: np.ndarray, how: Any, counts: np.ndarray, indices: np.ndarray, *names: str) -> np.ndarray:
+    """Return values of the interpolation `how` at the corners of a mesh's polygons; errors name their owner and kind."""
+    from pxr import UsdGeom
+
     each = {
         UsdGeom.Tokens.constant: np.zeros(len(indices), np.int64),
         UsdGeom.Tokens.uniform: np.repeat(np.arange(len(counts)), counts),
         UsdGeom.Tokens.faceVarying: np.arange(len(indices)),
-    }.get(found.GetInterpolation(), indices)
+    }.get(how, indices)
     if each.max(initial=0) >= len(values):
-        raise ValueError(
-            f"the primvar {found.GetAttr().GetPath()} has {len(values):,} texture coordinates, want {each.max() + 1:,}"
-        )
-    return np.pad(values[each], ((0, 0), (0, 1)))
+        raise ValueError(f"the {names[0]} has {len(values):,} {names[1]}, want {each.max() + 1:,}")
+    return values[each]
 
 
 def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> Iterator[tuple[Any, np.ndarray, Any]]:

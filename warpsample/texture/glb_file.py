@@ -40,7 +40,8 @@ _CLAMP, _LINEAR, _LINEAR_MIPMAP = 33071, 9729, 9987
 @contextmanager
 def convert_read_errors(path: Path) -> Iterator[None]:
     """Convert errors of the enclosed code that reads a file into one ValueError that names the file."""
-    with naming_file("mesh", path, "a glTF file to be edited"):
+    wants = "a glTF file to be edited" if path.suffix.lower() in (".glb", ".gltf") else "a mesh with normals"
+    with naming_file("mesh", path, wants):
         try:
             yield
         except (TypeError, FileNotFoundError) as error:  # raised by the check of a single member

@@ -5,8 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsample.host.arguments import naming_file
 from warpsample.mesh.files import load_mesh
-from warpsample.mesh.files.gltf import read_corners
+from warpsample.mesh.files.normals import read_normals
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.shading import compute_corner_normals, shade_points
@@ -37,7 +38,8 @@ class HighMesh:
     def load(cls, path: Path, cage: float, normals: str) -> "HighMesh":
         """Read the fine mesh and its normals from a file; `cage` is the distance at which projecting rays start."""
         mesh = load_mesh(path)
-        given = read_corners(path, "NORMAL") if path.suffix.lower() in (".glb", ".gltf") else None
+        with naming_file("--high", path, "a mesh with normals"):
+            given = read_normals(path)
         return cls(mesh, compute_corner_normals(mesh, given), cage, normals)
 
     def project(self, points: SurfacePoints, low: Mesh, workers: int | None = None) -> tuple[SurfacePoints, np.ndarray]:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.mesh.files.gltf import find_faces_with
-from warpsample.mesh.files.text import has_obj_uv
+from warpsample.mesh.files.text import has_obj_lines
 from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, MissingSetError, load_uv
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.report import find_face_flaws
@@ -216,5 +216,5 @@ class Texels:
         """
         if self.path.suffix.lower() in (".glb", ".gltf"):
             return find_faces_with(self.path, f"TEXCOORD_{number}")
-        is_named = self.path.suffix.lower() == ".obj" and not number and has_obj_uv(self.path)
+        is_named = self.path.suffix.lower() == ".obj" and not number and has_obj_lines(self.path, "vt")
         return np.full(len(self.mesh.faces), is_named)

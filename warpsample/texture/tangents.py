@@ -5,7 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsample.host.arguments import naming_file
 from warpsample.mesh.files.gltf import read_corners
+from warpsample.mesh.files.normals import read_normals
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.tangents import compute_tangents
 from warpsample.texture.shading import compute_corner_normals
@@ -30,19 +32,19 @@ class Frames:
         """Read the tangent frames at the corners of a mesh file's faces: tangents of the file, else computed by MikkTSpace.
 
         Args:
-            path: path of the file. Only .glb and .gltf files have normals and tangents.
+            path: path of the file, with the normals that `read_normals` reads. Only .glb and .gltf files have tangents.
             mesh: mesh as `load_mesh` reads it.
             uv: (F, 3, 2) texture coordinates of the picture in any scale, v downward; NaN for faces outside the picture.
             rows: faces of each part; MikkTSpace treats parts separately.
         """
-        has_some = path.suffix.lower() in (".glb", ".gltf")
-        normals = compute_corner_normals(mesh, read_corners(path, "NORMAL") if has_some else None)
+        with naming_file("mesh", path, "a mesh with normals"):
+            normals = compute_corner_normals(mesh, read_normals(path))
         tangents = np.full((len(uv), 3, 4), np.nan)
         for some in rows:
             face = np.arange(len(uv))[some]
             face = face[np.isfinite(uv[face]).all(axis=(1, 2))]
             tangents[face] = compute_tangents(mesh.vertices[mesh.faces[face]], normals[face], uv[face])
-        if has_some:
+        if path.suffix.lower() in (".glb", ".gltf"):
             given = read_corners(path, "TANGENT")
             tangents = np.where(np.isfinite(given).all(axis=2, keepdims=True), given, tangents)
         return cls(normals, tangents)

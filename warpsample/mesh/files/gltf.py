@@ -162,7 +162,7 @@ def _attributes(placed: PlacedPrimitive, data: Data, name: str) -> tuple[np.ndar
         raise ValueError(
             f"{attributes.at(name)}: got {len(values):,} values, want one for each of {len(points):,} positions"
         )
-    turned = {"NORMAL": _turned, "TANGENT": _turned_tangents}.get(name)
+    turned = {"NORMAL": turn_normals, "TANGENT": _turned_tangents}.get(name)
     if turned is not None:
         poses = placed.skin and placed.skin.poses(placed.primitive, data)
         values = turned(values, placed.matrix if poses is None else poses)
@@ -177,7 +177,7 @@ def _turned_tangents(tangents: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     return np.concatenate([along / np.linalg.norm(along, axis=1, keepdims=True), sign], axis=1)
 
 
-def _turned(normals: np.ndarray, matrix: np.ndarray) -> np.ndarray:
+def turn_normals(normals: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     """Transform unit normals, (V, 3), by one matrix, or by one per vertex; return unit vectors.
 
     The result is NaN where the matrix is singular.

@@ -69,6 +69,21 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     return _mesh(read_elements(path))
 
 
+def read_normals(path: Path) -> np.ndarray | None:
+    """Read the normals nx, ny, nz of a .ply file's vertices at all face corners, (F, 3, 3); None for a file without normals.
+
+    Raises:
+        ValueError: As for `read`.
+    """
+    with path.open("rb") as file:
+        names = {p.name for element in _header(file)[1] if element.name == "vertex" for p in element.properties}
+    if not {"nx", "ny", "nz"} <= names:
+        return None
+    found = read_elements(path)
+    normals = np.stack([found["vertex"][f"n{axis}"] for axis in "xyz"], axis=1, dtype=np.float64)
+    return normals[_mesh(found)[1]]
+
+
 def read_elements(path: Path) -> dict[str, dict[str, Any]]:
     """Read all data of a .ply file: arrays keyed by the name of the element, then of the property.
 

@@ -7,10 +7,11 @@ Such a loss cannot be detected without parsing the file again. trimesh also drop
 
 import re
 from array import array
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
 from math import nan
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -62,36 +63,67 @@ def read_obj_uv(path: Path) -> np.ndarray:
     Raises:
         ValueError: A line that cannot be read; the message gives the number of the line.
     """
-    positions, texture, number = array("d"), array("d", (nan, nan)), 0
+    return _read_obj_corners(path, _UV)
+
+
+def read_obj_normals(path: Path) -> np.ndarray | None:
+    """Read the normals of an .obj at all face corners, (F, 3, 3); NaN for faces without any, None for a file without any.
+
+    Raises:
+        ValueError: A line that cannot be read; the message gives the number of the line.
+    """
+    return _read_obj_corners(path, _NORMALS) if has_obj_lines(path, _NORMALS.keyword) else None
+
+
+def has_obj_lines(path: Path, keyword: str) -> bool:
+    """Return whether an .obj has any lines with a keyword, such as "vt", whose values may be NaN or unused."""
+    with path.open("rb") as file:
+        return any(line.split(None, 1)[:1] == [keyword.encode()] for line in file)
+
+
+class _CornerData(NamedTuple):
+    """Kind of values at corners of faces in an .obj: keyword, place between slashes, width, parser, and name in errors."""
+
+    keyword: str
+    column: int
+    width: int
+    parse: Callable[[list[str]], Iterable[float]]
+    name: str
+
+
+def _two(words: list[str]) -> list[float]:
+    """Parse texture coordinates; v is 0 for a single number."""
+    return [real(word) for word in (*words, "0" if words else "", "")[:2]]
+
+
+def _read_obj_corners(path: Path, kind: _CornerData) -> np.ndarray:
+    """Read values of an .obj at all face corners, (F, 3, width); NaN for faces without any."""
+    positions, values, number = array("d"), array("d", kind.width * (nan,)), 0
     lengths, corners, named = array("i"), array("i"), array("i")
     try:
         for number, words in numbered(path, joins=True):  # noqa: B007  (the error names it)
             if words[0] == "v":
                 positions.extend(three(words[1:]))
-            elif words[0] == "vt":
-                texture.extend(real(word) for word in (*words[1:], "0" if words[1:] else "", "")[:2])
+            elif words[0] == kind.keyword:
+                values.extend(kind.parse(words[1:]))
             elif words[0] == "f":
                 corners.extend(_corners(words[1:], len(positions) // 3))
-                has_none = words[1].split("/")[1:2] in ([], [""])
-                named.extend([0] * len(words[1:]) if has_none else _texture_corners(words[1:], len(texture) // 2 - 1))
+                has_none = words[1].split("/")[kind.column : kind.column + 1] in ([], [""])
+                count = len(values) // kind.width - 1
+                named.extend([0] * len(words[1:]) if has_none else _indices(words[1:], count, kind))
                 lengths.append(len(words) - 1)
     except ValueError as error:
         raise ValueError(f"line {number}: {error}") from None
     polygons = np.frombuffer(lengths, "i"), np.frombuffer(corners, "i")
     cut = corner_triangles(np.frombuffer(positions).reshape(-1, 3), *polygons)
-    return np.frombuffer(texture).reshape(-1, 2)[np.frombuffer(named, "i")[cut]]
+    return np.frombuffer(values).reshape(-1, kind.width)[np.frombuffer(named, "i")[cut]]
 
 
-def has_obj_uv(path: Path) -> bool:
-    """Return whether an .obj has any texture coordinates, which may be NaN or unused."""
-    return any(words[0] == "vt" for _, words in numbered(path, joins=True))
-
-
-def _texture_corners(words: list[str], coordinates: int) -> list[int]:
-    """Parse a face line of an .obj; return the 1-based indices of its texture coordinates."""
-    found = [index + 1 for index in _corners(words, coordinates, 1)]
-    if not 1 <= min(found) <= max(found) <= coordinates:
-        raise ValueError(f"a face has the texture coordinates {min(found)} to {max(found)}, want 1 to {coordinates}")
+def _indices(words: list[str], count: int, kind: _CornerData) -> list[int]:
+    """Parse a face line of an .obj; return the 1-based indices of its texture coordinates or normals."""
+    found = [index + 1 for index in _corners(words, count, kind.column)]
+    if not 1 <= min(found) <= max(found) <= count:
+        raise ValueError(f"a face has the {kind.name} {min(found)} to {max(found)}, want 1 to {count}")
     return found
 
 
@@ -202,3 +234,7 @@ def _cut(positions: array, lengths: array, corners: array) -> tuple[np.ndarray, 
     """Return vertices (V, 3) and triangles (F, 3) from flat arrays of coordinates, corner counts and corners."""
     vertices = np.frombuffer(positions).reshape(-1, 3)
     return vertices, triangles(vertices, np.frombuffer(lengths, "i"), np.frombuffer(corners, "i"))
+
+
+_UV = _CornerData("vt", 1, 2, _two, "texture coordinates")
+_NORMALS = _CornerData("vn", 2, 3, three, "normals")

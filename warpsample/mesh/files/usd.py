@@ -11,9 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.host.extras import REFUSED, missing, run_program
+from warpsample.mesh.files.gltf import turn_normals
 from warpsample.mesh.joining import joined_corners, joined_parts
 from warpsample.mesh.parts import Named
-from warpsample.mesh.usd_stage import UP
+from warpsample.mesh.usd_stage import NORMALS, UP
 
 _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh import usd_stage; usd_stage.main({file!r}, {what!r})"
 _LONGEST = 200  # characters of an error message, which may quote an array of the file
@@ -40,6 +41,16 @@ def read_corners(path: Path, number: int) -> np.ndarray:
     Prims without the set have NaN. Set 0 is the primvar "st", or the first primvar by name. Errors are those of `read`.
     """
     return joined_corners(part[:3] for part in _parts(_run_usd_stage(path, str(number))))[..., :2]
+
+
+def read_normals(path: Path) -> np.ndarray:
+    """Read the normals of a USD file at all face corners, (F, 3, 3) float64, placed in the scene; NaN for prims without any.
+
+    Errors are those of `read`.
+    """
+    parts = _parts(_run_usd_stage(path, NORMALS))
+    with np.errstate(invalid="ignore"):
+        return joined_corners((turn_normals(normals, matrix), faces, matrix) for normals, faces, matrix, _ in parts)
 
 
 def read_up_axis(path: Path) -> str:
