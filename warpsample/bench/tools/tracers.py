@@ -154,7 +154,7 @@ def list_builds(mesh: Mesh, workers: int) -> dict[str, Callable[[], object]]:
     scene.tree(workers)
     return {
         "wide": lambda: Scene(mesh).tree(workers),
-        "wide, refit": lambda: scene.moved(mesh).tree(workers),
+        "wide, refit": lambda: scene.with_vertices(mesh).tree(workers),
         "wp.Mesh": lambda: Scene(mesh).builtin(cpu()),
         "Embree": lambda: build_embree_scene(mesh),
         "Open3D": lambda: build_open3d_scene(mesh),
