@@ -57,7 +57,9 @@ def interval_of(value: np.ndarray, spread: np.ndarray, degrees: np.ndarray, leve
 
     Degrees of freedom below 1 count as 1.
     """
-    half = spread * imported("scipy.special").stdtrit(np.maximum(degrees, 1.0).astype(np.float64), 0.5 + 0.5 * level)
+    known, which = np.unique(degrees, return_inverse=True)  # 400,000 points of a yard share 44
+    quantiles = imported("scipy.special").stdtrit(np.maximum(known, 1.0).astype(np.float64), 0.5 + 0.5 * level)
+    half = spread * quantiles[which].reshape(np.shape(degrees))
     return Interval((value - half).astype(np.float32), (value + half).astype(np.float32))
 
 
