@@ -8,7 +8,7 @@ from warpsample.bench import rays, scenes
 from warpsample.bench.running import timing
 from warpsample.bench.tools import tracers
 
-pytestmark = pytest.mark.thorough  # peers and timers, in processes of their own
+pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
 
 
 SETTINGS = {"scene": ["bunny"], "rays": 2048, "repeats": 2}
@@ -21,6 +21,7 @@ def measured():
         return rays.measure(untracked, **SETTINGS)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "triangles"), [("bunny", 12_200), ("bunny, 4 to 1", 48_800), ("hills", 19_602), ("city", 49_154)]
 )
