@@ -150,7 +150,7 @@ def _count(found: list[list[PlacedTexture]]) -> str:
 def _describe_picture(found: Filled) -> Iterator[str]:
     """Yield sentences on a picture: mean, standard error, flaws of the coordinates, and filled points."""
     job, report = found.job, found.job.points.report
-    known = np.sqrt(np.mean(np.square(found.error[job.points.covered], dtype=np.float64)))
+    known = np.sqrt(np.mean(np.square(found.unbiased[job.points.covered], dtype=np.float64)))
     numbers = "none with a value" if np.isnan(found.mean) else f"mean {found.mean:.4f}; standard error {known:.2g}"
     yield f"{job.name!r}, {job.coordinates}: {report.covered:,} texels, {numbers}"
     yield from describe_flaws(job)

@@ -33,7 +33,7 @@ class Filled:
         job: Texture that the images belong to.
         value: (H, W) or (H, W, C) values, float32, or float64 for positions.
         error: Standard errors of the same shape, float32, raised where they ignore geometry that no ray has hit.
-        unbiased: Standard errors that are 0 where all rays agree, without a gutter; None unless places are compared by them.
+        unbiased: Standard errors that are 0 where all rays agree, without a gutter: their squares may be added.
         mean: Mean of the values at the points.
         inside: Number of points inside closed bodies that are filled.
         enclosed: Number of points inside closed bodies that keep their values.
@@ -47,7 +47,7 @@ class Filled:
     job: TextureJob
     value: np.ndarray
     error: np.ndarray
-    unbiased: np.ndarray | None
+    unbiased: np.ndarray
     mean: float
     inside: int
     enclosed: int
@@ -89,15 +89,15 @@ def fill_texture(
     buried = bodies.find_buried(np.isfinite(value.reshape(len(value), -1)).all(axis=1)) & ~missed
     within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, bodies.inside & ~buried & ~missed, missed))
     value[buried] = np.nan
-    pictures = _images(job, how, value, error, unbiased if job.group and how.instances == "split" else None)
+    pictures = _images(job, how, value, error, unbiased)
     charts = bodies.count_mostly_buried(buried)
     counts = {"mostly_inside": charts, "inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
     return Filled(job, *pictures, **counts, rays=rays, inside_rays=bodies.rays)
 
 
 def _images(
-    job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray, unbiased: np.ndarray | None
-) -> tuple[np.ndarray, np.ndarray, np.ndarray | None, float]:
+    job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray, unbiased: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
     """Return the images of values, of standard errors and of unbiased standard errors at the texels, and the mean value."""
     known = np.isfinite(value)
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
@@ -108,8 +108,7 @@ def _images(
         return job.points.image_error(SimpleNamespace(value=value, standard_error=own), gutter=gutter)
 
     make_image = job.points.precise_image if value.dtype == np.float64 else job.points.image  # positions
-    image, errors = make_image(value, gutter=how.gutter), image_error(error, how.gutter)
-    return image, errors, None if unbiased is None else image_error(unbiased, 0), mean
+    return make_image(value, gutter=how.gutter), image_error(error, how.gutter), image_error(unbiased, 0), mean
 
 
 def _converter(

@@ -65,9 +65,10 @@ def _mean_of(first: PlacedTexture, others: Iterator[PlacedTexture], gutter: Any)
     if len(first.groups) == 1:
         return first
     points, old = first.filled.job.points, first.filled
-    rows = (total / np.maximum(count, 1)).reshape(2, -1, total.shape[-1])[:, points.texel]
-    value, error = (points.image(some, gutter=gutter).reshape(old.value.shape) for some in rows)
-    return replace(first, filled=replace(old, value=value, error=error, mean=float(value[points.covered].mean())))
+    rows = (total / np.maximum(count, 1)).reshape(3, -1, total.shape[-1])[:, points.texel]
+    value, error, unbiased = (points.image(some, gutter=gutter).reshape(old.value.shape) for some in rows)
+    mean = float(value[points.covered].mean())
+    return replace(first, filled=replace(old, value=value, error=error, unbiased=unbiased, mean=mean))
 
 
 def _picture(filled: Filled, job: TextureJob) -> PlacedTexture:
@@ -100,10 +101,10 @@ def _differ(known: Filled, other: Filled) -> bool:
 
 
 def _sums(filled: Filled) -> tuple[np.ndarray, np.ndarray]:
-    """Return values and errors of a texture as (2, H, W, C), 0 in unused texels, and the (H, W, 1) count of used texels."""
+    """Return a texture's values and both errors as (3, H, W, C), 0 in unused texels, and the (H, W, 1) count of used texels."""
     covered = filled.job.points.covered[..., None]
-    both = np.stack([filled.value, filled.error]).astype(np.float64)
-    return np.where(covered, both.reshape(2, *covered.shape[:2], -1), 0.0), covered.astype(np.int64)
+    all_three = np.stack([filled.value, filled.error, filled.unbiased]).astype(np.float64)
+    return np.where(covered, all_three.reshape(3, *covered.shape[:2], -1), 0.0), covered.astype(np.int64)
 
 
 def place_pictures(file: GlbFile, pictures: list[list[PlacedTexture]]) -> list[list[list[Primitive]]]:
