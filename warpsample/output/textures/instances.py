@@ -101,7 +101,7 @@ def _differ(known: Filled, other: Filled) -> bool:
 
 
 def _sums(filled: Filled) -> tuple[np.ndarray, np.ndarray]:
-    """Return a texture's values and both errors as (3, H, W, C), 0 in unused texels, and the (H, W, 1) count of used texels."""
+    """Return a texture's values and two errors, (3, H, W, C), 0 in unused texels, and the (H, W, 1) count of used texels."""
     covered = filled.job.points.covered[..., None]
     all_three = np.stack([filled.value, filled.error, filled.unbiased]).astype(np.float64)
     return np.where(covered, all_three.reshape(3, *covered.shape[:2], -1), 0.0), covered.astype(np.int64)
