@@ -10,7 +10,7 @@ pytest.importorskip("rioxarray")
 
 import warpsample as ws
 from warpsample import rasters
-from warpsample.city.rasters.intervals import standard_error_of
+from warpsample.city.rasters.intervals import errors_of
 from warpsample.city.rasters.leaves import (
     check_transmittance,
     compute_irradiation_through,
@@ -155,7 +155,7 @@ def test_errors_are_those_of_both_runs():
         made.scenery, check_transmittance(0.3), lambda mesh: ws.sky_view_factor(mesh, points, 256)
     )
     assert np.allclose(found.value, 0.7 * below.value + 0.3 * above.value, rtol=1e-6)
-    errors = 0.7 * standard_error_of(below) + 0.3 * standard_error_of(above)
+    errors = 0.7 * errors_of(below)[0] + 0.3 * errors_of(above)[0]
     assert np.allclose(found.standard_error, errors, rtol=1e-6)
     assert np.array_equal(found.rays, below.rays + above.rays)
     assert found.rays.dtype == np.int32

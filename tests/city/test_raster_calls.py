@@ -10,7 +10,7 @@ from raster_cases import NORTH_UP, rough, write_tif
 
 import warpsample as ws
 from warpsample import rasters
-from warpsample.city.rasters.intervals import standard_error_of
+from warpsample.city.rasters.intervals import errors_of
 
 rasterio = pytest.importorskip("rasterio")
 rioxarray = pytest.importorskip("rioxarray")
@@ -33,7 +33,7 @@ def test_a_dataset_has_the_numbers_of_the_call_in_their_cells(path):
     points, cell = made.points()
     right = ws.sky_view_factor(made.mesh, points, 64, seed=7, max_distance=50.0, sequence="sobol")
     assert list(found) == ["value", "standard_error", "half_width"]
-    for name, numbers in {"value": right.value, "standard_error": standard_error_of(right)}.items():
+    for name, numbers in {"value": right.value, "standard_error": errors_of(right)[0]}.items():
         assert found[name].dtype == np.float32
         assert found[name].dims == ("y", "x")
         assert np.array_equal(found[name].values.ravel()[cell], numbers)

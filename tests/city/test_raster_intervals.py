@@ -20,15 +20,17 @@ def sky():
 
 
 def test_by_rays_it_is_the_interval_of_the_estimate():
-    """To float32's rounding: the half width is stored, and added to the value."""
+    """To float32's rounding: the half width is stored, and added to the value. It is 0 in cells that are proven to be open."""
     found = rasters.sky_view_factor(TOWN, 64, sequence="sobol", seed=2)
     made = rasters.surface(TOWN)
     points, _ = made.points()
-    right = ws.sky_view_factor(made.mesh, points, 64, sequence="sobol", seed=2).interval(0.95)
+    right = ws.sky_view_factor(made.mesh, points, 64, sequence="sobol", seed=2)
+    is_open = (right.rays == 0) & (right.value == 1.0)
+    assert 0 < np.count_nonzero(is_open) < len(points) // 2
     ends = rasters.interval(found, 0.95)
-    for end, wanted in zip((ends.lower, ends.upper), right, strict=True):
+    for end, wanted in zip((ends.lower, ends.upper), right.interval(0.95), strict=True):
         assert end.dtype == np.float32
-        assert np.allclose(end.values.ravel(), wanted, atol=1e-6)
+        assert np.allclose(end.values.ravel(), np.where(is_open, 1.0, wanted), atol=1e-6)
 
 
 def test_its_ends_are_the_half_width_off_and_possible(sky):
@@ -156,3 +158,15 @@ def test_files_give_the_same_interval(sky, tmp_path):
 def test_what_has_no_interval_is_refused(dataset, level, error, message):
     with pytest.raises(error, match=message):
         rasters.interval(dataset, level)
+
+
+def test_open_cells_are_exact_by_rays_of_the_whole_sky_too():
+    """Cells on a roof see the whole sky, and cast no rays."""
+    heights = np.zeros((12, 12))
+    heights[4:8, 4:6] = 9.0
+    found = rasters.sky_view_factor((heights, NORTH_UP, None), 64, model="block", sequence="independent")
+    roof = heights > 0.0
+    assert (found.value.values[roof] == 1.0).all()
+    assert not found.standard_error.values[roof].any()
+    assert not found.half_width.values[roof].any()
+    assert (found.standard_error.values[~roof] >= found.half_width.values[~roof] / 2.263).all()

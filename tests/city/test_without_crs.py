@@ -227,6 +227,15 @@ def test_a_value_of_an_arc_header_that_is_no_number_is_refused(tmp_path, line, w
         ws.rasters.surface(path)
 
 
+@pytest.mark.parametrize("place", ["xllcorner 9", "xllcorner 9\nyllcenter 9", "xllcorner 9\nyllcorner 9\nxllcorner 8"])
+def test_an_arc_header_without_one_place_is_refused(tmp_path, place):
+    """GDAL puts such a raster at (0, 0), or takes the first of two places."""
+    path = tmp_path / "dsm.asc"
+    path.write_text("\n".join(["ncols 3", "nrows 1", *place.splitlines(), "cellsize 1", "1 2 3", ""]))
+    with pytest.raises(ValueError, match="^source: got '.*dsm.asc' with ncols, .* in its header, want xllcorner"):
+        ws.rasters.surface(path)
+
+
 @pytest.mark.parametrize("text", ["-9999", "7", "7,0", "+7.", "0.7e1", "nan", "1.#QNAN"])
 def test_a_number_is_a_nodata_value_of_an_arc_grid(tmp_path, text):
     """With a decimal comma, too, which GDAL reads in heights as well."""

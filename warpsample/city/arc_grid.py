@@ -12,6 +12,7 @@ _LONGEST_HEADER = 4096
 _NUMBER = re.compile(rb"[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?", re.IGNORECASE)
 _NO_NUMBER = re.compile(rb"[+-]?(nan|inf(inity)?|1[.]#(qnan|ind|inf))", re.IGNORECASE)  # nodata values that are no heights
 _LENGTHS = (b"cellsize", b"dx", b"dy")
+_PLACES = ({b"xllcorner", b"yllcorner"}, {b"xllcenter", b"yllcenter"})
 
 _SPACE, _DIGIT, _SIGN, _POINT, _EXPONENT, _LETTER, _OTHER = range(7)
 _CLASSES = np.full(256, _OTHER, np.uint8)
@@ -66,8 +67,12 @@ def _read_header(path: str) -> bytes:
 
 
 def _check_header(path: str, header: bytes) -> None:
-    """Raise a ValueError for a value of the header that is not a number, or for cells without a positive length."""
+    """Raise a ValueError for a value of the header that is not a number, cells without a positive length, or no place."""
     words = header.split()
+    keys = [word.lower() for word in words[::2]]
+    if len(set(keys)) < len(keys) or not any(place <= set(keys) for place in _PLACES):  # GDAL puts the raster at (0, 0)
+        lines = ", ".join(key.decode() for key in keys) or "nothing"
+        raise ValueError(f"source: got {path!r} with {lines} in its header, want xllcorner and yllcorner, each once")
     for name, text in zip(words[::2], words[1::2], strict=True):
         key, got = name.lower(), f"source: got {path!r} with {name.decode()} {text.decode('ascii', 'replace')!r}"
         if not _NUMBER.fullmatch(text) and not (key == b"nodata_value" and _NO_NUMBER.fullmatch(text)):

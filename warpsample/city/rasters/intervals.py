@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from warpsample.estimate.intervals import DEGREES, LEVEL, interval_of, least_errors
+from warpsample.estimate.intervals import DEGREES, LEVEL, half_width_of, half_width_of_normal, interval_of
 from warpsample.estimate.result import Estimate
 from warpsample.host.arguments import check_number
 from warpsample.host.neighbours import describe_type
@@ -13,16 +13,18 @@ from warpsample.host.neighbours import describe_type
 _SHARES = ("ao", "sky", "visible-sky")
 
 
-def standard_error_of(found: Any) -> np.ndarray:
-    """Return the standard error at each point of a result, (P,) float32: at least the half width over 2.26, as for horizons.
+def errors_of(found: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return (standard error, half width of the 95 % interval) at each point of a result, (P,) float32.
 
-    The standard error of an estimate is 0 where the rays of each stratum agree, as below a crown with a small gap. It stays
-    0 only at points without a value, and at points without rays that are proven to see the whole sky.
+    The standard error of an estimate is 0 where the rays of each stratum agree, as below a crown with a small gap. Here it
+    is at least the half width over 2.26, as for horizons. Both are 0 only at points without a value, and at points without
+    rays that are proven to see the whole sky.
     """
-    if not isinstance(found, Estimate):
-        return found.standard_error
-    is_open = (found.rays == 0) & (found.value == 1.0)
-    return np.where(is_open, found.standard_error, np.maximum(found.standard_error, least_errors(found)))
+    half = half_width_of(found)
+    if isinstance(found, Estimate):
+        half = np.where((found.rays == 0) & (found.value == 1.0), np.float32(0.0), half)
+        return np.maximum(found.standard_error, half / half_width_of_normal(np.float32(1.0))), half
+    return found.standard_error, half
 
 
 def interval(dataset: xr.Dataset, level: float = LEVEL) -> xr.Dataset:

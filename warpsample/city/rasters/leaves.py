@@ -11,9 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.intervals import standard_error_of
+from warpsample.city.rasters.intervals import errors_of
 from warpsample.city.rasters.scenery import Scenery, Seen
-from warpsample.estimate.intervals import half_width_of
 from warpsample.estimate.plan import Plan
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.arguments import quote
@@ -170,8 +169,7 @@ def _list_views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[]
 
 def _scale_estimate(found: Any, share: np.ndarray) -> Seen:
     """Multiply the value and the errors of an estimate by `share`."""
-    numbers = found.value, standard_error_of(found), half_width_of(found)
-    value, error, half = (np.float32(share * array.astype(np.float64)) for array in numbers)
+    value, error, half = (np.float32(share * array.astype(np.float64)) for array in (found.value, *errors_of(found)))
     return Seen(value, error, half, found.rays, found.status)
 
 

@@ -239,5 +239,6 @@ def _open_raster(path: str) -> Iterator[Any]:
     except RasterioError as error:
         if isinstance(error, RasterioIOError) and "://" not in path and ":" not in path[2:] and not Path(path).exists():
             raise FileNotFoundError(f"source: got {path!r}, which is missing, want {_WANTS}") from error
-        reason = (str(error).strip().splitlines() or [type(error).__name__])[0]
+        told = error.__cause__ or error  # GDAL's own words; without them rasterio tells to look at the cause
+        reason = (str(told).strip().splitlines() or [type(error).__name__])[0]
         raise ValueError(f"source: got {path!r}, which cannot be read as a raster: {reason}") from error
