@@ -20,7 +20,7 @@ def sky():
 
 
 def test_by_rays_it_is_the_interval_of_the_estimate():
-    """To float32's rounding: the half width is stored, and added to the value. It is 0 in cells that are proven to be open."""
+    """To float32's rounding, since the half width is stored. It is 0 in cells that are proven to be open."""
     found = rasters.sky_view_factor(TOWN, 64, sequence="sobol", seed=2)
     made = rasters.surface(TOWN)
     points, _ = made.points()

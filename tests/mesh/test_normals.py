@@ -82,6 +82,25 @@ def test_normals_of_usd_are_placed_in_the_scene(tmp_path, how, name, values):
         assert found == pytest.approx(np.repeat(mesh.face_normals[:, None], 3, axis=1), abs=1e-6)
 
 
+@pytest.mark.parametrize("wrong", [4, -1])
+def test_an_index_beyond_the_values_of_usd_is_refused(tmp_path, wrong):
+    """Before, the mesh had no normals or texture coordinates."""
+    pytest.importorskip("pxr")
+    path = usd(tmp_path / "roof.usda", name="primvars:normals")
+    more = [
+        f"int[] primvars:normals:indices = [{wrong}, 0, 1, 2]",
+        'texCoord2f[] primvars:st = [(0, 0), (1, 0)] ( interpolation = "uniform" )',
+        f"int[] primvars:st:indices = [0, 1, {wrong}, 0]",
+    ]
+    path.write_text(path.read_text().replace("    float3 ", "\n".join(more) + "\n    float3 ", 1))
+    span = f"{min(wrong, 0)} to {max(wrong, 2)}"
+    with pytest.raises(ValueError, match=f"the prim /roof has normals with indices {span}, want 0 to 3$"):
+        read_normals(path)
+    span = f"{min(wrong, 0)} to {max(wrong, 1)}"
+    with pytest.raises(ValueError, match=f"the prim /roof has texture coordinates with indices {span}, want 0 to 1$"):
+        ws.load_uv(path)
+
+
 def test_corners_without_a_normal_are_nan(tmp_path):
     found = read_normals(obj(tmp_path / "a.obj", second="{}"))
     assert np.isfinite(found[:2]).all()

@@ -203,14 +203,14 @@ def _uv(prim: Any, number: int, counts: np.ndarray, indices: np.ndarray) -> np.n
 
     Sets are numbered from 0: "st" first, the others by name.
     """
-    from pxr import Usd, UsdGeom
+    from pxr import UsdGeom
 
     primvars = UsdGeom.PrimvarsAPI(prim).FindPrimvarsWithInheritance()
     sets = [p for p in primvars if p.HasValue() and str(p.GetTypeName()).startswith(_TEXTURE_TYPES)]
     if number >= len(sets):
         return np.full((len(indices), 3), np.nan)
     found = sorted(sets, key=lambda primvar: (primvar.GetPrimvarName() != "st", primvar.GetPrimvarName()))[number]
-    values = np.array(found.ComputeFlattened(Usd.TimeCode.EarliestTime()), np.float64).reshape(-1, 2)
+    values = _flattened(found, "texture coordinates").reshape(-1, 2)
     corners = _at_corners(
         values, found.GetInterpolation(), counts, indices, f"primvar {found.GetAttr().GetPath()}", "texture coordinates"
     )
@@ -224,12 +224,28 @@ def _normals(prim: Any, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
     first, mesh = Usd.TimeCode.EarliestTime(), UsdGeom.Mesh(prim)
     primvar = UsdGeom.PrimvarsAPI(prim).GetPrimvar("normals")
     has_primvar = bool(primvar) and primvar.HasValue()
-    found = primvar.ComputeFlattened(first) if has_primvar else mesh.GetNormalsAttr().Get(first)
+    found = _flattened(primvar, "normals") if has_primvar else np.array(mesh.GetNormalsAttr().Get(first) or (), np.float64)
     how = primvar.GetInterpolation() if has_primvar else mesh.GetNormalsInterpolation()
-    values = np.array(found or (), np.float64).reshape(-1, 3)
+    values = found.reshape(-1, 3)
     if not len(values):
         return np.full((len(indices), 3), np.nan)
     return _at_corners(values, how, counts, indices, f"prim {prim.GetPath()}", "normals")
+
+
+def _flattened(primvar: Any, kind: str) -> np.ndarray:
+    """Return the values of a primvar in the order of its indices; errors name the prim and the kind of values."""
+    from pxr import Usd
+
+    first = Usd.TimeCode.EarliestTime()
+    values, indices = np.array(primvar.Get(first) or (), np.float64), np.array(primvar.GetIndices(first), np.int64)
+    if not primvar.IsIndexed():
+        return values
+    if len(indices) and not 0 <= indices.min() <= indices.max() < len(values):
+        span = f"indices {indices.min()} to {indices.max()}"
+        raise ValueError(
+            f"the prim {primvar.GetAttr().GetPrim().GetPath()} has {kind} with {span}, want 0 to {len(values) - 1}"
+        )
+    return values[indices]
 
 
 def _at_corners(values: np.ndarray, how: Any, counts: np.ndarray, indices: np.ndarray, *names: str) -> np.ndarray:
