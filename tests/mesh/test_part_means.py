@@ -23,7 +23,7 @@ def test_several_points_on_a_face_have_the_error_of_how_they_vary():
     found = part_means(PART, AREAS, face, value, np.full(8, 0.5), count=3)
     assert found.value[:2] == pytest.approx([(3 * 3 + 1 * 5) / 4, 2.0])
     variance = ((1 - 3) ** 2 + (2 - 3) ** 2 + (6 - 3) ** 2) / 2 / 3
-    assert found.standard_error[:2] == pytest.approx([np.sqrt(9 * variance + 1 * 0.25) / 4, 0.0])
+    assert found.standard_error[:2] == pytest.approx([np.sqrt(9 * variance + 1 * 0.25) / 4, 0.25])  # 0.5 / 2 of equal values
 
 
 def test_numbers_of_several_components():

@@ -99,6 +99,7 @@ KINDS = {
     "corner_normals": kind(np.ones((2, 3, 3)), wrong=(UV,)),
     "TexturePoints.take.rows": kind(slice(0, 2), wrong=(range(2),)),
     "TexturePoints.image.values": kind(TEXELS.points.position[:, 0]),
+    "TexturePoints.precise_image.values": kind(TEXELS.points.position[:, 0]),
     "errors": kind(TEXELS.points.position[:, 0]),
     "gutter": kind("all", WHOLE, wrong=("none", 2**40)),
     "set": kind(0, said=("path",), wrong=(256,)),
