@@ -222,6 +222,7 @@ def test_a_killed_run_goes_on_to_the_same_bytes(dsm, folder, child_environment):
     assert contents(folder / "sky.zarr") == contents(folder / "right.zarr")
 
 
+@pytest.mark.thorough
 def test_processes_write_the_same_bytes(dsm, folder):
     bake(dsm, folder / "right.zarr")
     bake(dsm, folder / "sky.zarr", processes=2)

@@ -126,7 +126,7 @@ for contrast in (1.0, 1e12):
 """
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_the_loop_over_directions_towards_a_picture_is_vectorised(tmp_path, child_environment):
     """The search in the picture's table, too, for few steps and for many."""
     script = tmp_path / "remarks.py"

@@ -52,7 +52,8 @@ def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution
     [
         ("sobol", CASES[0]),
         *(pytest.param("sobol", case, marks=SLOW) for case in CASES[1:]),
-        *(pytest.param(n, CASES[0], marks=SLOW) for n in ("fibonacci", "independent", "philox", "r2", "stratified")),
+        pytest.param("fibonacci", CASES[0], marks=SLOW),
+        *(pytest.param(n, CASES[0], marks=pytest.mark.thorough) for n in ("independent", "philox", "r2", "stratified")),
     ],
     ids=str,
 )

@@ -46,7 +46,7 @@ def test_tiles_are_reported(caplog):
     assert caplog.messages == ["tile of rows 0 to 9, columns 20 to 29"]
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_compiled_kernels_are_logged_and_nothing_is_heard_by_default(tmp_path, child_environment):
     environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path)}
     call = "import warpsample as ws, numpy as np; ws.sample_directions(np.eye(3, dtype=np.float32), 4)"

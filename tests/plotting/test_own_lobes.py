@@ -36,6 +36,7 @@ def judged(right, wrong, facing, samples=1000, seed=3):
     return clouds.count_clouds(choice, clouds.all_clouds(choice, facing, 1.0))
 
 
+@pytest.mark.thorough
 def test_right_lobes_agree_and_swapped_roughnesses_do_not(facing, plausible):
     """Also where points have the roughness of others, and where the view is mirrored at the normal.
 
