@@ -6,6 +6,8 @@ from glb_files import accessor, glb
 
 import warpsample as ws
 from warpsample.mesh.files.gltf import read_corners
+from warpsample.texture.glb_file import GlbFile
+from warpsample.texture.primitives import list_primitives
 
 QUAD = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], np.float32)
 TURN = {"rotation": [0.0, np.sqrt(0.5), 0.0, np.sqrt(0.5)], "translation": [5, 0, 0]}  # a quarter about y: z to x, x to -z
@@ -58,6 +60,12 @@ def test_a_node_that_mirrors_turns_the_faces_only(tmp_path):
     )
     assert np.array_equal(plain.vertices, mirrored.vertices)
     assert np.array_equal(plain.faces[:, ::-1], mirrored.faces)
+
+
+def test_the_scale_of_a_skins_node_does_not_count(tmp_path):
+    """Before, its thickness was divided by the scale, which moves no vertex."""
+    file = GlbFile(skinned(tmp_path / "a.glb", np.tile([1, 0, 0, 0], (4, 1)), scale=(7, 7, 7)))
+    assert [each.scale for each in list_primitives(file.part, file.data)] == [1.0]
 
 
 @pytest.mark.parametrize(

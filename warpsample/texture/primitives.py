@@ -61,7 +61,8 @@ def list_primitives(tree: Part, data: Data) -> list[Primitive]:
         name = mesh.text("name") if "name" in mesh else mesh.path
         own = triangles[:, ::-1] if volume < 0.0 else triangles
         materials = [part.index("material", known) for part in list_material_references(one.primitive)]
-        size = {"mirrored": volume < 0.0, "scale": np.cbrt(abs(volume)), "node": int(one.node.path[len("nodes[") : -1])}
+        scale = 1.0 if "skin" in one.node else np.cbrt(abs(volume))  # joints place a skin, and its node does not
+        size = {"mirrored": volume < 0.0, "scale": scale, "node": int(one.node.path[len("nodes[") : -1])}
         made = Primitive(one.mesh, one.number, one.primitive, name, *rows, own, materials=materials, **size)
         first = found.setdefault((one.mesh, one.number), made)
         if first is not made:
