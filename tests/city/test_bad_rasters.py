@@ -166,3 +166,15 @@ def test_what_is_too_large_is_refused_before_it_is_read(tmp_path, monkeypatch):
         match="source: got 17,000 x 17,000 cells, want 1 to 268,435,456; split the raster into tiles",
     ):
         rasters.surface(path)
+
+
+def test_the_reason_of_gdal_names_a_missing_source_of_a_vrt(tmp_path):
+    """The message of rasterio only refers to its cause."""
+    source = '<SourceFilename relativeToVRT="1">gone.tif</SourceFilename>'
+    (tmp_path / "dsm.vrt").write_text(
+        f'<VRTDataset rasterXSize="4" rasterYSize="4"><GeoTransform>0, 1, 0, 4, 0, -1</GeoTransform>'
+        f'<VRTRasterBand dataType="Float32" band="1"><SimpleSource>{source}'
+        "<SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>"
+    )
+    with pytest.raises(ValueError, match=r"^source: got '.*dsm\.vrt', which cannot be read as a raster: .*gone\.tif"):
+        rasters.surface(tmp_path / "dsm.vrt")

@@ -34,7 +34,7 @@ app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={
 
 
 class _Benchmarks(TyperGroup):
-    """The commands of `warpsample bench`, imported on first use: their import takes two thirds of a second."""
+    """The commands of `warpsample bench`, imported on first use: their import takes a second."""
 
     def list_commands(self, ctx: Any) -> list[str]:
         return self._loaded.list_commands(ctx)

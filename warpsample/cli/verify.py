@@ -62,8 +62,8 @@ def verify_command(
             outcome.update(with_progress(parts, len(tasks), "verifying"))  # one by one: an interrupt keeps finished parts
     except KeyboardInterrupt as interrupt:  # raise the same object: another signal may have caused it
         if outcome and not (power or markdown):
-            number = f"{len(outcome)} of {len(tasks)} parts"
-            interrupt.args = (f"interrupted after {number}; the tables contain only these parts",)
+            done = f"{len(outcome)} of {len(tasks)} parts"
+            interrupt.args = (f"interrupted after {done}; the tables contain only these parts",)
             _print_report([v for found in outcome.values() for v in found], outcome, thorough, single=only is not None)
         raise
     in_order = {task: outcome[task] for task in tasks}
