@@ -435,6 +435,17 @@ def test_bad_input_is_one_sentence_and_leaves_nothing(dsm, arguments, said, call
     assert dsm.read_bytes() == before
 
 
+@pytest.mark.parametrize("output", ["sky.tif", "sky.zarr"])
+def test_a_raster_without_heights_leaves_nothing(dsm, output, call, monkeypatch):
+    monkeypatch.chdir(dsm.parent)
+    with rasterio.open(dsm, "r+") as file:
+        file.write(np.full(file.shape, np.nan, np.float32), 1)
+    status, _, err = call("bake", "dsm.tif", "-o", output, "--quantity", "sky", "--tile", "15")
+    assert status == 2
+    assert "cells without any height, want at least one" in err
+    assert [path.name for path in dsm.parent.iterdir()] == ["dsm.tif"]
+
+
 @pytest.mark.parametrize("option", ["canopy", "far"])
 def test_no_input_is_overwritten(dsm, option, call, monkeypatch):
     monkeypatch.chdir(dsm.parent)
