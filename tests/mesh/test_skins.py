@@ -65,7 +65,20 @@ def test_a_node_that_mirrors_turns_the_faces_only(tmp_path):
 def test_the_scale_of_a_skins_node_does_not_count(tmp_path):
     """Before, its thickness was divided by the scale, which moves no vertex."""
     file = GlbFile(skinned(tmp_path / "a.glb", np.tile([1, 0, 0, 0], (4, 1)), scale=(7, 7, 7)))
-    assert [each.scale for each in list_primitives(file.part, file.data)] == [1.0]
+    (found,) = list_primitives(file.part, file.data)
+    assert found.scale == 1.0
+    assert np.array_equal(found.inverse, np.tile(np.eye(3), (4, 1, 1)))
+
+
+def test_joints_scale_the_lengths_of_their_mesh(tmp_path):
+    """The joint of the corners 2 and 3 is bound at a fifth of its size."""
+    bind = np.eye(4) * np.array([[[1]], [[5]]])
+    bind[1, 3, 3] = 1.0
+    weights = [[1, 0, 0, 0], [1, 0, 0, 0], [0, 1, 0, 0], [0, 1, 0, 0]]
+    path = skinned(tmp_path / "a.glb", weights, inverse=bind, scale=(7, 7, 7))
+    file = GlbFile(path)
+    (found,) = list_primitives(file.part, file.data)
+    assert np.allclose(found.inverse, np.eye(3) / np.array([1, 1, 5, 5])[:, None, None], atol=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,8 @@ from textured_scenes import SQUARE, TWO, opened, picture
 
 import warpsample as ws
 from warpsample.estimate.result import PointStatus
+from warpsample.host.json_tree import Part
+from warpsample.texture.primitives import Primitive
 
 
 def test_balls_and_sheets_and_points_without_a_normal():
@@ -46,23 +48,34 @@ def test_arguments_that_cannot_be_used(options, error, message):
         ws.thickness(sheet, ws.face_centers(sheet), **options)
 
 
-def boxes(path, extensions):
+def boxes(path, extensions, place=None):
     """A box of 1 x 2 x 3, four times as large by its node, and a quad far from it, whose material is another."""
     box = trimesh.creation.box((1, 2, 3))
     arrays = [np.float32(box.vertices), np.uint16(box.faces).ravel()]
     arrays += [np.float32([(90, 0, 0), (91, 0, 0), (91, 1, 0), (90, 1, 0)]), np.float32(SQUARE), TWO]
     meshes = [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}]
     meshes += [{"primitives": [{"attributes": {"POSITION": 2, "TEXCOORD_0": 3}, "indices": 4, "material": 1}]}]
-    tree = {"meshes": meshes, "nodes": [{"mesh": 0, "scale": [4, 4, 4]}, {"mesh": 1}]}
+    tree = {"meshes": meshes, "nodes": [{"mesh": 0, **(place or {"scale": [4, 4, 4]})}, {"mesh": 1}]}
     tree |= {"materials": [{"name": "glass", **extensions}, {"name": "paper"}]}
     path.write_bytes(glb(tree, arrays))
     return path
 
 
-def test_a_box_in_units_of_its_mesh(call, tmp_path):
-    """1, 2 and 3 through its sides, as shares of the factor; what has no volume stays as it is."""
+@pytest.mark.parametrize(
+    "place",
+    [
+        {"scale": [4, 4, 4]},
+        {"scale": [1, 2, 4]},
+        {"scale": [1, 2, -4], "rotation": [0.1, 0.5, -0.7, 0.5]},
+    ],
+)
+def test_a_box_in_units_of_its_mesh(call, tmp_path, place):
+    """1, 2 and 3 through its sides wherever its node places it, as shares of the factor; paper without a volume stays.
+
+    Before, a scale that differs by axis counted as its geometric mean.
+    """
     volume = {"extensions": {"KHR_materials_volume": {"thicknessFactor": 7.0, "attenuationDistance": 2.0}}}
-    path, output = boxes(tmp_path / "in.glb", volume), tmp_path / "out.glb"
+    path, output = boxes(tmp_path / "in.glb", volume, place), tmp_path / "out.glb"
     status, out, err = call("bake", path, "-o", output, "--texture", 64, "--quantity", "thickness")
     assert (status, err) == (0, "")
     assert "thickness in one picture of 64 x 64 texels" in out
@@ -75,6 +88,40 @@ def test_a_box_in_units_of_its_mesh(call, tmp_path):
     assert levels.tolist() == [85, 170, 255]
     assert counts.min() > 300  # each has two of six sides
     assert tree["materials"][1] == {"name": "paper"}
+
+
+def primitive(inverse, scale=1.0):
+    """Two triangles of a glTF mesh, the faces 5 and 6 of a loaded mesh."""
+    triangles = np.array([(0, 1, 2), (0, 2, 3)])
+    part = Part({})
+    return Primitive(0, 0, part, "a", slice(5, 7), slice(9, 13), triangles, False, scale, inverse, [0], 0)
+
+
+def test_lengths_in_the_scene_are_distances_in_the_mesh():
+    """Of two ends of a segment, any matrix: their distance before it; a uniform scale divides as it did, to the bit."""
+    rng = np.random.default_rng(0)
+    ends, matrix = rng.normal(size=(2, 50, 3)), rng.normal(size=(3, 3))
+    way = (ends[1] - ends[0]) @ matrix
+    face, weights = np.full(50, 5), rng.dirichlet((1, 1, 1), 50)
+    lengths, normals = np.linalg.norm(way, axis=1), way / np.linalg.norm(way, axis=1, keepdims=True)
+    found = primitive(np.linalg.inv(matrix)).convert_lengths(lengths, normals, face, weights)
+    assert np.allclose(found, np.linalg.norm(ends[1] - ends[0], axis=1), rtol=1e-12)
+    turn, thin = np.linalg.qr(matrix)[0], normals.astype(np.float32)
+    assert np.array_equal(primitive(turn / 3.0, 3.0).convert_lengths(lengths, thin, face, weights), lengths / 3.0)
+
+
+def test_directions_that_a_place_flattens_have_no_length():
+    flat = primitive(np.linalg.pinv(np.diag([1.0, 2.0, 0.0])), 0.0)
+    found = flat.convert_lengths(np.ones(3), np.eye(3), np.full(3, 5), np.full((3, 3), 1 / 3))
+    assert found.tolist() == [1.0, 0.5, 0.0]
+
+
+def test_joints_scale_lengths_between_their_vertices():
+    """Twice as large at the vertices 0 and 1 and unchanged at 2 and 3; weights follow the corners of the second triangle."""
+    poses = np.eye(3) / np.array([2, 2, 1, 1])[:, None, None]
+    weights = np.array([(1, 0, 0), (0.5, 0.5, 0), (0, 0.5, 0.5)])
+    found = primitive(poses).convert_lengths(np.ones(3), np.eye(3), np.full(3, 6), weights)
+    assert found.tolist() == [0.5, 0.75, 1.0]
 
 
 @pytest.mark.parametrize(

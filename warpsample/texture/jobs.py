@@ -67,12 +67,14 @@ class TextureJob:
         """Ranges of the mesh's faces that show the image, one for each glTF primitive."""
         return [one.faces for one in self.group] or [slice(len(self.points.mesh.faces))]
 
-    @property
-    def scales(self) -> np.ndarray:
-        """Scale of each face's primitive in the scene, (F,) float64: length in the scene per length in the file."""
-        found = np.ones(len(self.points.mesh.faces))
+    def convert_lengths(
+        self, lengths: np.ndarray, directions: np.ndarray, face: np.ndarray, weights: np.ndarray
+    ) -> np.ndarray:
+        """Return lengths in the scene as lengths in the glTF meshes, (P,) float64; see `Primitive.convert_lengths`."""
+        found = lengths.astype(np.float64)
         for one in self.group:
-            found[one.faces] = one.scale
+            rows = np.flatnonzero((face >= one.faces.start) & (face < one.faces.stop))
+            found[rows] = one.convert_lengths(lengths[rows], directions[rows], face[rows], weights[rows])
         return found
 
 

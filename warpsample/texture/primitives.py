@@ -12,6 +12,8 @@ from warpsample.mesh.files.gltf_data import Data
 from warpsample.mesh.mesh import Mesh
 
 _VARIANTS = "KHR_materials_variants"
+_ROUNDING = 1e-6
+"""Largest relative difference between scales that counts as rounding of float32 normals and matrices."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +29,8 @@ class Primitive:
         vertices: rows of the loaded mesh's vertices, at the first place.
         triangles: (F, 3) vertices of the faces, counted within the primitive.
         mirrored: whether the place mirrors the primitive. If so, the corner order is the reverse of the file's.
-        scale: scale of lengths at the place: the cube root of the scale of volumes.
+        scale: scale of lengths at the place: the cube root of the scale of volumes; 1 with a skin.
+        inverse: matrix from vectors in the scene to those in the mesh, vector @ inverse; (3, 3), or (V, 3, 3) for skins.
         materials: numbers of the primitive's material and of its material variants.
         node: number of the node that places the primitive.
         others: the same primitive at its other places; `visible_primitives` leaves out places without an area.
@@ -42,9 +45,36 @@ class Primitive:
     triangles: np.ndarray
     mirrored: bool
     scale: float
+    inverse: np.ndarray
     materials: list[int]
     node: int
     others: list["Primitive"] = field(default_factory=list)
+
+    def convert_lengths(
+        self, lengths: np.ndarray, directions: np.ndarray, face: np.ndarray, weights: np.ndarray
+    ) -> np.ndarray:
+        """Return lengths along directions in the scene as lengths in the mesh's own space, (P,) float64.
+
+        A length along a direction that the place flattens to 0 becomes 0.
+
+        KHR_materials_volume defines thickness in the coordinate space of the mesh, so the whole matrix counts. Shaders of
+        glTF-Sample-Viewer and three.js multiply by the lengths of the matrix' columns along the axes of the scene instead.
+        The rules agree for scales along the axes of a node that is not rotated, if the direction is one of these axes.
+
+        Args:
+            lengths: (P,) lengths in the scene.
+            directions: (P, 3) directions in the scene, of any length.
+            face: (P,) face of each point in the loaded mesh.
+            weights: (P, 3) barycentric weights of each point.
+        """
+        inverse = self.inverse
+        if inverse.ndim == 3:
+            inverse = np.einsum("pk,pkij->pij", weights, inverse[self.triangles[face - self.faces.start]])
+        own = (directions[:, None].astype(np.float64) @ inverse)[:, 0]
+        with np.errstate(divide="ignore", invalid="ignore"):  # directions of length 0 are of points without a value
+            stretch = np.linalg.norm(own, axis=1) / np.linalg.norm(directions, axis=1)
+            is_uniform = np.abs(stretch * self.scale - 1.0) < _ROUNDING
+            return lengths / np.where(is_uniform, self.scale, 1.0 / stretch)
 
 
 def list_primitives(tree: Part, data: Data) -> list[Primitive]:
@@ -61,9 +91,11 @@ def list_primitives(tree: Part, data: Data) -> list[Primitive]:
         name = mesh.text("name") if "name" in mesh else mesh.path
         own = triangles[:, ::-1] if volume < 0.0 else triangles
         materials = [part.index("material", known) for part in list_material_references(one.primitive)]
-        scale = 1.0 if "skin" in one.node else np.cbrt(abs(volume))  # joints place a skin, and its node does not
-        size = {"mirrored": volume < 0.0, "scale": scale, "node": int(one.node.path[len("nodes[") : -1])}
-        made = Primitive(one.mesh, one.number, one.primitive, name, *rows, own, materials=materials, **size)
+        poses = one.skin and one.skin.poses(one.primitive, data)  # joints place a skin, and its node does not
+        scale, moves = (np.cbrt(abs(volume)), one.matrix) if poses is None else (1.0, poses)
+        place = {"mirrored": volume < 0.0, "scale": scale, "inverse": np.linalg.pinv(moves[..., :3, :3])}
+        node = int(one.node.path[len("nodes[") : -1])
+        made = Primitive(one.mesh, one.number, one.primitive, name, *rows, own, materials=materials, node=node, **place)
         first = found.setdefault((one.mesh, one.number), made)
         if first is not made:
             first.others.append(made)

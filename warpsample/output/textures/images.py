@@ -78,7 +78,7 @@ def fill_texture(
         if looks:
             bodies.add(first, part, places, workers)
         found = numbers(places, 0)  # the points have ids
-        return replace(found, value=convert(found.value, points.face[rows], part.barycentric))
+        return replace(found, value=convert(found.value, places.normal, points.face[rows], part.barycentric))
 
     kept, rays, bad = [], 0, 0
     for part in compute_parts(points, of_part, part_size(quantity, options), record):
@@ -113,10 +113,14 @@ def _images(
 
 def _converter(
     job: TextureJob, run: BakeRun, quantity: Quantity
-) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
-    """Return the function that converts computed values for the picture, for example to tangent-space normals."""
+) -> Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
+    """Return the function that converts values for the picture, for example to tangent-space normals.
+
+    Its arguments are the values, the normals along which they are computed, the faces, and the barycentric weights.
+    """
     if slot_for_quantity(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
-        return Frames.of(run.mesh, job.points.mesh, job.points.corners, job.rows).to_components
+        frames = Frames.of(run.mesh, job.points.mesh, job.points.corners, job.rows)
+        return lambda value, _, face, weights: frames.to_components(value, face, weights)
     if quantity.result is Thickness and job.group:
-        return lambda value, face, _: value / job.scales[face]
+        return job.convert_lengths
     return lambda value, *_: value
