@@ -91,7 +91,7 @@ def test_the_hours_of_sun_on_steep_terrain_are_those_of_the_vertex(name, receive
 
 @pytest.mark.slow
 @pytest.mark.parametrize("receiver", ["horizontal", "surface"])
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [pytest.param(n, marks=() if n == "steps 85" else pytest.mark.thorough) for n in NAMES])
 def test_the_irradiation_of_steep_terrain_is_that_of_the_vertex(name, receiver):
     """Shares of what a day brings to open level ground; directions of the sky are a degree apart, its patches twelve."""
     pytest.importorskip("pvlib")

@@ -13,7 +13,7 @@ pytest.importorskip("rasterio")
 pytest.importorskip("rioxarray")
 
 import warpsample as ws
-from warpsample.city.rasters import far, grid
+from warpsample.city.rasters import far, grid, reader
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.horizons import sky_by_horizons
 from warpsample.city.rasters.reading import reader_of
@@ -70,6 +70,52 @@ def test_a_margin_of_the_whole_raster_changes_nothing(model, holes):
     mesh = ws.rasters.surface((heights, NORTH_UP, None), model=model).mesh
     plain = sky_by_horizons(SKY, mesh, points, {"count": 64})
     assert np.array_equal(right["value"].ravel()[cells], plain.value)
+
+
+@pytest.mark.parametrize("receiver", ["horizontal", "surface"])
+def test_a_tile_of_lone_cells_has_the_numbers_of_the_whole_raster(receiver):
+    """Such a tile of "tin", with no 2 x 2 block in its window, was refused. A cell without a triangle has no slope."""
+    heights = 10.0 * np.random.default_rng(3).random((40, 40))
+    heights[:16, :16] = np.nan
+    heights[3, 3] = 3.0
+    right = whole(run(heights, model="tin", receiver=receiver))
+    assert np.isnan(right["value"][3, 3]) == (receiver == "surface")
+    exact = run(heights, model="tin", receiver=receiver, tile=8, margin=60)
+    assert np.array_equal(whole(exact)["value"], right["value"], equal_nan=True)
+    found = run(heights, model="tin", receiver=receiver, tile=8, margin=4).numbers((slice(0, 8), slice(0, 8)))
+    off = np.abs(found["value"].astype(np.float64) - right["value"][:8, :8]) - found["far_error"]
+    assert np.array_equal(np.isnan(found["value"]), np.isnan(right["value"][:8, :8]))
+    assert np.nanmax(off, initial=0.0) <= 1e-6
+
+
+def test_a_lone_cell_is_open_without_lower_columns():
+    """Blocks of 2 x 2 cells beyond the margin all have cells without data: no lower column is anywhere."""
+    heights = np.full((300, 300), np.nan)
+    heights[3, 3], heights[251:253, 251:253] = 1.0, 5.0
+    found = run(heights, model="tin", tile=8, margin=100).numbers((slice(0, 8), slice(0, 8)))
+    assert found["value"][3, 3] + found["far_error"][3, 3] == 1.0
+    assert np.isfinite(found["value"]).sum() == 1
+
+
+@pytest.mark.parametrize("tile", [None, 8])
+def test_a_raster_without_a_surface_is_refused_before_any_tile(tile, monkeypatch):
+    """Whole and in tiles, which gave NaN. One band of rows is read at a time, and a block may lie across two bands."""
+    monkeypatch.setattr(reader, "_BAND", 40)
+    monkeypatch.setattr(RasterRun, "numbers", lambda *_: pytest.fail("a tile is computed"))
+    nothing, lone = np.full((30, 20), np.nan), np.full((30, 20), np.nan)
+    lone[4, 4] = lone[5, 5] = 1.0
+    for heights, model, message in (
+        (nothing, "joined", "source: got 30 x 20 cells without any height, want at least one"),
+        (nothing, "tin", "source: got 30 x 20 cells without any height"),
+        (lone, "tin", "source: got 30 x 20 cells without a block of 2 x 2 cells with heights"),
+    ):
+        with pytest.raises(ValueError, match=f"^{message}"):
+            ws.rasters.sky_view_factor((heights, NORTH_UP, None), 16, model=model, tile=tile)
+    for rows in (3, 4):
+        across = np.full((30, 20), np.nan)
+        across[rows : rows + 2, 4:6] = 1.0
+        run(across).reader.check_heights("tin")
+    run(lone).reader.check_heights("block")
 
 
 @pytest.mark.parametrize("margin", [3, 8, 20])

@@ -249,6 +249,7 @@ def sun_hours(
 def _compute_tiles(quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str) -> xr.Dataset:
     """Compute a quantity in all cells of a raster, tile by tile, and return the Dataset."""
     run, about = run_of(quantity, source, options, model=model, receiver=receiver)
+    run.reader.check_heights(run.model)
     cells = {name: np.full(run.reader.shape, np.nan, np.float32) for name in run.names}
     for span in run.spans():
         for name, values in run.numbers(span).items():

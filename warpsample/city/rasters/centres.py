@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from warpsample.city.rasters.grid import TOP, WALL, Grid, Triangles
+from warpsample.city.rasters.grid import TOP, WALL, Grid, Triangles, mask_blocks
 
 
 def build_tin(grid: Grid) -> Triangles:
@@ -12,20 +12,16 @@ def build_tin(grid: Grid) -> Triangles:
     mirrored raster gives the same triangles. Both triangles of a square belong to the square's first cell. Next to cells
     without data, walls reach from the triangles down to the lowest height, so that no ray gets below the triangles.
 
-    Raises:
-        ValueError: No 2 x 2 cells with heights.
+    A part of a raster may have no such block. Its cells are points without a triangle, and one triangle without an area
+    stands for the surface, because a mesh has at least one triangle.
     """
-    rows, columns = grid.height.shape
+    columns = grid.height.shape[1]
     cells = grid.cells
     number = np.zeros(grid.height.shape, np.int32)
     number.ravel()[cells] = np.arange(len(cells), dtype=np.int32)
-    valid = grid.valid
-    whole = np.flatnonzero(valid[:-1, :-1] & valid[:-1, 1:] & valid[1:, :-1] & valid[1:, 1:])
+    whole = np.flatnonzero(mask_blocks(grid.valid))
     if len(whole) == 0:
-        raise ValueError(
-            f"source: got {rows} x {columns} cells without a block of 2 x 2 cells with heights, want at least one block "
-            "for model='tin'; or pass model='joined' or model='block', which need no such block"
-        )
+        return Triangles(grid.centres(cells), np.zeros((1, 3), np.int32), np.array([TOP], np.uint8), cells[:1])
     row, column = np.divmod(whole, columns - 1)
     first = row * columns + column
     square = [number.ravel()[first + step] for step in (0, 1, columns + 1, columns)]

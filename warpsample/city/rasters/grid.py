@@ -122,6 +122,11 @@ class Bounds:
     transform: Affine
 
 
+def mask_blocks(valid: np.ndarray) -> np.ndarray:
+    """Return the mask of the 2 x 2 blocks of cells that all have heights, (rows - 1, columns - 1) bool."""
+    return valid[:-1, :-1] & valid[:-1, 1:] & valid[1:, :-1] & valid[1:, 1:]
+
+
 def resample_extremes(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
     """Resample upper and lower bounds of heights to another grid of cells.
 

@@ -11,7 +11,7 @@ from warpsample.city.rasters.canopy import TRUNK, Canopy, Crowns, build_prisms
 from warpsample.city.rasters.cells import STEP, build_joined_cells
 from warpsample.city.rasters.centres import build_tin
 from warpsample.city.rasters.grid import TOP, Grid
-from warpsample.city.rasters.reading import check_heights, ground_of
+from warpsample.city.rasters.reading import ground_of
 from warpsample.city.rasters.scenery import Scenery, join_triangles
 from warpsample.host.arguments import check_choice
 from warpsample.host.arrays import as_real
@@ -175,7 +175,8 @@ def surface(
     check_choice(model, "model", MODELS)
     reader = ground_of(source)
     canopy = Canopy.of(reader, canopy, trunk, relative)
-    grid = check_heights(reader.grid())
+    grid = reader.grid()
+    reader.check_heights(model)
     return build_surface(grid, model, canopy and canopy.crowns(grid))
 
 

@@ -8,11 +8,13 @@ import numpy as np
 import pyproj
 from affine import Affine
 
-from warpsample.city.rasters.grid import Grid
+from warpsample.city.rasters.grid import Grid, mask_blocks
 from warpsample.host.engine import check_memory
 
 _BYTES = 1000
 """Bytes of memory per cell: triangles, normals and ray-tracing tree."""
+
+_BAND = 1 << 22  # cells per reading step
 
 _MOST_CELLS = 2**28
 """Largest number of cells: a cell has up to five vertices, whose indices are int32."""
@@ -65,6 +67,25 @@ class RasterReader:
         rows, columns = slice(*rows.indices(self.shape[0])), slice(*columns.indices(self.shape[1]))
         heights = self.heights(rows, columns)
         return heights * self.factor if abs(self.factor - 1.0) > 1e-5 else heights
+
+    def check_heights(self, model: str) -> None:
+        """Raise a ValueError if the raster has no surface: no cell with a height, or for "tin" no 2 x 2 block of such cells.
+
+        Bands of rows are read until a height, or such a block, is found: for most rasters one band.
+        """
+        rows, columns = self.shape
+        some, step = False, max(1, _BAND // max(columns, 1))
+        for first in range(0, rows, step):
+            valid = ~np.isnan(self.read(slice(first, min(first + step + 1, rows)), _ALL))
+            some = some or bool(valid.any())
+            if some and (model != "tin" or mask_blocks(valid).any()):
+                return
+        if not some:
+            raise ValueError(f"source: got {rows} x {columns} cells without any height, want at least one")
+        raise ValueError(
+            f"source: got {rows} x {columns} cells without a block of 2 x 2 cells with heights, want at least one block "
+            "for model='tin'; or pass model='joined' or model='block', which need no such block"
+        )
 
 
 def _check_size(shape: tuple[int, int]) -> None:

@@ -20,7 +20,6 @@ from rioxarray.exceptions import MissingSpatialDimensionError
 
 from warpsample.city.arc_grid import check_arc_grid
 from warpsample.city.rasters.coding import Coding
-from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reference import (
     REPROJECT,
@@ -44,14 +43,6 @@ from warpsample.host.neighbours import describe_type
 
 _HEIGHT_UNIT = re.compile(rb"^Zunits\s+(\w+)", re.IGNORECASE | re.MULTILINE)
 _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
-
-
-def check_heights(grid: Grid) -> Grid:
-    """Return the grid unchanged; raise a ValueError if no cell has a height."""
-    if not grid.valid.any():
-        rows, columns = grid.height.shape
-        raise ValueError(f"source: got {rows} x {columns} cells without any height, want at least one")
-    return grid
 
 
 def reader_of(source: Any) -> RasterReader:

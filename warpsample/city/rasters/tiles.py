@@ -18,9 +18,10 @@ from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
 from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, compute_through_crowns
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, build_surface
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reading import check_heights, ground_of, reader_of
+from warpsample.city.rasters.reading import ground_of, reader_of
 from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, join_triangles
 from warpsample.estimate.quantities.record import Quantity
+from warpsample.estimate.result import has_value
 from warpsample.host.arguments import check_choice, check_integer, quote
 from warpsample.host.progress import log
 from warpsample.mesh.mesh import Mesh
@@ -110,13 +111,14 @@ class RasterRun:
     def check(self) -> None:
         """Raise an error for invalid options of the quantity, by a computation for 2 x 2 cells of level ground.
 
-        The model "tin" has no triangles with fewer cells.
+        The model "tin" has no triangles with fewer cells. A raster without a surface is refused, too.
 
         Raises:
-            TypeError, ValueError: An option that cannot be used; the message names the option.
+            TypeError, ValueError: An option that cannot be used, or a raster without heights; the message names it.
         """
         flat = replace(self.reader, shape=(2, 2), coordinates={}, heights=lambda *_: np.zeros((2, 2)))
         replace(self, reader=flat, canopy=None, tile=None, other=None).numbers((slice(0, 2), slice(0, 2)))
+        self.reader.check_heights(self.model)
 
     @property
     def rasters(self) -> dict[str, RasterReader]:
@@ -188,8 +190,6 @@ class RasterRun:
         row, column = (first.start - part.start for first, part in zip(span, window, strict=True))
         inside = np.zeros(grid.height.shape, bool)
         inside[row : row + shape[0], column : column + shape[1]] = True
-        if self.tile is None:
-            check_heights(grid)
         if not (inside & grid.valid).any():
             return laid
         surface = build_surface(grid, self.model)
@@ -244,8 +244,13 @@ class RasterRun:
 
 
 def _average_bounds(found: list[Seen]) -> dict[str, np.ndarray]:
-    """Average two results, computed with too high and with too low distant terrain; half the difference is `far_error`."""
+    """Average two results, computed with too high and with too low distant terrain; half the difference is `far_error`.
+
+    Points without a value, such as cells of "tin" without a triangle that would give them a slope, are NaN.
+    """
     upper, lower = (vars(seen) for seen in (found[0], found[-1]))
     names = ("value", "standard_error", "half_width")
     means = {name: (upper[name].astype(np.float64) + lower[name]) / 2.0 for name in names}
-    return means | {"far_error": np.abs(lower["value"].astype(np.float64) - upper["value"]) / 2.0}
+    means["far_error"] = np.abs(lower["value"].astype(np.float64) - upper["value"]) / 2.0
+    known = has_value(found[0].status)
+    return {name: np.where(known, values, np.nan) for name, values in means.items()}
