@@ -131,15 +131,27 @@ def _rays_with_weight(point: ShadingPoint, length: wp.int32) -> wp.uint64:
     return rays
 
 
-@wp.func
-def _aim_at_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, n: wp.vec3d, patch: Patch):
-    """Prepare one ray towards the direction in a sky patch that is highest above the point's horizon."""
-    frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
-    w = highest(n, patch)
-    d = w[0] * frame[0] + w[1] * frame[1] + w[2] * frame[2]
-    set_direction(point.chunk, 0, wp.vec3(d))
-    move_rays_near(point, 1)
-    _prepare(tree, point, local, 1)
+@once
+def _highest_share(glass: bool) -> wp.Function:
+    """Build the Warp function that returns the visible share of one direction of a sky patch."""
+
+    @wp.func
+    def share_at_highest(
+        sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, n: wp.vec3d, patch: Patch
+    ) -> wp.float64:
+        """Return the visible share, 0 to 1, of the direction in a sky patch that is highest above the point's horizon."""
+        frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
+        w = highest(n, patch)
+        d = w[0] * frame[0] + w[1] * frame[1] + w[2] * frame[2]
+        set_direction(point.chunk, 0, wp.vec3(d))
+        move_rays_near(point, 1)
+        _prepare(tree, point, local, 1)
+        share = wp.where(_blocked(tree, point, local, ray_set(0), 1) != NO_RAYS, ZERO, ONE)
+        if wp.static(glass) and share > ZERO:
+            share = wp.float64(glass_transmittance(sky.glass, point, 0))
+        return share
+
+    return share_at_highest
 
 
 @wp.func
@@ -161,6 +173,7 @@ def _error_of_share(difference: wp.float64, spread: wp.float64, rays: wp.float64
 @once
 def patch_sum(glass: bool) -> wp.Function:
     """Build the Warp function that estimates by rays the visible share of a sky patch."""
+    share_at_highest = _highest_share(glass)
 
     @wp.func
     def sum_rays(
@@ -210,10 +223,7 @@ def patch_sum(glass: bool) -> wp.Function:
         if all == ZERO:
             # All rays are almost parallel to the horizon: cast one ray where the patch is highest above the horizon.
             cast = 1
-            _aim_at_highest(sky, tree, point, local, n, patch)
-            share = wp.where(_blocked(tree, point, local, ray_set(0), 1) != NO_RAYS, ZERO, ONE)
-            if wp.static(glass) and share > ZERO:
-                share = wp.float64(glass_transmittance(sky.glass, point, 0))
+            share = share_at_highest(sky, tree, point, local, n, patch)
         else:
             share = free / all
             # The two replicates deviate from the share by opposite amounts: each deviation is half of their difference.
