@@ -5,17 +5,16 @@ import re
 import subprocess
 import sys
 from html.parser import HTMLParser
-from types import ModuleType
 from urllib.parse import unquote, urldefrag
 
 import browser
 import pytest
+from page_reader import Reader
 
 from warpsample.cli.commands import app
 
 BLOCK = re.compile(r"^```(python|sh|text)\n(.*?)^```", re.DOTALL | re.MULTILINE)
 NUMBER = re.compile(r"-?\d[\d,]*(?:\.\d*)?(?:e[-+]\d+)?")
-SET_UP = ["python3 -m venv .venv && . .venv/bin/activate", "pip install '.[viz]'"]  # .ci/run
 TELLING = ("Warp ", "   ", "Module ")  # how lines of Warp's own begin
 NEEDS = {"journeys/city": "rasterio", "journeys/asset": "xatlas", "journeys/cluster": "zarr"}
 JOURNEYS = tuple(f"journeys/{name}" for name in ("sampler", "city", "enclosure", "kernel", "asset", "cluster"))
@@ -61,31 +60,6 @@ def unit(number):
     """Return the unit of the last place; 0 for whole numbers without a decimal point, which are exact counts."""
     digits, _, exponent = number.partition("e")
     return 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2])) if "." in digits else 0.0
-
-
-class Reader:
-    """Reader who types the blocks of a page in one folder: Python into one file, and commands."""
-
-    def __init__(self, name, folder, call):
-        self.module = ModuleType(f"page_{name.replace('/', '_')}")
-        self.file, self.call = folder / f"{self.module.__name__}.py", call
-
-    def python(self, code, capsys):
-        written = self.file.read_text() if self.file.exists() else ""
-        self.file.write_text(f"{written}{code}")
-        exec(compile("\n" * written.count("\n") + code, str(self.file), "exec"), vars(self.module))
-        return capsys.readouterr().out
-
-    def sh(self, code, capsys):
-        said = []
-        for line in code.splitlines():
-            if line not in SET_UP:
-                program, *words = line.split()
-                assert program == "warpsample", line
-                status, out, err = self.call(*words)
-                assert status == 0, err
-                said.append(out)
-        return "".join(said)
 
 
 @pytest.mark.slow

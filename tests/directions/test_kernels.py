@@ -168,7 +168,13 @@ def all_kernels():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("label", "kernel"), [pytest.param(*pair, id=pair[0]) for pair in all_kernels()])
+@pytest.mark.parametrize(
+    ("label", "kernel"),
+    [
+        pytest.param(*pair, id=pair[0], marks=pytest.mark.thorough if "_to_square" in pair[0] else ())
+        for pair in all_kernels()
+    ],
+)
 def test_every_kernel_compiles_for_cuda(label, kernel, tmp_path):
     """The compiler inside warp-lang makes PTX of it, without a driver."""
     if kernel.module in _compiled:

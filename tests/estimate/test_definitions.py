@@ -169,7 +169,7 @@ def test_numbers_are_those_that_warp_does_not_see(make):
         assert ws.integrate(UP, make(gain), 2).value[0] == gain
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_process_finds_no_kernel_of_another_number(child_environment, tmp_path):
     """Both with one cache of kernels."""
     file = tmp_path / "gains.py"

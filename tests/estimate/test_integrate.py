@@ -156,10 +156,14 @@ def test_error_bars_are_as_wide_as_the_errors(sequence, count, integrand):
 
 
 @pytest.mark.slow
-def test_built_in_quantities_are_integrals(bunny, points):
+def test_occlusion_is_an_integral(bunny, points):
     """An integrand that is not known to be 1 takes the general way; the rays are the same, and so is the value."""
     occlusion = ws.ambient_occlusion(bunny, points, 300, seed=3)
     assert np.allclose(ws.integrate(points, one, 300, mesh=bunny, seed=3).value, occlusion.value, rtol=0.0, atol=1e-6)
+
+
+@pytest.mark.thorough
+def test_bent_normals_and_irradiance_are_integrals(bunny, points):
     bent = ws.bent_normals(bunny, points, 300, seed=3)
     assert np.array_equal(ws.integrate(points, direction, 300, mesh=bunny, seed=3).value, bent.value)
     light = ws.irradiance(bunny, points, up, 300, seed=3)

@@ -296,12 +296,13 @@ def test_two_thousand_interrupts_of_all_kinds_of_calls(child_environment):
     assert done.returncode == 0, done.stderr[-4000:]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.thorough)])
-def test_random_interrupts_leave_no_thread_and_no_half_file(seed, child_environment):
-    """Directions, occlusion, view factors, a file and a store, by 75 interrupts; see the script."""
+@pytest.mark.parametrize(
+    ("count", "seed"), [pytest.param(30, 1, marks=pytest.mark.slow), pytest.param(75, 2, marks=pytest.mark.thorough)]
+)
+def test_random_interrupts_leave_no_thread_and_no_half_file(count, seed, child_environment):
+    """Directions, occlusion, view factors, a file and a store are interrupted; see the script."""
     script = Path(__file__).parents[1] / "support" / "random_interrupts.py"
-    command = [sys.executable, "-X", "faulthandler", str(script), "75", str(seed)]
+    command = [sys.executable, "-X", "faulthandler", str(script), str(count), str(seed)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS, env=child_environment, check=False)
     assert done.returncode == 0, done.stderr[-4000:]
 

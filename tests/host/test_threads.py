@@ -24,10 +24,12 @@ def alone(child_environment):
     return run
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "task", ["first_use", "faces_changed", "new_meshes", "refits", pytest.param("debugged", marks=pytest.mark.thorough)]
+TASKS = dict.fromkeys(("first_use", "faces_changed", "new_meshes"), pytest.mark.slow) | dict.fromkeys(
+    ("refits", "debugged"), pytest.mark.thorough
 )
+
+
+@pytest.mark.parametrize("task", [pytest.param(task, marks=mark) for task, mark in TASKS.items()])
 def test_threads_answer_as_one(alone, task):
     alone(task)
 

@@ -51,9 +51,15 @@ def test_ply_of_other_elements(tmp_path):
         path.write_bytes(head + extra.replace(b"extra", b"tristrips") + end + data + row)
         with cases.refused(path, "the file has triangle strips, want separate faces; export the mesh as triangles"):
             ws.load_mesh(path)
+        path.write_bytes(head.replace(b"list uchar int", b"list uchar float") + end + data)
+        with cases.refused(path, "the header declares vertex_indices of a type with fractions, want whole numbers, .*"):
+            ws.load_mesh(path)
         path.write_bytes(head.replace(b"list uchar int", b"list float int") + end + data)
         with cases.refused(path, "the header has the unknown line 'property list float int vertex_indices'"):
             ws.load_mesh(path)
+    path.write_bytes(cases.ply("ascii", CORNERS, POLYGONS[:1]).replace(b"\n7 3 ", b"\n7 3.0 "))  # a flag, then the count
+    with cases.refused(path, "'3.0' is not a whole number"):
+        ws.load_mesh(path)
 
 
 def test_obj_indices_and_lines(tmp_path):
@@ -74,9 +80,9 @@ def test_obj_indices_and_lines(tmp_path):
         ("f 1 2 7", "a face has the vertex 6, want a vertex from 0 to 5"),
         ("f 1 2 -7", "a face has the vertex -1, want .*"),
         ("f 0 1 2", "line 18: a face has the vertex 0, but vertices count from 1"),
-        ("f 1 2 3.5", "line 18: invalid literal .*"),
+        ("f 1 2 3.5", "line 18: '3.5' is not a whole number"),
         ("v 1 2", "line 18: a vertex has 2 numbers, want at least 3"),
-        ("v 1 2 x", "line 18: could not convert .*"),
+        ("v 1 2 x", "line 18: 'x' is not a number"),
         ("curv 1 2", "line 18: the keyword 'curv' is unknown"),
         ("f 1 2 3 \\\n", "line 17: the file ends within a line|line 18: the file ends within a line"),
     ]:

@@ -4,6 +4,7 @@ import os
 import signal
 import struct
 import sys
+from zipfile import ZipFile
 
 import mesh_file_cases as cases
 import psutil
@@ -120,6 +121,21 @@ def test_usd_that_is_not_whole_is_refused_in_one_sentence(stage, tmp_path, capfd
     UsdGeom.Sphere.Define(stage, "/ball")
     with cases.refused(tmp_path / "scene.usda", "the prim /ball is a Sphere, want only meshes; convert the shape to a mesh"):
         loaded(stage)
+    assert capfd.readouterr() == ("", "")
+
+
+def test_archives_without_a_layer_are_refused_in_one_sentence(tmp_path, capfd):
+    """Before, the reason was an error of Python, such as "'NoneType' object has no attribute 'ComputeAbsolutePath'"."""
+    for number, names in enumerate(((), ("a.txt",))):
+        path = tmp_path / f"{number}.usdz"
+        with ZipFile(path, "w") as archive:
+            for name in names:
+                archive.writestr(name, "no layer")
+        with cases.refused(path, f"{path.name} holds no USD layer; the first file of a .usdz must be .*"):
+            ws.load_mesh(path)
+    path.write_bytes(b"no archive")
+    with cases.refused(path, "the file is not a zip archive, or is cut off"):
+        ws.load_mesh(path)
     assert capfd.readouterr() == ("", "")
 
 

@@ -165,3 +165,34 @@ def test_a_glb_of_another_version_is_refused_by_its_version(tmp_path, version):
         ValueError, match=f"the file is a .glb of version {version}, want version 2; export the file as glTF 2"
     ):
         ws.load_mesh(path)
+
+
+@pytest.mark.parametrize("bad", ["nan", "inf"])
+def test_coordinates_of_usd_that_are_no_numbers_are_named(call, tmp_path, bad):
+    """Set 1 is used then. Before, the set counted as missing, without a sentence, and hid the sets after it."""
+    path, command = write_usd(tmp_path, f"({bad}, {bad}), " * 3, "(0, 0), (1, 0), (0, 1)"), ("--texture", 16, "--samples", 4)
+    why = "(set 0 is passed over: 1 of 1 faces lack it or have NaN in it)"
+    status, out, err = call("bake", path, "-o", tmp_path / "a.npz", *command)
+    assert (status, err, f", set 1 {why}: " in out) == (0, "", True)
+    status, out, err = call("bake", write_usd(tmp_path), "-o", tmp_path / "a.npz", *command)
+    assert (status, err, ", new coordinates: " in out) == (0, "", True)
+
+
+def test_a_set_of_usd_that_cannot_be_read_is_named(call, tmp_path):
+    path = write_usd(tmp_path, "(0, 0)")
+    status, out, err = call("bake", path, "-o", tmp_path / "a.npz", "--texture", 16, "--samples", 4)
+    assert (status, err) == (0, "")
+    assert ", new coordinates (set 0 is passed over: the primvar /m.primvars:st0 has 1 texture coordinates, want 3): " in out
+
+
+def write_usd(folder, *sets):
+    """Write a triangle with sets of texture coordinates st0, st1 ..., one at each vertex; return the path."""
+    lines = [
+        f'texCoord2f[] primvars:st{number} = [{values}] (interpolation = "vertex")' for number, values in enumerate(sets)
+    ]
+    path = folder / "a.usda"
+    path.write_text(
+        '#usda 1.0\ndef Mesh "m" {\npoint3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]\n'
+        "int[] faceVertexCounts = [3]\nint[] faceVertexIndices = [0, 1, 2]\n" + "\n".join(lines) + "\n}\n"
+    )
+    return path

@@ -1,5 +1,6 @@
 """The `warpsample` command: its entry point, which first imports only the handling of signals."""
 
+import gc
 import sys
 import warnings
 
@@ -11,9 +12,11 @@ def main() -> None:
     """Run the command line, as `warpsample` and `python -m warpsample` do."""
     open_closed_streams()
     with listening():
+        gc.disable()  # what is imported stays; looking for garbage in it takes a tenth of the start
         from warpsample.cli.commands import app
         from warpsample.cli.terminal import print_anything, printing_errors
 
+        gc.enable()
         warnings.formatwarning = lambda message, *_, **__: f"warning: {escape(str(message))}\n"
         print_anything()
         with printing_errors():  # for what no command handles: --version and --help

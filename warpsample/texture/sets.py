@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.mesh.files.gltf import find_faces_with
+from warpsample.mesh.files import gltf, usd
 from warpsample.mesh.files.text import has_obj_lines
 from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, MissingSetError, load_uv
 from warpsample.mesh.mesh import Mesh
@@ -87,7 +87,7 @@ class Texels:
         """Store the arguments; sets are read at first use."""
         self.path, self.mesh, self.how, self.normals = path, mesh, how, normals
         self._sets: list[np.ndarray | None] = []
-        self._named: list[np.ndarray] = []
+        self._named: dict[int, np.ndarray] = {}
         self._unreadable: dict[int, str] = {}  # sets of the file that cannot be read, with the reasons
 
     def points(self, uv: np.ndarray, rows: list[slice]) -> TexturePoints:
@@ -169,7 +169,7 @@ class Texels:
 
     def _is_named(self, number: int, rows: Iterable[slice]) -> bool:
         """Return whether the file has a set of texture coordinates, perhaps with NaN, for some of the given faces."""
-        return self._read_set(number) is not None and any(self._named[number][some].any() for some in rows)
+        return self._read_set(number) is not None and any(self._find_named(number)[some].any() for some in rows)
 
     def _count_lacking(self, number: int, rows: Iterable[slice]) -> int:
         """Count the given faces for which a set of texture coordinates is missing, NaN or infinite."""
@@ -193,7 +193,6 @@ class Texels:
     def _read_set(self, number: int) -> np.ndarray | None:
         """Return the texture coordinates of set `number`, (F, 3, 2), or None if the file lacks the set."""
         while len(self._sets) <= number and (not self._sets or self._sets[-1] is not None):
-            self._named.append(self._find_named(len(self._sets)))
             self._sets.append(self._load_set(len(self._sets)))
         return self._sets[number] if number < len(self._sets) else None
 
@@ -203,18 +202,28 @@ class Texels:
         try:
             return load_uv(self.path, set=number)
         except ValueError as error:  # the mesh itself was read without error
-            if not self._named[number].any():
-                return None
             if not isinstance(error.__cause__, MissingSetError):
                 self._unreadable[number] = str(error.__cause__)
+            elif not self._find_named(number).any():
+                return None
             return np.full((len(self.mesh.faces), 3, 2), np.nan)
 
     def _find_named(self, number: int) -> np.ndarray:
-        """Return the (F,) bool mask of the faces for which a .glb, .gltf or .obj has the set `number`, perhaps with NaN.
+        """Return the (F,) bool mask of the faces for which the file has the set `number`, perhaps with NaN.
 
-        For an .obj with any texture coordinates, these are all faces.
+        For an .obj with any texture coordinates, and for a set of a USD file that cannot be read, these are all faces.
         """
-        if self.path.suffix.lower() in (".glb", ".gltf"):
-            return find_faces_with(self.path, f"TEXCOORD_{number}")
-        is_named = self.path.suffix.lower() == ".obj" and not number and has_obj_lines(self.path, "vt")
-        return np.full(len(self.mesh.faces), is_named)
+        if number not in self._named:
+            self._named[number] = self._read_named(number)
+        return self._named[number]
+
+    def _read_named(self, number: int) -> np.ndarray:
+        suffix = self.path.suffix.lower()
+        if suffix in (".glb", ".gltf"):
+            return gltf.find_faces_with(self.path, f"TEXCOORD_{number}")
+        if suffix == ".obj":
+            is_named = number == 0 and has_obj_lines(self.path, "vt")
+            return np.full(len(self.mesh.faces), is_named)
+        if number in self._unreadable:
+            return np.ones(len(self.mesh.faces), np.bool_)
+        return usd.find_faces_with(self.path, number)

@@ -117,6 +117,8 @@ def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
         )
     if "tristrips" in found:
         raise ValueError("the file has triangle strips, want separate faces; export the mesh as triangles")
+    if polygons[1].dtype.kind == "f":
+        raise ValueError("the header declares vertex_indices of a type with fractions, want whole numbers, such as int")
     vertices = np.stack([vertex[axis] for axis in "xyz"], axis=1, dtype=np.float64)
     return vertices, triangles(vertices, *polygons)
 

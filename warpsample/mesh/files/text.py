@@ -195,12 +195,23 @@ def three(words: list[str]) -> list[float]:
 
 def real(word: str | bytes) -> float:
     """Parse a number in a text file as a float."""
-    return float(_plain(word))
+    try:
+        return float(_plain(word))
+    except ValueError:
+        raise ValueError(f"{_quote(word)} is not a number") from None
 
 
 def whole(word: str | bytes) -> int:
     """Parse a whole number in a text file as an int."""
-    return int(_plain(word))
+    try:
+        return int(_plain(word))
+    except ValueError:
+        raise ValueError(f"{_quote(word)} is not a whole number") from None
+
+
+def _quote(word: str | bytes) -> str:
+    """Return a word in quotes for an error message, shortened to 60 characters."""
+    return ascii(word if isinstance(word, str) else word.decode("latin-1"))[:60]
 
 
 def _plain(word: str | bytes) -> str | bytes:
@@ -209,7 +220,7 @@ def _plain(word: str | bytes) -> str | bytes:
     Digits of other scripts raise the error, too.
     """
     if {"_", "\\"} & set(ascii(word)):
-        raise ValueError(f"{ascii(word)[:60]} is not a number")
+        raise ValueError
     return word
 
 

@@ -43,6 +43,12 @@ def read_corners(path: Path, number: int) -> np.ndarray:
     return joined_corners(part[:3] for part in _parts(_run_usd_stage(path, str(number))))[..., :2]
 
 
+def find_faces_with(path: Path, number: int) -> np.ndarray:
+    """Return the (F,) bool mask of the faces whose prim has a set of texture coordinates, whatever its values."""
+    corners = joined_corners(part[:3] for part in _parts(_run_usd_stage(path, str(number))))
+    return np.isfinite(corners[..., 2]).all(axis=1)
+
+
 def read_normals(path: Path) -> np.ndarray:
     """Read the normals of a USD file at all face corners, (F, 3, 3) float64, placed in the scene; NaN for prims without any.
 

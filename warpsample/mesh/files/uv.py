@@ -28,7 +28,7 @@ def _gltf(path: Path, number: int) -> np.ndarray:
 def _obj(path: Path, number: int) -> np.ndarray:
     """Read the texture coordinates of an .obj, with v downward."""
     if number:
-        raise ValueError(f"an .obj file has only set 0 of texture coordinates, but set={number}")
+        raise MissingSetError(f"an .obj file has only set 0 of texture coordinates, but set={number}")
     return _downward(text.read_obj_uv(path))
 
 
