@@ -181,7 +181,7 @@ def sky():
     return ws.EnvironmentMap(picture)
 
 
-@pytest.mark.parametrize("tangents", [False, True])
+@pytest.mark.parametrize("tangents", [False, pytest.param(True, marks=pytest.mark.thorough)])
 def test_a_picture_and_a_lobe_about_the_normal_are_mixed(tangents):
     """Each direction is that of its lobe alone at the stretched u, and its density is the sum of both."""
     normals = np.random.default_rng(1).normal(size=(40, 3)).astype(np.float32)

@@ -49,8 +49,10 @@ def same(one, other, rows=slice(None)):
     return all(np.array_equal(getattr(one, n)[rows], getattr(other, n)[rows]) for n in ("value", "standard_error", "status"))
 
 
-@pytest.mark.parametrize("blocked", [False, True])
-@pytest.mark.parametrize("count", [16, 300])
+@pytest.mark.parametrize(
+    ("count", "blocked"),
+    [(300, False), (16, True), *(pytest.param(*case, marks=pytest.mark.thorough) for case in ((16, False), (300, True)))],
+)
 def test_arrays_full_of_a_constant_give_its_bits(blocked, count, points, mesh):
     by = {"mesh": mesh} if blocked else {}
     one = ws.integrate(points, slanted, count, distribution=ws.GGX(0.4), **by)

@@ -125,7 +125,7 @@ def up_light(d: wp.vec3):
     return wp.max(d[2], 0.0)
 
 
-@pytest.mark.parametrize("sampling", MODES)
+@pytest.mark.parametrize("sampling", ["both", *(pytest.param(n, marks=pytest.mark.thorough) for n in MODES if n != "both")])
 def test_faces_block_and_transmit_rays_of_all_kinds(sampling):
     """Inside a box of transmittance tau every value is tau times the open one; inside an opaque box it is 0."""
     corners = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1], indexing="ij"), float).reshape(3, -1).T

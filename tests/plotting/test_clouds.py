@@ -42,8 +42,9 @@ def test_cosine_clouds_are_uniform_spheres_resting_on_the_surface(points):
 
 
 def mostly_slow(names):
-    """The first four are quick; each of the others compiles two kernels of its own."""
-    return [*names[:4], *(pytest.param(name, marks=pytest.mark.slow) for name in names[4:])]
+    """The first four are quick; each of the others compiles two kernels of its own, and every second is thorough."""
+    tiers = (pytest.mark.slow, pytest.mark.thorough)
+    return [*names[:4], *(pytest.param(name, marks=tiers[i % 2]) for i, name in enumerate(names[4:]))]
 
 
 def test_the_cosine_lobe_is_drawn_as_a_sphere_of_diameter_one():

@@ -154,8 +154,9 @@ def test_a_uniform_map_with_a_density_that_goes_on_below_the_surface(subject_of)
     assert wrong.endswith("The other parts agree. Mend `sample`, the first function of Maps.")
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("lobe", LOBES)
+@pytest.mark.parametrize(
+    "lobe", [pytest.param(n, marks=pytest.mark.slow if n == "cone" else pytest.mark.thorough) for n in LOBES]
+)
 def test_only_the_support_is_named_of_a_density_beyond_it(lobe, subject_of):
     """The twin's density counts in the support alone, as documented, and may go on beyond it."""
     if lobe != "sphere":

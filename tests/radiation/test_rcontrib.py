@@ -39,9 +39,13 @@ def rcontrib(folder, mesh, points, multiple):
     return colours[:, :, 1:, 1].astype(np.float64) / np.pi  # the ground comes first
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
-    ("scene", "patches", "multiple"), [("city", "tregenza", 1), ("bunny", "tregenza", 1), ("city", "reinhart2", 2)]
+    ("scene", "patches", "multiple"),
+    [
+        pytest.param("city", "tregenza", 1, marks=pytest.mark.slow),
+        pytest.param("city", "reinhart2", 2, marks=pytest.mark.slow),
+        pytest.param("bunny", "tregenza", 1, marks=pytest.mark.thorough),
+    ],
 )
 def test_rcontrib_agrees_patch_by_patch(scene, patches, multiple, tmp_path):
     mesh = scenes.city(6) if scene == "city" else scenes.bunny(0)

@@ -20,7 +20,7 @@ def write_parts(baked: Baked, city: City | None) -> None:
     output = baked.run.output
     if output.suffix not in (".png", ".csv"):
         assert city is not None
-        city.write(output, {f"ws_{name}": column for name, column in _means(baked)})
+        city.write(output, {f"ws_{name}": column for name, column in _means(baked, city)})
         return
     with complete_or_absent(output) as file:
         if output.suffix == ".png":
@@ -33,7 +33,7 @@ def part_table(baked: Baked, city: City | None) -> dict[str, np.ndarray]:
     """Return a table with a row for each part of the mesh: name, area, mean, standard error, and total."""
     rows = list_parts(baked.mesh) if city is None else city.surfaces.columns
     area = rows.pop("area")
-    return rows | {"area_m2": area} | dict(add_totals(dict(_means(baked)), area))
+    return rows | {"area_m2": area} | dict(add_totals(dict(_means(baked, city)), area))
 
 
 def list_parts(mesh: Mesh) -> dict[str, np.ndarray]:
@@ -56,7 +56,7 @@ def _means_of_faces(baked: Baked) -> np.ndarray:
     return np.where(mesh.part >= 0, means[np.maximum(mesh.part, 0)], np.nan)
 
 
-def _means(baked: Baked) -> Iterator[tuple[str, np.ndarray]]:
+def _means(baked: Baked, city: City | None) -> Iterator[tuple[str, np.ndarray]]:
     """Yield the columns of a table of parts, (header, array): means of the values, and their standard errors."""
     mesh, found = baked.mesh, baked.result
     assert mesh.part is not None
@@ -70,6 +70,7 @@ def _means(baked: Baked) -> Iterator[tuple[str, np.ndarray]]:
         found.standard_error,
         count=len(mesh.parts),
         least=raised_errors(found),
+        widen=city is None,  # errors of surfaces add up to those of city objects, so they remain root mean squares
     )
     for name in ("value", "standard_error"):
         array, header = getattr(means, name), baked.quantity.header

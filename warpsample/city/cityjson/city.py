@@ -70,7 +70,7 @@ class City(Summary):
 
         Args:
             count: approximate number of points, shared among triangles by area, with at least two on each. Default: four
-                times the number of triangles.
+                times the number of triangles, or about 2,048 to 4,096 for fewer than 683 triangles.
             seed: seed of the random numbers.
 
         Returns:
@@ -99,7 +99,8 @@ class City(Summary):
         included; they are common to all surfaces.
 
         Pass the result of a call, such as `ws.sky_view_factor`, as `values`. Where all rays agree, the error then accounts
-        for geometry that no ray has hit. For an array of values with standard errors of 0, the error of their mean is 0.
+        for geometry that no ray has hit. An array of values does not contain the number of rays. The error of its mean is
+        therefore 0 where all values are equal and their errors are 0, even if all rays missed a small opening.
 
         Args:
             values: a result with P values, or (P,) values at the points; (F,) values at the centres of triangles if `points`

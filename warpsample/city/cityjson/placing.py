@@ -12,6 +12,7 @@ from warpsample.sequences.hashing import seed_for
 
 _LEAST = 2  # least number of points per triangle, so that the spread of values is known
 _EACH = 4  # default number of points per triangle, on average
+_TOTAL = 2048  # default number of points of a mesh with few triangles; fewer miss shadows, and errors are too small
 
 
 def spread_points(mesh: Mesh, areas: np.ndarray, count: int | None, seed: int) -> SurfacePoints:
@@ -20,7 +21,8 @@ def spread_points(mesh: Mesh, areas: np.ndarray, count: int | None, seed: int) -
     Args:
         mesh: mesh with F triangles.
         areas: (F,) areas in m2; a triangle with the area 0 gets no points.
-        count: approximate total number of points. Default: four times the number of triangles with an area.
+        count: approximate total number of points. Default: four times the number of triangles with an area. Fewer
+            than 683 triangles get more points: about 2,048 by area, and at least 2,048 / triangles on each.
         seed: seed of the random numbers.
 
     Raises:
@@ -30,8 +32,12 @@ def spread_points(mesh: Mesh, areas: np.ndarray, count: int | None, seed: int) -
     placed = areas > 0.0
     if not placed.any():
         raise ValueError("mesh: got a city whose surfaces have no area, want at least one surface with an area")
-    count = _EACH * np.count_nonzero(placed) if count is None else check_integer(count, "count", 1, 2**31 - 1)
-    each = np.where(placed, np.maximum(np.rint(count * (areas / areas.sum())), _LEAST), 0.0).astype(np.int64)
+    least = _LEAST
+    if count is None:
+        faces = np.count_nonzero(placed)
+        count, least = max(_EACH * faces, _TOTAL), max(_LEAST, _TOTAL // faces)
+    count = check_integer(count, "count", 1, 2**31 - 1)
+    each = np.where(placed, np.maximum(np.rint(count * (areas / areas.sum())), least), 0.0).astype(np.int64)
     total = int(each.sum())
     check_memory(3 * BYTES_PER_POINT * total, f"{total:,} surface points", "take fewer")
     face = np.repeat(np.arange(len(each), dtype=np.int32), each)
