@@ -111,7 +111,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "pip install '.[viz]'  # in a clone of this repository",  # .ci/run, with the tests' extra
         "warpsample view",  # .ci/run, by its script and with --screenshot
         "warpsample bake courtyard -o sky.ply --quantity sky --samples 256",  # below
-        "warpsample bake dsm.tif -o svf.tif --quantity sky",  # tests/cluster/test_raster_store.py
+        "warpsample bake dsm.tif -o svf.tif --quantity sky",  # tests/cluster/test_raster_command.py
         "warpsample bake in.glb -o out.glb --texture 1024 --samples 256",  # tests/texture
         "python3 -m venv .venv && . .venv/bin/activate",  # these: .ci/run
         "pip install '.[viz,test]'",
@@ -127,7 +127,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bake courtyard -o sky.ply --quantity sky --samples 256",
         "warpsample bake courtyard -o year.vtp --quantity irradiation --weather athens --at faces",
         "warpsample view courtyard --up z --screenshot clouds.html",
-        # these: tests/cluster/test_raster_store.py
+        # these: tests/cluster/test_raster_command.py
         "warpsample bake dsm.tif -o svf.tif --quantity sky --tile 1024 --margin 256 --far alps_25m.tif --processes 2",
         "warpsample bake dsm.tif -o svf.tif --quantity sky --tile 1024 --margin 256 --far alps_25m.tif --resume",
         "warpsample bake tile.city.jsonl -o out.city.jsonl --quantity sky --samples 256",  # these: test_by_parts.py

@@ -67,7 +67,7 @@ def test_the_scale_of_a_skins_node_does_not_count(tmp_path):
     file = GlbFile(skinned(tmp_path / "a.glb", np.tile([1, 0, 0, 0], (4, 1)), scale=(7, 7, 7)))
     (found,) = list_primitives(file.part, file.data)
     assert found.scale == 1.0
-    assert np.array_equal(found.inverse, np.tile(np.eye(3), (4, 1, 1)))
+    assert np.array_equal(found.matrix, np.tile(np.eye(3), (4, 1, 1)))
 
 
 def test_joints_scale_the_lengths_of_their_mesh(tmp_path):
@@ -78,7 +78,7 @@ def test_joints_scale_the_lengths_of_their_mesh(tmp_path):
     path = skinned(tmp_path / "a.glb", weights, inverse=bind, scale=(7, 7, 7))
     file = GlbFile(path)
     (found,) = list_primitives(file.part, file.data)
-    assert np.allclose(found.inverse, np.eye(3) / np.array([1, 1, 5, 5])[:, None, None], atol=1e-12)
+    assert np.allclose(found.matrix, np.eye(3) * np.array([1, 1, 5, 5])[:, None, None], atol=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from affine import Affine
 import warpsample as ws
 
 NORTH_UP = Affine(1.0, 0.0, 0.0, 0.0, -1.0, 0.0)
+SLOVENIA = Affine(1.0, 0.0, 564000.0, 0.0, -1.0, 146000.0)
 ON_A_MAP = Affine(2.5, 0.0, 500000.0, 0.0, -2.5, 5000000.0)
 
 
@@ -18,6 +19,17 @@ def rough(rows=14, columns=11, seed=5, rim=9.0):
     heights[[0, -1]] = rim
     heights[:, [0, -1]] = rim
     return heights
+
+
+def heights():
+    """Heights of 60 x 44 cells: boxes on level ground, and a cell without data."""
+    rng = np.random.default_rng(2)
+    made = np.zeros((60, 44), np.float32)
+    for _ in range(60):
+        i, j = rng.integers(0, 54), rng.integers(0, 38)
+        made[i : i + 5, j : j + 4] = rng.uniform(4.0, 25.0)
+    made[7, 9] = np.nan
+    return made
 
 
 def flux(mesh):

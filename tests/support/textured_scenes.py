@@ -5,9 +5,11 @@ import json
 import struct
 
 import numpy as np
+import trimesh
 from glb_files import glb
 from PIL import Image
 
+RAYS = ("--samples", 256)
 SQUARE = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
 TWO = np.array([0, 1, 2, 0, 2, 3], np.uint16)
 
@@ -119,3 +121,30 @@ def picture(tree, data, texture):
     view = tree["bufferViews"][tree["images"][tree["textures"][texture]["source"]]["bufferView"]]
     made = np.array(Image.open(io.BytesIO(data[view["byteOffset"] : view["byteOffset"] + view["byteLength"]])))
     return made.reshape(*made.shape[:2], -1) / np.iinfo(made.dtype).max
+
+
+def baked(call, path, *options, texture=64):
+    output = path.with_name("out.glb")
+    status, out, err = call("bake", path, "-o", output, "--texture", texture, *RAYS, *options)
+    assert (status, err) == (0, "")
+    return output, out
+
+
+def occlusion(tree, mesh):
+    """What the material of a mesh says of its occlusion."""
+    return tree["materials"][tree["meshes"][mesh]["primitives"][0]["material"]]["occlusionTexture"]
+
+
+def floor_and_glass(path, share_of_room=0.95):
+    """A floor of 8 x 8 that reaches through a closed box, a node named "box" whose material is of glass."""
+    floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
+    box = trimesh.creation.box((8 * share_of_room, 4, 8 * share_of_room))
+    arrays = [floor, SQUARE, TWO, np.float32(box.vertices), np.uint16(box.faces).ravel()]
+    meshes = [
+        {"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]},
+        {"primitives": [{"attributes": {"POSITION": 3}, "indices": 4, "material": 1}]},
+    ]
+    tree = {"meshes": meshes, "nodes": [{"mesh": 0, "name": "floor"}, {"mesh": 1, "name": "box"}]}
+    tree["materials"] = [{"name": "floor"}, {"name": "glass", "alphaMode": "BLEND"}]
+    path.write_bytes(glb(tree, arrays))
+    return path

@@ -1,22 +1,16 @@
 """`warpsample bake in.glb -o out.glb --texture`: right where a viewer looks, and nothing else is touched."""
 
 import copy
-import json
 import re
-import struct
-from base64 import b64decode
 
 import numpy as np
 import pytest
-import trimesh
 from glb_files import glb, placed_twice
 from lookups import lookup, on_surface
-from textured_scenes import SQUARE, TWO, array_of, changed, corner, opened, picture, rich
+from textured_scenes import RAYS, SQUARE, TWO, array_of, baked, changed, corner, occlusion, opened, picture, rich
 
 import warpsample as ws
 from warpsample.output.textures import bake as texture_bake
-
-RAYS = ("--samples", 256)
 
 
 @pytest.fixture
@@ -24,18 +18,6 @@ def scene(tmp_path):
     path = tmp_path / "in.glb"
     path.write_bytes(rich())
     return path
-
-
-def baked(call, path, *options, texture=64):
-    output = path.with_name("out.glb")
-    status, out, err = call("bake", path, "-o", output, "--texture", texture, *RAYS, *options)
-    assert (status, err) == (0, "")
-    return output, out
-
-
-def occlusion(tree, mesh):
-    """What the material of a mesh says of its occlusion."""
-    return tree["materials"][tree["meshes"][mesh]["primitives"][0]["material"]]["occlusionTexture"]
 
 
 @pytest.mark.parametrize(("uv", "texture"), [("auto", 64), ("new", 1024)])  # the floor is 2 x 80
@@ -232,78 +214,6 @@ def test_an_occlusion_is_by_the_set_that_its_transform_names(call, tmp_path):
     assert ", set 1: " in baked(call, path)[1]
 
 
-def floor_and_box(path, side):
-    """A sheet of 8 x 8 with a material, and a closed box that is about it, or stands in its middle; y is up."""
-    floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
-    box = trimesh.creation.box((side, side, side))
-    arrays = [floor, (SQUARE * (1, -1) + (0, 1)).astype(np.float32), TWO]
-    arrays += [np.float32(box.vertices + np.array((0, 0.25 * side, 0))), np.uint16(box.faces).ravel()]
-    meshes = [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}]
-    meshes += [{"primitives": [{"attributes": {"POSITION": 3}, "indices": 4, "material": 1}]}]
-    tree = {"meshes": meshes, "nodes": [{"mesh": 0}, {"mesh": 1}], "materials": [{"name": "floor"}, {"name": "box"}]}
-    path.write_bytes(glb(tree, arrays))
-
-
-@pytest.mark.parametrize(("options", "mean"), [(["--max-distance", 1], 1.0), ([], 0.0)])
-def test_a_closed_body_around_all_leaves_its_numbers(call, tmp_path, options, mean):
-    """As a dome has that is turned outward: a floor in it sees nothing within 1, and all that it sees is the dome."""
-    floor_and_box(tmp_path / "in.glb", 64)
-    output, out = baked(call, tmp_path / "in.glb", *options, texture=32)
-    tree, data, _ = opened(output)
-    assert np.array_equal(np.unique(picture(tree, data, occlusion(tree, 0)["index"])), [mean])
-    assert f"'floor', set 0: 1,024 texels, mean {mean:.4f}; " in out
-    assert "1,024 points inside closed bodies keep their values, because their whole charts are inside\n" in out
-
-
-def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
-    """Beside a closed box on a sheet: under it the floor is filled from beside it, so that no 0 is read at its foot."""
-    path = tmp_path / "in.glb"
-    floor_and_box(path, 2)
-    output, out = baked(call, path, texture=32)
-    tree, data, _ = opened(output)
-    image = picture(tree, data, occlusion(tree, 0)["index"])[..., 0]
-    assert image.min() > 0.4  # half of the sky at the foot of a wall
-    assert "64 points inside closed bodies, filled from their charts" in out  # of 2 x 2 at 4 texels a unit
-    status, kept, _ = call("bake", path, "-o", output, "--texture", 32, *RAYS, "--inside", "keep")
-    tree, data, _ = opened(output)
-    assert (status, picture(tree, data, occlusion(tree, 0)["index"]).min(), "closed bodies" in kept) == (0, 0.0, False)
-    status, _, err = call("bake", path, "-o", tmp_path / "small.glb", "--texture", 8)
-    said = "error: --texture: got 8, want a larger image: 6 charts, 4 texels apart, "
-    assert (status, " ".join(err.split())[: len(said)]) == (2, said)
-
-
-@pytest.mark.filterwarnings("ignore:mesh. got faces of size")  # it is of most faces; this is of the texels
-@pytest.mark.parametrize(("distance", "reports"), [(200, False), (20_000, True)])
-def test_texels_too_small_for_float32_are_reported_and_refused(call, tmp_path, distance, reports):
-    """A crate of 5 cm and a sheet 20 km away, with a quarter of all corners: what is within 2 cm counts as touching."""
-    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
-    floor_and_box(path, 0.05)
-
-    def change(tree):
-        tree["nodes"][0]["scale"] = [0.05] * 3
-        tree["meshes"].append({"primitives": [{"attributes": {"POSITION": 0}, "indices": 2}]})
-        tree["nodes"].append({"mesh": 2, "translation": [distance, 0, 0], "scale": [0.05] * 3})
-        tree["scenes"][0]["nodes"].append(2)
-
-    path.write_bytes(changed(path.read_bytes(), change))
-    _, out = baked(call, path, "--uv", "new")
-    assert ("\n  'floor': rays resolve lengths above 0.019, and 4,096 points have texels less than" in out) == reports
-    status, _, err = call("bake", path, "-o", output, "--texture", 64, *RAYS, "--uv", "new", "--strict")
-    assert (status, err.startswith("error: --strict: got 'floor': rays resolve")) == ((2, True) if reports else (0, False))
-
-
-def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
-    """They are known without rays, so that nothing of them is filled."""
-    path, output = tmp_path / "in.glb", tmp_path / "out.npz"
-    floor_and_box(path, 2)
-    for quantity in ("position", "normals"):
-        status, out, err = call("bake", path, "-o", output, "--texture", 32, "--quantity", quantity)
-        assert (status, err) == (0, "")
-        assert "closed" not in "".join(out.splitlines()[1:])  # the first line names the file
-    with np.load(output) as baked_file:
-        assert json.loads(str(baked_file["run"]))["texture_inside"] == "fill"
-
-
 @pytest.mark.parametrize(
     ("options", "why"),
     [
@@ -338,152 +248,6 @@ def test_wrong_options_are_named(call, scene, options, why):
     assert [path.name for path in scene.parent.iterdir()] == ["in.glb"]
 
 
-def sparse(number):
-    return lambda tree: tree["accessors"][number].update(sparse={"count": 1})
-
-
-@pytest.mark.parametrize(
-    ("change", "options", "why"),
-    [
-        (
-            lambda tree: tree["extensionsUsed"].append("KHR_draco_mesh_compression"),
-            [],
-            "the file uses KHR_draco_mesh_compression",
-        ),
-        (lambda tree: tree["extensionsUsed"].append("EXT_mesh_gpu_instancing"), [], "the file uses EXT_mesh_gpu_instancing"),
-        (lambda tree: tree["extensionsUsed"].append("KHR_meshopt_compression"), [], "the file uses KHR_meshopt_compression"),
-        (lambda tree: tree["materials"][0].update(occlusionTexture=3), [], r"materials\[0\].occlusionTexture: got 3, want"),
-        (lambda tree: tree["materials"][1].update(alphaMode=3), [], r"materials\[1\].alphaMode: got 3, want a text"),
-        (sparse(0), [], "the file has sparse accessors"),
-        (sparse(9), ["--uv", "new"], "the file has sparse accessors"),
-        (
-            lambda tree: tree["meshes"][1]["primitives"][0].update(material=9),
-            [],
-            r"meshes\[1\].primitives\[0\].material: got 9",
-        ),
-        (lambda tree: tree["materials"].clear(), [], r"meshes\[0\].primitives\[0\].material: got 0"),
-        (lambda tree: tree.update(samplers=3), [], "samplers: got 3, want a list"),
-        (
-            lambda tree: tree["bufferViews"][7].update(byteOffset=1.5),
-            ["--uv", "new"],
-            r"bufferViews\[7\].byteOffset: got 1.5, want a whole .*0$",
-        ),
-        (
-            lambda tree: tree["accessors"][13].update(count=2),
-            ["--uv", "new"],
-            ".*_AGE: got 2 values, want one for each vertex",
-        ),
-        (
-            lambda tree: tree["accessors"][12].update(type="MAT3"),
-            ["--uv", "new"],
-            ".*NORMAL: got an accessor of type 'MAT3'",
-        ),
-        (
-            lambda tree: tree["materials"][0].update(extras={"a": [1, "HUGE"]}),
-            [],
-            r"materials\[0\].extras.a\[1\]: got a number beyond 1.8e\+308, want one that float64 holds$",
-        ),
-    ],
-)
-def test_files_that_cannot_be_edited_are_refused(call, tmp_path, change, options, why):
-    path = tmp_path / "in.glb"
-    path.write_bytes(changed(rich(), change).replace(b'"HUGE"', b" 1e400"))
-    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32, *RAYS, *options)
-    assert status == 2
-    assert re.search(rf"^error: \w+: got '.*in.glb', which cannot be read as .*: {why}", err), err
-    assert not (tmp_path / "out.glb").exists()
-
-
-def test_a_sparse_target_that_stays_is_no_matter(call, tmp_path):
-    path = tmp_path / "in.glb"
-    path.write_bytes(changed(rich(), sparse(9)))
-    baked(call, path)
-
-
-def test_a_buffer_in_another_file_is_refused(call, tmp_path):
-    path = tmp_path / "in.glb"
-    path.write_bytes(rich())
-    (tmp_path / "data.bin").write_bytes(opened(path)[1])
-    path.write_bytes(changed(rich(), lambda tree: tree["buffers"][0].update(uri="data.bin")))
-    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32)
-    assert (status, "buffers[0] is in another file" in err) == (2, True)
-
-
-def test_a_gltf_and_its_files_become_one_file(call, tmp_path):
-    """Two buffers, one of them in the JSON, and a picture of each kind: all is in the .glb, and is read as before."""
-    (tmp_path / "in.glb").write_bytes(rich())
-    tree, data, _ = opened(tmp_path / "in.glb")
-    (tmp_path / "a b.bin").write_bytes(data)
-    shown = b"\xff\xd8 a picture"
-    (tmp_path / "shown.jpg").write_bytes(shown)
-    (tmp_path / "new").write_bytes(b"RIFF\x10\0\0\nWEBPVP8 ")
-    tree["images"] += [{"uri": "shown.jpg", "name": "seen", "extras": 1}, {"uri": "new"}]
-    said = {"name": "first", "extras": [1]}
-    tree["buffers"] = [
-        {"uri": "data:;base64,AAECAwQ=", "byteLength": 5, **said},
-        {"uri": "a%20b.bin", "byteLength": len(data)},
-    ]
-    for view in tree["bufferViews"]:
-        view["buffer"] = 1
-    path = tmp_path / "in.gltf"
-    path.write_text(json.dumps(tree))
-    output, _ = baked(call, path)
-    made, whole, _ = opened(output)
-    assert made["buffers"] == [{"byteLength": len(whole), **said}]
-    assert whole[:8] == bytes([0, 1, 2, 3, 4, 0, 0, 0])
-    assert made["images"][-1]["name"] == "brick occlusion"
-    assert made["images"][2]["mimeType"] == "image/webp"
-    image = made["images"][1]
-    view = made["bufferViews"][image.pop("bufferView")]
-    assert image == {"name": "seen", "extras": 1, "mimeType": "image/jpeg"}
-    assert whole[view["byteOffset"] : view["byteOffset"] + view["byteLength"]] == shown
-    assert made["bufferViews"][0] == {**tree["bufferViews"][0], "buffer": 0, "byteOffset": 8}
-    meshes = [ws.load_mesh(tmp_path / name) for name in ("in.glb", "in.gltf", "out.glb")]
-    assert all(mesh.digest == meshes[0].digest for mesh in meshes)
-    (tmp_path / "shown.jpg").write_bytes(b"RIFF")
-    status, _, err = call("bake", path, "-o", tmp_path / "no.glb", "--texture", 32)
-    assert (status, "images[1].uri: got a picture that is none of .png .jpg .webp .ktx2" in err) == (2, True)
-
-
-def test_a_gltf_holds_the_data_of_the_glb(call, tmp_path):
-    """The .gltf is the .glb with its data embedded, and no other file is written."""
-    path, output = tmp_path / "in.glb", tmp_path / "out put.gltf"
-    whole = rich()
-    path.write_bytes(whole[:8] + (len(whole) - 12).to_bytes(4, "little") + whole[12:-12])  # without a last chunk
-    glb_tree, glb_data, _ = opened(baked(call, path)[0])
-    before = set(tmp_path.iterdir())
-    assert call("bake", path, "-o", output, "--texture", 64, *RAYS)[0] == 0
-    assert set(tmp_path.iterdir()) == before | {output}
-    tree = json.loads(output.read_text())
-    kind, _, data = tree["buffers"][0].pop("uri").partition(",")
-    assert (kind, b64decode(data), tree) == ("data:application/octet-stream;base64", glb_data, glb_tree)
-    assert ws.load_mesh(output).digest == ws.load_mesh(path).digest
-    assert call("bake", output, "-o", tmp_path / "again.gltf", "--texture", 64, *RAYS)[0] == 0
-    path.write_bytes(whole)
-    status, _, err = call("bake", path, "-o", output, "--texture", 16)
-    assert (status, "the file has 12 bytes after its data, which a .gltf cannot hold" in err) == (2, True)
-
-
-@pytest.mark.parametrize("length", [1, 2, 3])
-def test_data_that_end_anywhere(call, tmp_path, length):
-    """What is appended begins at whole 4 bytes all the same, as vertices have to."""
-    path = tmp_path / "in.glb"
-    path.write_bytes(rich())
-    tree, data, _ = opened(path)
-    text = json.dumps(tree).encode()
-    text += b" " * (-len(text) % 4)
-    data += b"\1" * length
-    head = struct.pack("<4sIIII", b"glTF", 2, 28 + len(text) + len(data), len(text), 0x4E4F534A)
-    path.write_bytes(head + text + struct.pack("<II", len(data), 0x004E4942) + data)
-    output, _ = baked(call, path, "--uv", "new")
-    made, after, _ = opened(output)
-    assert after.startswith(data)
-    added = made["bufferViews"][len(tree["bufferViews"]) :]
-    assert {view["byteOffset"] % 4 for view in added} == {0}
-    assert made["buffers"][0]["byteLength"] == len(after)
-    assert len(after) % 4 == 0
-
-
 def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
     """New coordinates of a strip that a node mirrors and of one that none does; and what is said of the materials."""
     quad = np.array([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)], np.float32)
@@ -516,23 +280,6 @@ def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
     assert t.report.outside == 0
 
 
-def test_what_a_file_needs_beside_it_and_what_shows_no_occlusion_is_reported(call, tmp_path):
-    def change(tree):
-        tree["images"].append({"uri": "a%20b.png"})
-        tree["materials"][1]["extensions"] = {"KHR_materials_unlit": {}}
-
-    path, folder = tmp_path / "in.glb", tmp_path / "other folder"
-    path.write_bytes(changed(rich(), change))
-    folder.mkdir()
-    for output, reports in ((tmp_path / "out.glb", False), (folder / "out.glb", True)):
-        status, out, _ = call("bake", path, "-o", output, "--texture", 8, "--samples", 2)
-        assert status == 0
-        assert "viewers show no occlusion on unlit materials: 'brick'" in out
-        assert "morph targets are left out, though the file sets their weights: 'Wånd'" in out
-        assert ("out.glb needs these files in its folder: 'a%20b.png'" in out) == reports
-        assert opened(output)[0]["images"][1] == {"uri": "a%20b.png"}
-
-
 def test_quantised_positions_and_coordinates(call, tmp_path):
     """KHR_mesh_quantization: 16-bit positions that a node scales, 8-bit normals, 16-bit coordinates; all go along."""
     floor = np.array([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)])
@@ -560,70 +307,3 @@ def test_quantised_positions_and_coordinates(call, tmp_path):
     accessor = made["accessors"][attributes["NORMAL"]]
     assert (accessor["normalized"], accessor["componentType"]) == (True, 5120)
     assert made["bufferViews"][accessor["bufferView"]]["byteStride"] == 4
-
-
-def floor_and_glass(path, share_of_room=0.95):
-    """A floor of 8 x 8 that reaches through a closed box, a node named "box" whose material is of glass."""
-    floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
-    box = trimesh.creation.box((8 * share_of_room, 4, 8 * share_of_room))
-    arrays = [floor, SQUARE, TWO, np.float32(box.vertices), np.uint16(box.faces).ravel()]
-    meshes = [
-        {"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]},
-        {"primitives": [{"attributes": {"POSITION": 3}, "indices": 4, "material": 1}]},
-    ]
-    tree = {"meshes": meshes, "nodes": [{"mesh": 0, "name": "floor"}, {"mesh": 1, "name": "box"}]}
-    tree["materials"] = [{"name": "floor"}, {"name": "glass", "alphaMode": "BLEND"}]
-    path.write_bytes(glb(tree, arrays))
-    return path
-
-
-def test_a_floor_that_reaches_out_of_a_room_is_doubtful(call, tmp_path):
-    """The box may be a room or a solid: its faces are the same."""
-    path, output = floor_and_glass(tmp_path / "in.glb"), tmp_path / "out.glb"
-    said = "one chart is more than half inside closed bodies and filled: if a body is a room, pass --inside keep"
-    options = ("-o", output, "--texture", 32, "--samples", 16, "--max-distance", 1)
-    status, _, err = call("bake", path, *options, "--strict")
-    assert (status, err) == (2, f"error: --strict: got 'floor': {said}\n")
-    assert not output.exists()
-    assert f"\n  {said}\n" in call("bake", path, *options)[1]
-    status, out, _ = call("bake", path, *options, "--strict", "--inside", "keep")
-    assert (status, said in out) == (0, False)
-    status, out, _ = call("bake", floor_and_glass(path, 0.5), *options, "--strict")
-    assert (status, said in out, "points inside closed bodies, filled" in out) == (0, False, True)
-
-
-def test_a_floor_in_a_glass_house_keeps_its_numbers(call, tmp_path):
-    """Each ray from the floor crosses one pane, which passes 20 % of its light; and the sentence names the part."""
-    path, output = floor_and_glass(tmp_path / "in.glb", 0.5), tmp_path / "out.glb"
-    options = ("-o", output, "--texture", 32, "--samples", 16)
-    status, out, _ = call("bake", path, *options, "--transmittance", "box=0.2")
-    assert (status, "inside closed bodies" in out) == (0, False)
-    assert "\n  faces of 'glass' pass 20 % of the light" in out
-    tree, data, _ = opened(output)
-    shown = picture(tree, data, occlusion(tree, 0)["index"])[10:22, 10:22]
-    assert np.abs(shown - 0.2).max() < 1 / 255
-    out = call("bake", path, *options, "--transmittance", "floor=0.2")[1]
-    said = "transparent materials block all light, since --transmittance does not name their parts 'box': 'glass'"
-    assert out.rstrip().endswith(said)
-
-
-def test_a_suffix_in_upper_case_is_refused_by_name(call, tmp_path):
-    path = floor_and_glass(tmp_path / "in.glb")
-    for name in ("out.GLB", "out.GLTF"):
-        status, _, err = call("bake", path, "-o", tmp_path / name, "--texture", 8)
-        assert (status, err.endswith(", in lower case\n")) == (2, True)
-
-
-def test_data_that_the_old_file_names_stay(call, tmp_path):
-    """A scene in another folder may name the data of the old out.gltf, too."""
-    path, output, data = floor_and_glass(tmp_path / "in.glb"), tmp_path / "out.gltf", tmp_path / "out.bin"
-    tree, held, _ = opened(path)
-    tree["buffers"][0]["uri"] = data.name
-    output.write_text(json.dumps(tree))
-    data.write_bytes(held)
-    tree["buffers"][0]["uri"] = f"../{tmp_path.name}/{data.name}"
-    other = tmp_path.with_name(tmp_path.name + " other") / "scene.gltf"
-    other.parent.mkdir()
-    other.write_text(json.dumps(tree))
-    assert call("bake", path, "-o", output, "--texture", 32, "--samples", 2)[0] == 0
-    assert (data.read_bytes(), sorted(tmp_path.iterdir())) == (held, [path, data, output])

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -30,7 +31,7 @@ class Primitive:
         triangles: (F, 3) vertices of the faces, counted within the primitive.
         mirrored: whether the place mirrors the primitive. If so, the corner order is the reverse of the file's.
         scale: scale of lengths at the place: the cube root of the scale of volumes; 1 with a skin.
-        inverse: matrix from vectors in the scene to those in the mesh, vector @ inverse; (3, 3), or (V, 3, 3) for skins.
+        matrix: matrix from vectors in the mesh to those in the scene, vector @ matrix; (3, 3), or (V, 3, 3) with a skin.
         materials: numbers of the primitive's material and of its material variants.
         node: number of the node that places the primitive.
         others: the same primitive at its other places; `visible_primitives` leaves out places without an area.
@@ -45,10 +46,15 @@ class Primitive:
     triangles: np.ndarray
     mirrored: bool
     scale: float
-    inverse: np.ndarray
+    matrix: np.ndarray
     materials: list[int]
     node: int
     others: list["Primitive"] = field(default_factory=list)
+
+    @cached_property
+    def inverse(self) -> np.ndarray:
+        """Inverse of `matrix`; a direction that the matrix flattens to 0 stays 0."""
+        return np.linalg.pinv(self.matrix)
 
     def convert_lengths(
         self, lengths: np.ndarray, directions: np.ndarray, face: np.ndarray, weights: np.ndarray
@@ -93,7 +99,7 @@ def list_primitives(tree: Part, data: Data) -> list[Primitive]:
         materials = [part.index("material", known) for part in list_material_references(one.primitive)]
         poses = one.skin and one.skin.poses(one.primitive, data)  # joints place a skin, and its node does not
         scale, moves = (np.cbrt(abs(volume)), one.matrix) if poses is None else (1.0, poses)
-        place = {"mirrored": volume < 0.0, "scale": scale, "inverse": np.linalg.pinv(moves[..., :3, :3])}
+        place = {"mirrored": volume < 0.0, "scale": scale, "matrix": moves[..., :3, :3].copy()}
         node = int(one.node.path[len("nodes[") : -1])
         made = Primitive(one.mesh, one.number, one.primitive, name, *rows, own, materials=materials, node=node, **place)
         first = found.setdefault((one.mesh, one.number), made)

@@ -15,6 +15,7 @@ import numpy as np
 from affine import Affine
 
 from warpsample.city.rasters.canopy import Canopy, Crowns, build_prisms
+from warpsample.city.rasters.fringe import fringe_bounds
 from warpsample.city.rasters.grid import Bounds, Grid, resample_extremes
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.scenery import Columns, Part, join_triangles
@@ -36,12 +37,15 @@ class FarField:
         surroundings: Another raster for the terrain beyond the edges, or None.
         size: Side of a cell of the nearest ring, in cells of the raster; a power of 2.
         outline: The raster without heights.
+        fringe: Bounds of the heights of the cells next to the raster's edge, see `add_fringe`; None if there is no other
+            raster, or if the surface of a cell does not depend on its neighbours.
     """
 
     own: Bounds
     surroundings: Bounds | None
     size: int
     outline: Grid
+    fringe: Bounds | None = None
 
     @classmethod
     def of(
@@ -57,10 +61,12 @@ class FarField:
             canopy: Crowns to include in the upper columns, or None.
         """
         size, grow, beyond = 1 << (max(1, margin // _FINENESS).bit_length() - 1), int(model != "block"), None
+        fringe = None
         if other is not None:
             heights = other.read(slice(None), slice(None))
             beyond = Bounds(*_bounds_of_surface(heights, heights, grow), ~reader.transform @ other.transform)
-        return cls(_pool_raster(reader, canopy, size, grow), beyond, size, reader.outline)
+            fringe = fringe_bounds(heights, beyond) if grow else None
+        return cls(_pool_raster(reader, canopy, size, grow), beyond, size, reader.outline, fringe)
 
     def columns(self, tile: Window, near: Window, lowest: float) -> list[Columns]:
         """Return two functions that build a tile's distant terrain as triangles: with too high and with too low columns.

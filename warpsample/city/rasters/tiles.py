@@ -13,18 +13,18 @@ import numpy as np
 
 from warpsample.city.rasters.canopy import Canopy, build_prisms, check_for_crowns, check_same_map, rename_argument
 from warpsample.city.rasters.far import FarField
+from warpsample.city.rasters.fringe import add_fringe, cut_fringe
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
 from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, compute_through_crowns
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, build_surface
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import ground_of, reader_of
-from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, join_triangles
+from warpsample.city.rasters.scenery import Foreground, Part, Scenery, Seen, join_triangles
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import has_value
 from warpsample.host.arguments import check_choice, check_integer, quote
 from warpsample.host.progress import log
-from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 
 MARGIN = 256
@@ -188,30 +188,33 @@ class RasterRun:
         window = tuple(slice(max(0, n.start), min(n.stop, size)) for n, size in zip(near, self.reader.shape, strict=True))
         grid = self.reader.grid(*window)
         row, column = (first.start - part.start for first, part in zip(span, window, strict=True))
-        inside = np.zeros(grid.height.shape, bool)
-        inside[row : row + shape[0], column : column + shape[1]] = True
-        if not (inside & grid.valid).any():
+        if not grid.valid[row : row + shape[0], column : column + shape[1]].any():
             return laid
-        surface = build_surface(grid, self.model)
-        points, cells = surface.points(self.receiver)
-        chosen = inside.ravel()[cells]
-        i, j = np.divmod(cells[chosen], grid.height.shape[1])
-        id = (i + window[0].start) * self.reader.shape[1] + j + window[1].start
-        points = replace(points.take(chosen), id=id)
-        mesh = surface.mesh
-        del surface
-        foreground = self._build_foreground(mesh, grid, window)
-        del mesh  # whose arrays are in it
+        points, (i, j), ground = self._build_ground(grid, window, span)
+        foreground = self._build_foreground(ground, grid, window)
+        del ground  # whose arrays are in it
         scenes = self._build_scenes(foreground, span, near)
         found = [self._compute_values(points, scenery) for scenery in scenes]
         for name, values in _average_bounds(found).items():
             if name in laid:
-                laid[name][i - row, j - column] = values
+                laid[name][i, j] = values
         return laid
 
-    def _build_foreground(self, mesh: Mesh, grid: Grid, window: Span) -> Foreground:
+    def _build_ground(self, grid: Grid, window: Span, span: Span) -> tuple[SurfacePoints, np.ndarray, Part]:
+        """Return the points of a tile, their rows and columns in the tile, (2, P), and the triangles of the ground."""
+        shape = self.reader.shape
+        if self.far_field is not None and self.far_field.fringe is not None:
+            grid, window = add_fringe(grid, window, shape, self.far_field.fringe, self.model)
+        surface = build_surface(grid, self.model)
+        points, cells = surface.points(self.receiver)
+        place = np.stack(np.divmod(cells, grid.height.shape[1])) + [[part.start] for part in window]
+        inside = np.all([(at >= part.start) & (at < part.stop) for at, part in zip(place, span, strict=True)], axis=0)
+        place = place[:, inside]
+        points = replace(points.take(inside), id=place[0] * shape[1] + place[1])
+        return points, place - [[part.start] for part in span], cut_fringe(surface, window, shape)
+
+    def _build_foreground(self, ground: Part, grid: Grid, window: Span) -> Foreground:
         """Build the triangles of a tile and its margin at full resolution: ground first, then tree crowns."""
-        ground = mesh.vertices, mesh.faces
         crowns = self.canopy and self.canopy.crowns(grid, *window)
         triangles = join_triangles([ground, build_prisms(grid, crowns)]) if crowns and crowns.any else ground
         return Foreground(triangles, tuple(map(len, ground)))

@@ -13,7 +13,6 @@ import numpy as np
 
 from warpsample.city.rasters.calls import run_of
 from warpsample.city.rasters.cog import check_sidecars, write_cog
-from warpsample.city.rasters.content import digests_of, place_of, unchanging
 from warpsample.city.rasters.reading import files_read
 from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.estimate.quantities.record import ARGUMENTS, Quantity
@@ -25,6 +24,7 @@ from warpsample.output.bake_table import STORE
 from warpsample.output.baked import BakeRun
 from warpsample.output.pictured import draw_picture
 from warpsample.output.quantities import quantity_of
+from warpsample.output.rasters.content import digests_of, place_of, unchanging
 from warpsample.output.report import check_report, write_report
 from warpsample.output.run_record import RunRecord, summarize
 from warpsample.plotting.rendering import check_rendering

@@ -7,9 +7,9 @@ pytest.importorskip("rioxarray")
 
 from raster_cases import NORTH_UP
 
-from warpsample.city.rasters import content
-from warpsample.city.rasters.content import digests_of, unchanging
 from warpsample.city.rasters.reading import reader_of
+from warpsample.output.rasters import content
+from warpsample.output.rasters.content import digests_of, unchanging
 
 ROWS, COLUMNS = 150, 600  # three blocks of 64 rows, three of 256 columns
 
