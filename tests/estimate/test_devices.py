@@ -16,7 +16,7 @@ import warpsample as ws
 from warpsample.host import engine
 
 SLOW = pytest.mark.slow
-ARCHITECTURES = [86, *(pytest.param(arch, marks=SLOW) for arch in (75, 90))]
+ARCHITECTURES = (86, 75, 90)
 NUMBERS = ("value", "standard_error", "spread", "degrees_of_freedom", "rays", "status")
 FEW = ("occlusion", "tolerance", "data", "bent", "picture")
 EACH = [name if name in FEW else pytest.param(name, marks=pytest.mark.thorough) for name in ESTIMATES]

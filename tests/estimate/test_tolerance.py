@@ -94,6 +94,20 @@ def test_it_changes_the_count_and_nothing_else(bunny, points):
     assert np.isin(coarse.rays, [4, 12]).all()  # the fewest, and the trial's 8
 
 
+def test_no_warning_where_all_values_are_proven():
+    """Warnings are errors here: open ground casts no ray, so that no more rays could make its values better."""
+    ground = ws.as_mesh(([[0, 0, 0], [9, 0, 0], [9, 9, 0], [0, 9, 0]], [[0, 1, 2], [0, 2, 3]]))
+    at = np.array([[2.0, 2.0, 0.0], [5.0, 6.0, 0.0]])
+    points = ws.SurfacePoints(position=at, normal=np.tile(np.float32([0, 0, 1]), (2, 1)))
+    found = ws.sky_view_factor(ground, points, 16, tolerance=1e-3)
+    assert (found.value == 1.0).all()
+    assert found.rays.sum() == 0
+    with pytest.warns(UserWarning, match="tolerance: got 0.001, which is not reached with 16 rays per point"):
+        ws.sky_view_factor(ground, points, 16, tolerance=1e-3, skip=False)
+    with pytest.warns(UserWarning, match="tolerance: got 0.001, which is not reached with 16 rays per point"):
+        ws.sky_view_factor(square(), spread_below(0).take(slice(0, 2)), 16, tolerance=1e-3)
+
+
 def test_nothing_to_see_takes_few_rays(bunny, points):
     dark = ws.irradiance(bunny, points, np.zeros((2, 2)), tolerance=0.1)
     assert (dark.value == 0.0).all()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample.estimate.intervals import least_errors, raised_errors
+from warpsample.estimate.intervals import half_width_of, least_errors, raised_errors
 
 SIDE = 16
 
@@ -60,7 +60,7 @@ def test_points_without_rays_keep_an_error_of_0():
     error = raised_errors(some)
     assert np.array_equal(error[rays == 0], found.standard_error[rays == 0])
     agree = (rays > 0) & (found.standard_error == 0.0)
-    assert np.array_equal(error[agree], least_errors(found)[agree])
+    assert np.array_equal(error[agree], least_errors(half_width_of(found))[agree])
     vectors = raised_errors(ws.bent_normals(mesh, t.points, 64))
     assert vectors.shape == (len(t), 3)
     assert (vectors > 0.0).all()

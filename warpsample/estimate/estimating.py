@@ -29,7 +29,8 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
         count, trial = find_count(runner, plan.tolerance)
         log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
         main = runner.result(options.seed, count)
-        if count == plan.count and error_of(main, has_value(main.status)) > _MISSED * plan.tolerance:
+        missed = error_of(main, has_value(main.status)) > _MISSED * plan.tolerance
+        if count == plan.count and missed and main.rays.any():  # without rays, each value is proven
             warnings.warn(
                 f"tolerance: got {plan.tolerance:g}, which is not reached with {count:,} rays per point; "
                 "allow more rays with a larger count (--samples)",

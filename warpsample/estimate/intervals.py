@@ -75,9 +75,9 @@ def half_width_of_normal(standard_error: np.ndarray) -> np.ndarray:
     return interval_of(np.float32(0.0), standard_error, DEGREES, LEVEL).upper
 
 
-def least_errors(found: Any) -> np.ndarray:
-    """Return the standard error at each point whose 95 % confidence interval is that of the estimate: half width / 2.26."""
-    return (half_width_of(found) / half_width_of_normal(np.float32(1.0))).astype(np.float32)
+def least_errors(half_width: np.ndarray) -> np.ndarray:
+    """Return the standard errors of 95 % confidence intervals with the given half widths: half width / 2.26, float32."""
+    return (half_width / half_width_of_normal(np.float32(1.0))).astype(np.float32)
 
 
 def raised_errors(found: Any) -> np.ndarray:
@@ -95,7 +95,7 @@ def raised_errors(found: Any) -> np.ndarray:
     """
     if not hasattr(found, "spread"):
         return found.standard_error
-    error, least = found.standard_error, least_errors(found)
+    error, least = found.standard_error, least_errors(half_width_of(found))
     has_rays = (found.rays > 0).reshape(-1, *[1] * (error.ndim - 1))
     return np.where(has_rays, np.where(error > 0.0, np.maximum(error, _LEAST * least), least), error)
 

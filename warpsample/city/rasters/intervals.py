@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from warpsample.estimate.intervals import DEGREES, LEVEL, half_width_of, half_width_of_normal, interval_of
+from warpsample.estimate.intervals import DEGREES, LEVEL, half_width_of, interval_of, least_errors
 from warpsample.estimate.result import Estimate
 from warpsample.host.arguments import check_number
 from warpsample.host.neighbours import describe_type
@@ -23,7 +23,7 @@ def errors_of(found: Any) -> tuple[np.ndarray, np.ndarray]:
     half = half_width_of(found)
     if isinstance(found, Estimate):
         half = np.where((found.rays == 0) & (found.value == 1.0), np.float32(0.0), half)
-        return np.maximum(found.standard_error, half / half_width_of_normal(np.float32(1.0))), half
+        return np.maximum(found.standard_error, least_errors(half)), half
     return found.standard_error, half
 
 
