@@ -2,6 +2,7 @@
 
 import os
 import pty
+import re
 import signal
 import subprocess
 import sys
@@ -88,7 +89,9 @@ def test_on_a_terminal_the_half_file_goes_and_the_cursor_comes_back(name, writin
     os.close(master)
     assert running.wait() == 128 + getattr(signal, name)
     assert SHOW in shown
-    assert shown.splitlines()[-1].endswith(sentence(name))
+    assert re.search(
+        rf"({sentence(name)}|interrupted after .* of 500,000 points; .*d.npz is as it was before)$", shown.rstrip()
+    )
     assert "Traceback" not in shown
 
 

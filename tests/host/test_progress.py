@@ -7,10 +7,13 @@ import subprocess
 import sys
 import threading
 from contextlib import suppress
+from io import StringIO
 
 import numpy as np
 import pytest
 from hangs import HANGS
+from rich.console import Console
+from rich.progress import Progress
 
 import warpsample as ws
 from warpsample.host import engine, progress
@@ -38,6 +41,11 @@ def test_nothing_is_printed_unless_asked_and_seen_and_no_bit_changes(name, capfd
 
 class Display:
     """Takes the place of rich's display and records what a bar is told."""
+
+    live = property(lambda self: self)
+
+    def stop(self):
+        pass
 
     def __init__(self):
         self.total, self.done, self.runs = 0, 0, 0
@@ -184,3 +192,19 @@ ws.ambient_occlusion(mesh, points, 8192, workers=1, skip=False, progress=True)
     shares = {int(share) for share in re.findall(r"(\d+)%", after)}
     assert len(shares - {0, 100}) >= 3
     assert after.rindex("\x1b[?25h") > after.rindex("\x1b[?25l")
+
+
+def test_a_bar_that_is_interrupted_while_it_starts_is_drawn_no_more():
+    """Its thread drew it below the last message."""
+
+    class Interrupted(Progress):
+        def start(self):
+            super().start()
+            raise KeyboardInterrupt
+
+    before, bar = set(threading.enumerate()), Interrupted(console=Console(file=StringIO(), force_terminal=True))
+    with pytest.raises(KeyboardInterrupt), progress.shown(bar):
+        pytest.fail("the bar has started")
+    for thread in set(threading.enumerate()) - before:
+        thread.join(HANGS)
+    assert set(threading.enumerate()) <= before
