@@ -101,7 +101,8 @@ def test_the_mean_of_each_lobe_is_that_of_its_directions(distribution):
     unit = (UP / np.linalg.norm(UP, axis=1, keepdims=True))[:, None]
     exact = (d.vectors.astype(np.float64) * unit).sum(axis=2).mean(axis=1)
     assert np.abs(found.value - exact).max() <= 6.0 * found.standard_error.max() + 1e-4  # the second of 65,536 points
-    assert found.standard_error.max() < 1e-3
+    # A dielectric jumps between reflected and transmitted directions.
+    assert found.standard_error.max() < (1e-2 if distribution.name == "rough_dielectric" else 1e-3)
 
 
 def test_the_error_bar_is_that_of_many_runs():

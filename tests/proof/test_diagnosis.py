@@ -57,6 +57,10 @@ def wrong_maps(name):
     }
 
 
+def azimuth_of(w):
+    return np.arctan2(w[..., 1], w[..., 0], dtype=np.float64)
+
+
 def wrong_densities(name):
     """Wrong densities of w by the kind of error."""
     right, other = LOBES[name][0], other_of(name)
@@ -65,8 +69,8 @@ def wrong_densities(name):
         "a factor of 1.001": lambda w: 1.001 * right.pdf(w),
         "another lobe": other.pdf,
         "per radian": lambda w: right.pdf(w) * np.hypot(w[..., 0], w[..., 1], dtype=np.float64),
-        "a small region": lambda w: right.pdf(w) * (1.0 + 0.5 * (np.arccos(w[..., 2]) < 0.02)),
-        "waves of the same integral": lambda w: right.pdf(w) * (1.0 + 0.1 * np.sin(2.0 * np.arctan2(w[..., 1], w[..., 0]))),
+        "a small region": lambda w: right.pdf(w) * (1.0 + 0.5 * (np.arccos(np.float64(w[..., 2])) < 0.02)),
+        "waves of the same integral": lambda w: right.pdf(w) * (1.0 + 0.1 * np.sin(2.0 * azimuth_of(w))),
     }
 
 
