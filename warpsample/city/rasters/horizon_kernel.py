@@ -8,7 +8,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.locks import once
-from warpsample.maths.memory import set_byte, set_float, set_int
+from warpsample.maths.memory import float_at, set_byte, set_float, set_int
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.sequences.fibonacci import fibonacci_sample
 from warpsample.sequences.hashing import point_key, stream_key
@@ -26,21 +26,24 @@ _LEAST = wp.constant(wp.float64(1e-30))
 _TURN = wp.constant(wp.float32(2.0 * np.pi))
 _prepare, _blocked = prepare_rays(), rays_blocked()
 
-_Sums = wp.types.vector(length=9, dtype=wp.float64)
+_Sums = wp.types.vector(length=10, dtype=wp.float64)
 """Sums over the azimuths of a point, and three values of the latest azimuth that are compared with the next azimuth."""
 _SEEN, _JUMPS, _SPIKES, _WIDTHS = (wp.constant(wp.int32(row)) for row in range(4))
 _MIDDLE, _JUMP, _RUN = (wp.constant(wp.int32(row)) for row in range(4, 7))  # sine, last jump, azimuths of equal intervals
 _RANGE = wp.constant(wp.int32(7))  # sum of the widths of the final intervals, for the term of few open azimuths
 _SQUARES = wp.constant(wp.int32(8))  # sum of the squares of the azimuths' values, for the same term
+_DEEPEST = wp.constant(wp.int32(9))  # largest visible fraction that a hit has taken from an azimuth
 
 # Factors of the terms of the variance, see README.md. Theory gives 1/12 for a jump at a random place in a stratum. The
 # others are fitted to towns, terrain and yards (`tests/city/test_horizon_errors.py` checks the fit on other scenes).
 _OF_JUMP = wp.constant(wp.float64(1.0 / 16.0))
-_OF_SPIKE = wp.constant(wp.float64(0.15))
+_OF_SPIKE = wp.constant(wp.float64(0.35))
 _OF_WIDTH = wp.constant(wp.float64(0.1))
 _OF_WIDTH_BY_FEW = wp.constant(wp.float64(0.5))
 _OF_UNSEEN = wp.constant(wp.float64(0.6))
 _OF_FEW = wp.constant(wp.float64(0.3))
+_OF_MISSED = wp.constant(wp.float64(0.5))
+_KNOWN = wp.constant(wp.float64(4.0))  # depths of hits, within which the bound of an unseen depth does not count
 _OF_OWN_PLANE = wp.constant(wp.float64(0.95))
 _ROUNDING = wp.constant(wp.float64(2.0**-23))
 
@@ -52,6 +55,7 @@ class HorizonRows:
     placement: points, with ids. normals: (P, 3) float32. azimuths: number per point. per_azimuth: rays per azimuth.
     cosine: 1 for weights by the cosine to the normal, 0 for weights by solid angle. skip: 1 to start rays outside empty
     space.
+    depths: (P,) float32, from `bound_depths`.
     value, standard_error, rays, status: (P,) float32, float32, int32, uint8, as in `Seen`.
     """
 
@@ -62,6 +66,7 @@ class HorizonRows:
     per_azimuth: wp.int32
     cosine: wp.int32
     skip: wp.int32
+    depths: wp.uint64
     value: wp.uint64
     standard_error: wp.uint64
     rays: wp.uint64
@@ -78,6 +83,14 @@ def _plane_of(along: wp.float32, up: wp.float32) -> wp.float32:
     along, up: components of the normal along the azimuth and upwards.
     """
     return wp.max(-along / wp.sqrt(along * along + up * up), 0.0)
+
+
+@wp.func
+def _plane_in_double(along: wp.float64, up: wp.float64, cosine: wp.int32) -> wp.float64:
+    """Return `_plane_of` in float64; 0 for weights by solid angle, which a receiver's plane does not cut."""
+    if cosine == 0 or along >= ZERO:
+        return ZERO
+    return -along / wp.sqrt(along * along + up * up)
 
 
 @wp.func
@@ -214,6 +227,7 @@ def _add_azimuth(
         if jump * sums[_JUMP] < ZERO:
             back = wp.min(wp.abs(jump), wp.abs(sums[_JUMP]))
             sums[_SPIKES] += back * back
+    sums[_DEEPEST] = wp.max(sums[_DEEPEST], _seen_above(_plane_in_double(along, up, cosine), along, up, cosine) - above_low)
     width = above_low - above_high
     sums[_RANGE] += width
     sums[_WIDTHS] += width * width * (wp.sqrt(run + ONE) - wp.sqrt(run))
@@ -259,10 +273,10 @@ def _look_around(
 
 
 @wp.func
-def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64) -> wp.float64:
+def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.float64) -> wp.float64:
     """Return the variance of a point's visible sky fraction, estimated from how its horizons vary between azimuths.
 
-    whole: value of the receiver under an unobstructed sky.
+    whole: value of the receiver under an unobstructed sky. depth: bound of what one azimuth may lose, from `bound_depths`.
     """
     gaps = azimuths / (azimuths - ONE)  # the last azimuth is not compared with the first
     jumps = gaps * (_OF_JUMP * sums[_JUMPS] + _OF_SPIKE * sums[_SPIKES])
@@ -270,7 +284,8 @@ def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64) -> wp.float6
     value = sums[_SEEN] / azimuths
     unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
     few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * wp.max(ONE - sums[_SEEN], ZERO)
-    return wp.max(jumps + widths + unseen, few) / (azimuths * azimuths)
+    missed = _OF_MISSED * wp.max(depth - _KNOWN * sums[_DEEPEST], ZERO)
+    return wp.max(wp.max(jumps + widths + unseen, few), missed * missed) / (azimuths * azimuths)
 
 
 @wp.func
@@ -312,7 +327,8 @@ def horizon_kernel() -> wp.Kernel:
                 sums = _look_around(rows, seen, point, local, at, sums)
             cast = wp.where(seen.starts != 0 or local != 0, rows.azimuths * rows.per_azimuth, 0)
             if near.starts != 0 or around != 0:
-                variance = _variance(sums, azimuths, wp.where(rows.cosine != 0, HALF + HALF * wp.float64(point.n[2]), ONE))
+                whole = wp.where(rows.cosine != 0, HALF + HALF * wp.float64(point.n[2]), ONE)
+                variance = _variance(sums, azimuths, whole, wp.float64(float_at(rows.depths, point.index)))
             if rows.cosine != 0:
                 own = _own_plane_error(point.n, azimuths)
                 variance += own * own

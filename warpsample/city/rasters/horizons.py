@@ -10,6 +10,7 @@ neighbouring horizons; see README.md.
 from typing import Any
 
 import numpy as np
+from scipy.ndimage import maximum_filter
 
 from warpsample.city.rasters.horizon_kernel import HorizonRowsArgs, horizon_kernel
 from warpsample.city.rasters.scenery import Seen
@@ -30,6 +31,8 @@ from warpsample.tracing.rays import RAY_WORK
 
 _MOST_RAYS, _MOST_OF_MANY, _MANY = 4, 5, 512  # rays per azimuth, at most; the second number for _MANY rays and more
 _ARRAYS = {"value": np.float32, "standard_error": np.float32, "rays": np.int32, "status": np.uint8}
+_MOST_TOPS = 2048  # cells of the grid of highest vertices along a side
+_SHORTEST = 1e-30  # length of a normal, so that 0 / 0 gives 0
 _OPTIONS = ("count", "max_distance", "seed", "skip", "workers", "progress")
 
 
@@ -72,6 +75,7 @@ def _search_horizons(plan: Plan, reach: float, cosine: bool) -> Seen:
     order = plan.at.order(placement, plan.count, options.workers)
     placement.order = 0 if order is None else order.ctypes.data
     azimuths, rays = azimuths_and_rays(plan.count)
+    depths = _bound_depths(plan.at, azimuths, cosine, reach)
     rows = HorizonRowsArgs(
         placement=placement,
         seed=seed_for("horizons", options.seed),
@@ -79,6 +83,7 @@ def _search_horizons(plan: Plan, reach: float, cosine: bool) -> Seen:
         per_azimuth=rays,
         cosine=cosine,
         skip=options.skip,
+        depths=depths.ctypes.data,
         **{name: array.ctypes.data for name, array in ({"normals": plan.at.normal} | found).items()},
     )
     accelerator = options.tracer.accelerator(plan.at.scene, cpu(), options.workers)
@@ -86,6 +91,43 @@ def _search_horizons(plan: Plan, reach: float, cosine: bool) -> Seen:
         work = RAY_WORK * points * plan.count
         run(horizon_kernel(), points, [rows, accelerator], cpu(), workers=options.workers, work=work)
     return _collect_results(found)
+
+
+def _bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) -> np.ndarray:
+    """Bound how much of the sky of one azimuth an object hides that no azimuth has hit, (P,) float32.
+
+    Objects are at least as wide as a cell. So an azimuth hits all objects that are closer than the distance at which a cell
+    spans the angle between two azimuths. For rings beyond it, each twice as wide as the one before, the elevation of the
+    highest object is at most that of the highest vertex within the ring's outer radius, at its inner radius.
+    """
+    assert at.mesh is not None
+    vertices, points = at.mesh.vertices, np.asarray(at.points.position, np.float64)
+    low, size = vertices[:, :2].min(axis=0), np.ptp(vertices[:, :2], axis=0)
+    nearest = _cell_width(at.mesh) * azimuths / (2.0 * np.pi)
+    cell = max(nearest / 4.0, size.max() / _MOST_TOPS)
+    where = [np.nan_to_num((each[:, :2] - low) / cell).clip(0, size / cell).astype(np.int64) for each in (vertices, points)]
+    tops = np.full(np.int64(size / cell) + 1, -np.inf)
+    np.maximum.at(tops, tuple(where[0].T), vertices[:, 2])
+    slope, radius, level = np.zeros(len(points)), 4.0 * cell, 0
+    while radius < min(np.hypot(*size), reach):
+        highest = maximum_filter(tops, 17, mode="constant", cval=-np.inf)  # within 8 cells of the grid, twice the radius
+        slope = np.fmax(slope, (highest[tuple(where[1].T >> level)] - points[:, 2]) / radius)
+        tops = np.pad(tops, [(0, length % 2) for length in tops.shape], constant_values=-np.inf)
+        tops = tops.reshape(len(tops) // 2, 2, -1, 2).max(axis=(1, 3))
+        radius, level = 2.0 * radius, level + 1
+    if cosine:  # what is as steep as a tilted receiver is hidden by its plane, or is terrain that its azimuths hit
+        up = (at.normal[:, 2] / np.maximum(np.linalg.norm(at.normal, axis=1), _SHORTEST)).clip(_SHORTEST, 1.0)
+        level = np.sqrt(1.0 - up**2)
+        slope = np.maximum(slope - 2.0 * level / up, 0.0)
+    sine = slope / np.hypot(1.0, slope)
+    return (up * sine**2 + level * sine if cosine else sine).astype(np.float32)
+
+
+def _cell_width(mesh: Mesh) -> float:
+    """Return the width of the cells of a field of heights: the shortest side of its first triangle, seen from above."""
+    corners = mesh.vertices[mesh.faces[0], :2]
+    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1)
+    return float(min(sides[sides > 0.0], default=np.inf))
 
 
 def _collect_results(found: dict[str, np.ndarray]) -> Seen:
