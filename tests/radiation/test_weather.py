@@ -213,6 +213,20 @@ def test_a_period_goes_on_over_new_year():
     assert [YEAR[i] for i in (0, 8759)] == [(1, 1, 1), (12, 31, 24)]
 
 
+@pytest.mark.parametrize(
+    "period",
+    [("07-01", "06-30"), ("01-02", "01-01"), ("11-01", "10-31"), ("03-01", "02-28"), ("07-01T00", "06-30T24")],
+)
+def test_a_period_from_a_day_to_the_day_before_is_the_year(period, athens):
+    assert hours_of(period).all()
+    assert np.array_equal(read_weather(athens, period).hours, read_weather(athens).hours)  # in the order of the file
+
+
+def test_a_period_may_lack_a_single_hour_of_the_year():
+    for period in (("07-01", "06-30T23"), ("07-01T00", "06-30T23"), ("06-30T24", "06-30T23")):
+        assert np.array_equal(np.flatnonzero(~hours_of(period)), [181 * 24 - 1])
+
+
 @pytest.mark.parametrize("period", ["06-01", 3, (1, 2), ["06-01", None]])
 def test_a_period_of_another_type_is_refused(period):
     with pytest.raises(TypeError, match="^period: got .*, want two days"):
@@ -230,6 +244,9 @@ def test_a_period_of_another_type_is_refused(period):
         ("a", "b"),
         (),
         ("03-21T09",) * 2,
+        ("03-21T24", "03-22T00"),
+        ("12-31T24", "01-01T00"),
+        ("02-28", "02-29"),
     ],
 )
 def test_a_period_of_no_hours_is_refused(period):
