@@ -2,6 +2,7 @@
 
 import re
 import sys
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -158,6 +159,19 @@ def test_a_wrong_place_is_a_sentence(tmp_path, flaw):
     path.write_text("\n".join(header(**ATHENS | place) + [",".join(row) for row in table]))
     with pytest.raises(ValueError, match=message):
         read_weather(path)
+
+
+@pytest.mark.parametrize("share", [0.009, 0.011])
+def test_over_one_percent_of_direct_radiation_at_night_is_refused(share, tmp_path):
+    def change(table):
+        day = sum(float(row[14]) for row in table)
+        for row in table[::24]:  # from midnight to 1
+            row[14] = f"{day / 365 * share / (1 - share):.3f}"
+        return table
+
+    path = write_epw(tmp_path / "night.epw", change=change)
+    with nullcontext() if share < 0.01 else pytest.raises(ValueError, match="1% of the direct radiation is at night"):
+        assert len(read_weather(path).hours) == 8760
 
 
 @pytest.mark.parametrize(

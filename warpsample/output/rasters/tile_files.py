@@ -61,7 +61,7 @@ class TileFiles:
             yield
 
     def _check_folder(self) -> None:
-        """Raise a ValueError if the path is a file, or the folder holds other files, or tiles and `--resume` is not given."""
+        """Raise a ValueError if the path is a file, or the folder has other files, or has tiles without `--resume`."""
         files = list(self.path.iterdir()) if self.path.is_dir() else [self.path]
         if files and not (self.path / ABOUT).is_file():
             raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another output name")
@@ -194,7 +194,7 @@ def _is_locked(opened: int) -> bool:
 def _is_at(folder: Path, opened: int) -> bool:
     """Return whether an open folder is still at its path; another process may have removed it, and made a new folder."""
     try:
-        return os.path.samestat(os.stat(folder), os.fstat(opened))
+        return os.path.samestat(folder.stat(), os.fstat(opened))
     except FileNotFoundError:
         return False
 

@@ -162,7 +162,7 @@ def _import_pvlib() -> Any:
 
 
 def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:
-    """Check that nearly all direct radiation falls in hours with the sun above the horizon.
+    """Check that nearly all direct radiation falls in hours outside the night, when the sun is below `_NIGHT`.
 
     Raises:
         ValueError: over 1 % falls at night, as with a longitude counted towards the west.
