@@ -98,3 +98,12 @@ def test_of_two_runs_that_start_together_one_keeps_its_folder(tmp_path):
             pass
         first.path.mkdir()
     assert first.path.is_dir()  # the folder of yet another run
+
+
+@pytest.mark.skipif(tile_files.fcntl is None, reason="Windows does not lock folders")
+def test_a_file_in_the_place_of_the_tiles_is_kept(tmp_path):
+    store = tile_files.TileFiles(tmp_path / "sky.tif", resume=False)
+    store.path.write_text("thesis")
+    with pytest.raises(tile_files.WriteError, match=r"sky.tif.tiles cannot be written: Not a directory"), store.locked():
+        pass
+    assert store.path.read_text() == "thesis"

@@ -51,9 +51,8 @@ class TileFiles:
             WriteError: another process is writing the tiles, or the folder cannot be created.
         """
         try:
-            self.path.mkdir(exist_ok=True)
-        except FileExistsError:
-            self._check_folder()
+            with suppress(FileExistsError):
+                self.path.mkdir()
         except OSError as error:
             raise WriteError(f"{self.path} cannot be written: {error.strerror or error}") from error
         with _locked(self.path):
@@ -61,8 +60,8 @@ class TileFiles:
             yield
 
     def _check_folder(self) -> None:
-        """Raise a ValueError if the path is a file, or the folder has other files, or has tiles without `--resume`."""
-        files = list(self.path.iterdir()) if self.path.is_dir() else [self.path]
+        """Raise a ValueError if the folder has other files, or has tiles and `--resume` is not given."""
+        files = list(self.path.iterdir())
         if files and not (self.path / ABOUT).is_file():
             raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another output name")
         if files and not self.resume:
@@ -166,7 +165,9 @@ def _locked(folder: Path) -> Iterator[None]:
             _remove_if_empty(folder)
         return
     try:
-        opened = os.open(folder, os.O_RDONLY)
+        opened = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    except FileNotFoundError:  # removed by the process that had the lock
+        raise WriteError(f"{folder} cannot be written: another process is writing it") from None
     except OSError as error:
         raise WriteError(f"{folder} cannot be written: {error.strerror or error}") from error
     try:
