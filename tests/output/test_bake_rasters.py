@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from importlib import import_module
 from io import BytesIO
 
 import city_files
@@ -11,6 +12,7 @@ from matplotlib.image import imread
 
 rasterio = pytest.importorskip("rasterio")
 raster_cases = pytest.importorskip("raster_cases")
+tile_files = import_module("warpsample.output.rasters.tile_files")
 
 
 @pytest.fixture
@@ -79,3 +81,29 @@ def test_each_model_is_computed(dsm, call, model):
     assert (status, err) == (0, "")
     with rasterio.open("sky.tif") as file:
         assert np.isnan(file.read(1)).sum() == 1
+
+
+@pytest.mark.skipif(tile_files.fcntl is None, reason="Windows does not lock folders")
+def test_of_two_runs_that_start_together_one_keeps_its_folder(tmp_path):
+    first, second = (tile_files.TileFiles(tmp_path / "sky.tif", resume=False) for _ in range(2))
+    with first.locked():
+        with pytest.raises(tile_files.WriteError, match="another process is writing it"), second.locked():
+            pass
+        assert first.path.is_dir()
+        (first.path / "tile-0.npz").write_bytes(b"")
+        with pytest.raises(tile_files.WriteError, match="another process is writing it"), second.locked():
+            pass
+        first.remove()
+        with second.locked():  # a run that starts when the output is complete
+            pass
+        first.path.mkdir()
+    assert first.path.is_dir()  # the folder of yet another run
+
+
+@pytest.mark.skipif(tile_files.fcntl is None, reason="Windows does not lock folders")
+def test_a_file_in_the_place_of_the_tiles_is_kept(tmp_path):
+    store = tile_files.TileFiles(tmp_path / "sky.tif", resume=False)
+    store.path.write_text("thesis")
+    with pytest.raises(tile_files.WriteError, match=r"sky.tif.tiles cannot be written: Not a directory"), store.locked():
+        pass
+    assert store.path.read_text() == "thesis"

@@ -2,6 +2,7 @@
 
 import re
 import sys
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -160,6 +161,19 @@ def test_a_wrong_place_is_a_sentence(tmp_path, flaw):
         read_weather(path)
 
 
+@pytest.mark.parametrize("share", [0.009, 0.011])
+def test_over_one_percent_of_direct_radiation_at_night_is_refused(share, tmp_path):
+    def change(table):
+        day = sum(float(row[14]) for row in table)
+        for row in table[::24]:  # from midnight to 1
+            row[14] = f"{day / 365 * share / (1 - share):.3f}"
+        return table
+
+    path = write_epw(tmp_path / "night.epw", change=change)
+    with nullcontext() if share < 0.01 else pytest.raises(ValueError, match="1% of the direct radiation is at night"):
+        assert len(read_weather(path).hours) == 8760
+
+
 @pytest.mark.parametrize(
     ("content", "message"),
     [
@@ -213,6 +227,20 @@ def test_a_period_goes_on_over_new_year():
     assert [YEAR[i] for i in (0, 8759)] == [(1, 1, 1), (12, 31, 24)]
 
 
+@pytest.mark.parametrize(
+    "period",
+    [("07-01", "06-30"), ("01-02", "01-01"), ("11-01", "10-31"), ("03-01", "02-28"), ("07-01T00", "06-30T24")],
+)
+def test_a_period_from_a_day_to_the_day_before_is_the_year(period, athens):
+    assert hours_of(period).all()
+    assert np.array_equal(read_weather(athens, period).hours, read_weather(athens).hours)  # in the order of the file
+
+
+def test_a_period_may_lack_a_single_hour_of_the_year():
+    for period in (("07-01", "06-30T23"), ("07-01T00", "06-30T23"), ("06-30T24", "06-30T23")):
+        assert np.array_equal(np.flatnonzero(~hours_of(period)), [181 * 24 - 1])
+
+
 @pytest.mark.parametrize("period", ["06-01", 3, (1, 2), ["06-01", None]])
 def test_a_period_of_another_type_is_refused(period):
     with pytest.raises(TypeError, match="^period: got .*, want two days"):
@@ -230,6 +258,9 @@ def test_a_period_of_another_type_is_refused(period):
         ("a", "b"),
         (),
         ("03-21T09",) * 2,
+        ("03-21T24", "03-22T00"),
+        ("12-31T24", "01-01T00"),
+        ("02-28", "02-29"),
     ],
 )
 def test_a_period_of_no_hours_is_refused(period):

@@ -131,6 +131,12 @@ def test_overlaps_are_named_and_refused_or_unwrapped(call, tmp_path):
     assert re.search(rf", new coordinates, set 1 \(set 0 is passed over: {why}\): ", out), out
     tree = opened(output)[0]
     assert occlusion(tree, 0) == occlusion(tree, 1) == {"index": 0, "texCoord": 1}
+    for mesh in meshes:
+        mesh["primitives"][0]["attributes"] |= {"TEXCOORD_1": 2, "TEXCOORD_2": 2}
+    path.write_bytes(glb({"meshes": meshes, "nodes": [{"mesh": 0}, {"mesh": 1}]}, arrays))
+    out = baked(call, path)[1]
+    assert re.search(r"set 2 is passed over: [^;]* auto accepts none\): ", out), out  # --uv has no choice 2
+    assert re.findall(r"--uv (\d) takes it", out) == ["0", "1"]
 
 
 @pytest.mark.parametrize("number", [0, 1])

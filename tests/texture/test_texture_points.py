@@ -148,6 +148,9 @@ def test_a_texel_of_one_sample_has_the_error_of_its_point():
     errors = np.random.default_rng(1).uniform(size=len(t))
     image = t.image_error(errors, gutter=0)
     assert np.array_equal(image.ravel()[t.texel], errors.astype(np.float32))
+    for wrong in (np.where(np.arange(len(t)) == 3, -0.5, np.nan), np.full((len(t), 3), -0.5)):
+        with pytest.raises(ValueError, match="^errors: got -0.5, want standard errors of at least 0, or NaN for points"):
+            t.image_error(wrong)
     more = ws.texture_points(mesh, uv, 16, samples=4)
     with pytest.raises(TypeError, match="errors: got .*, want the whole Estimate, because errors of 4 samples"):
         more.image_error(np.ones(len(more)))

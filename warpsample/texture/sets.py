@@ -164,7 +164,9 @@ class Texels:
             return "no face has a texel"
         if report.overlapped and not may_overlap:
             counts = f"{report.overlapped:,} of {report.covered:,} texels ({report.overlapped / report.covered:.2%})"
-            return f"faces overlap in {counts}, and auto accepts none; --uv {number} takes it"
+            return f"faces overlap in {counts}, and auto accepts none" + (
+                f"; --uv {number} takes it" if str(number) in UV_CHOICES else ""
+            )
         return "faces have no area in it" if self._is_flat(number, rows) else None
 
     def _is_named(self, number: int, rows: Iterable[slice]) -> bool:

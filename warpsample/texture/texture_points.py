@@ -164,7 +164,7 @@ class TexturePoints(Summary):
             (H, W) or (H, W, C) float32. A filled texel has the error of its source texel.
 
         Raises:
-            TypeError, ValueError: `errors` or `gutter` is invalid.
+            TypeError, ValueError: `errors` or `gutter` is invalid, for example a negative error.
 
         Example:
             >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -174,6 +174,9 @@ class TexturePoints(Summary):
         """
         own = raised_errors(errors) if hasattr(errors, "standard_error") else errors
         own = self._check_rows(own, "errors")
+        least = np.fmin.reduce(own, axis=None, initial=0)
+        if least < 0:
+            raise ValueError(f"errors: got {least:g}, want standard errors of at least 0, or NaN for points without a value")
         flat = own.reshape(len(self), *own.shape[1:] or (1,))
         if self.samples == 1:
             made = self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0]

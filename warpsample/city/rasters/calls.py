@@ -55,9 +55,9 @@ def sky_view_factor(
 
     SOLWEIG and UMEP use the same definition.
     The sky view factor times the diffuse irradiance of open ground is the irradiance of the cell under a uniform sky. By
-    default, rays search for the horizon in each azimuth. Trees and the options `sequence`, `tolerance`, `tracer` and
-    `device` switch to rays over the whole sky. With tiles or distant terrain, the Earth's curvature is included outside the
-    margin.
+    default, rays search for the horizon in each azimuth. Trees switch to rays over the whole sky, and so do values of
+    `sequence`, `tolerance`, `tracer` and `device` other than the defaults. With tiles or distant terrain, the Earth's
+    curvature is included outside the margin.
 
     Args:
         source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.

@@ -50,22 +50,18 @@ class TileFiles:
             ValueError: the folder exists and is not to be resumed, or holds other files.
             WriteError: another process is writing the tiles, or the folder cannot be created.
         """
-        if self.path.exists():
-            self._check_folder()
         try:
-            self.path.mkdir(exist_ok=True)
+            with suppress(FileExistsError):
+                self.path.mkdir()
         except OSError as error:
             raise WriteError(f"{self.path} cannot be written: {error.strerror or error}") from error
-        try:
-            with _locked(self.path):
-                yield
-        finally:
-            if self.path.is_dir() and not any(self.path.iterdir()):
-                self.path.rmdir()
+        with _locked(self.path):
+            self._check_folder()
+            yield
 
     def _check_folder(self) -> None:
-        """Raise a ValueError if the folder exists and holds other files, or if `--resume` is not given."""
-        files = list(self.path.iterdir()) if self.path.is_dir() else [self.path]
+        """Raise a ValueError if the folder has other files, or has tiles and `--resume` is not given."""
+        files = list(self.path.iterdir())
         if files and not (self.path / ABOUT).is_file():
             raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another output name")
         if files and not self.resume:
@@ -155,22 +151,33 @@ def write_tile_file(folder: Path, index: int, run: RasterRun, arrays: Mapping[st
 
 @contextmanager
 def _locked(folder: Path) -> Iterator[None]:
-    """Lock a folder within a `with` statement, without waiting; the operating system releases the lock of a killed process.
+    """Lock a folder within a `with` statement, without waiting; remove the folder at the end if it is empty.
+
+    The operating system releases the lock of a killed process. Only the process with the lock removes the folder.
 
     Raises:
         WriteError: another process has locked the folder, or the folder cannot be opened.
     """
     if fcntl is None:  # Windows opens no folders
-        yield
+        try:
+            yield
+        finally:
+            _remove_if_empty(folder)
         return
     try:
-        opened = os.open(folder, os.O_RDONLY)
+        opened = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    except FileNotFoundError:  # removed by the process that had the lock
+        raise WriteError(f"{folder} cannot be written: another process is writing it") from None
     except OSError as error:
         raise WriteError(f"{folder} cannot be written: {error.strerror or error}") from error
     try:
-        if not _is_locked(opened):
+        if not _is_locked(opened) or not _is_at(folder, opened):
             raise WriteError(f"{folder} cannot be written: another process is writing it")
-        yield
+        try:
+            yield
+        finally:
+            if _is_at(folder, opened):
+                _remove_if_empty(folder)
     finally:
         os.close(opened)
 
@@ -183,3 +190,17 @@ def _is_locked(opened: int) -> bool:
         except BlockingIOError:
             return False
     return True
+
+
+def _is_at(folder: Path, opened: int) -> bool:
+    """Return whether an open folder is still at its path; another process may have removed it, and made a new folder."""
+    try:
+        return os.path.samestat(folder.stat(), os.fstat(opened))
+    except FileNotFoundError:
+        return False
+
+
+def _remove_if_empty(folder: Path) -> None:
+    """Remove a folder unless it contains files."""
+    with suppress(OSError):
+        folder.rmdir()

@@ -28,8 +28,10 @@ class ViewFactors(Summary):
     Attributes:
         matrix: (N, N) scipy.sparse.csr_array of float64, share of the radiation from the front of surface i that first
             hits the front of surface j.
-        standard_error: Standard error of each entry, with the pattern of `matrix`. Errors in a row are not independent: the
-            sum of a row is known better than its entries.
+        standard_error: Standard error of each entry, with the pattern of `matrix`. A pair that no ray hits is not stored, so
+            its factor and its error read as 0, although the factor may be small and above 0. With few rays this also
+            happens with `reciprocal`, if no ray from either surface hits the other. Errors in a row are not independent:
+            the sum of a row is known better than its entries.
         outside: (N,) float64, share that hits nothing.
         outside_error: (N,) float64, standard error of `outside`.
         behind: (N,) float64, share that hits the back of a face, or a face without area.

@@ -37,7 +37,8 @@ class Irradiation(PointResult):
         direct: Part from the sun, in the shape and unit of `value`.
         diffuse: Part from the sky, in the shape and unit of `value`.
         ground: Part from the ground outside the mesh, in the shape and unit of `value`.
-        hours: (T,) datetime64[m], begin of each hour of the period, in local standard time.
+        hours: (T,) datetime64[m], begin of each hour of the period, in local standard time and in the order of the file:
+            from January on, also if the period spans New Year.
         rays: (P,) int32, number of rays cast to the sky and the ground, without rays to the sun.
         status: (P,) uint8, a `PointStatus`.
         skipped: Counts of the work skipped for the sky.
@@ -97,7 +98,8 @@ def irradiation(
         weather: Path of an EPW file of 8,760 hours, or "athens", an example: a cloudless year.
         ground_albedo: Albedo of the ground, a float from 0 to 1. Default: 0.2.
         period: First and last day, both included, as ("06-01", "08-31"); or with the hours of local standard time at which
-            the period begins and ends, ("03-21T09", "03-21T15"). It may span New Year. Default: None, the year.
+            the period begins and ends, ("03-21T09", "03-21T15"). It may span New Year: ("07-01", "06-30") is the whole year.
+            Default: None, the year.
         patches: Patches of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305). Default: "reinhart2".
         count: Number of rays per point to the sky, and the same number to the ground, 2 to 2^24. Default: 1024.
         up: (3,) vector of any length towards the zenith. Default: (0.0, 0.0, 1.0).

@@ -125,9 +125,10 @@ def hours_of(period: Any) -> np.ndarray:
     Raises:
         TypeError, ValueError: not a period.
     """
+    year = len(YEAR)
     wants = 'two days "MM-DD", or hours "MM-DDTHH", of a year without 29 February, as ("06-01", "08-31")'
     if period is None:
-        return np.ones(len(YEAR), bool)
+        return np.ones(year, bool)
     if isinstance(period, str) or not isinstance(period, Sequence) or not all(isinstance(text, str) for text in period):
         raise TypeError(f"period: got {quote(period)}, want {wants}")
     found = [_PERIOD.fullmatch(text) for text in period]
@@ -135,10 +136,11 @@ def hours_of(period: Any) -> np.ndarray:
         (first, last) = (_parse_hour(match, default) for match, default in zip(found, (0, 24), strict=True))  # type: ignore[arg-type]
     except (ValueError, TypeError, IndexError):
         raise ValueError(f"period: got {quote(period)}, want {wants}") from None
-    if first == last:
+    start, end = (text[:5] for text in period)  # the days; a period of a whole year ends where it begins
+    count = last - first + (year if start > end or first > last else 0)
+    if count == 0:
         raise ValueError(f"period: got {quote(period)}, which contains no hour, want {wants}")
-    hour = np.arange(len(YEAR))
-    return (first <= hour) & (hour < last) if first < last else (first <= hour) | (hour < last)
+    return (np.arange(year) - first) % year < count
 
 
 def _parse_hour(match: re.Match[str], default: int) -> int:
@@ -160,7 +162,7 @@ def _import_pvlib() -> Any:
 
 
 def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:
-    """Check that nearly all direct radiation falls in hours with the sun above the horizon.
+    """Check that nearly all direct radiation falls in hours outside the night, when the sun is below `_NIGHT`.
 
     Raises:
         ValueError: over 1 % falls at night, as with a longitude counted towards the west.
