@@ -112,7 +112,11 @@ def test_bars_of_100_000_cells_are_right():
 
 @pytest.mark.parametrize(
     ("places", "width", "height"),
-    [(1, 1, 60.0), (1, 5, 60.0), *(pytest.param(*case, marks=pytest.mark.thorough) for case in ((4, 1, 30.0), (1, 3, 60.0)))],
+    [
+        (1, 1, 60.0),
+        (1, 5, 60.0),
+        *(pytest.param(*case, marks=pytest.mark.thorough) for case in ((4, 1, 30.0), (1, 3, 60.0))),
+    ],
 )
 def test_bars_around_tall_objects_are_right(places, width, height):
     """300 cells of level ground by 4 seeds. Where no azimuth hit the object, bars were nearly 0: 14 % by 64 rays of a mast.

@@ -10,7 +10,6 @@ neighbouring horizons; see README.md.
 from typing import Any
 
 import numpy as np
-from scipy.ndimage import maximum_filter
 
 from warpsample.city.rasters.horizon_kernel import HorizonRowsArgs, horizon_kernel
 from warpsample.city.rasters.scenery import Seen
@@ -21,6 +20,7 @@ from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.estimate.visibility import sky_view_factor
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
+from warpsample.host.locks import imported
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -110,7 +110,9 @@ def _bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) -
     np.maximum.at(tops, tuple(where[0].T), vertices[:, 2])
     slope, radius, level = np.zeros(len(points)), 4.0 * cell, 0
     while radius < min(np.hypot(*size), reach):
-        highest = maximum_filter(tops, 17, mode="constant", cval=-np.inf)  # within 8 cells of the grid, twice the radius
+        highest = imported("scipy.ndimage").maximum_filter(
+            tops, 17, mode="constant", cval=-np.inf
+        )  # within 8 cells of the grid, twice the radius
         slope = np.fmax(slope, (highest[tuple(where[1].T >> level)] - points[:, 2]) / radius)
         tops = np.pad(tops, [(0, length % 2) for length in tops.shape], constant_values=-np.inf)
         tops = tops.reshape(len(tops) // 2, 2, -1, 2).max(axis=(1, 3))
