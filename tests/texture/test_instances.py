@@ -126,3 +126,69 @@ def test_whole_pictures_with_few_rays_that_differ_are_distinguished(call, tmp_pa
     path.write_bytes(glb(tree, arrays))
     status, out, _ = call("bake", path, "-o", output, "--texture", 64, "--samples", 2)
     assert (status, "share one picture" in out) == (0, True)
+
+
+def floors_with_plates(path, plates):
+    """One floor of 32 x 32, in rows of a scene, each with a plate of 1.2 x 1.2 just above it at the given x, or none."""
+    square = np.array([(-16, 0, 16), (16, 0, 16), (16, 0, -16), (-16, 0, -16)], np.float32)
+    tree = {"meshes": [{"name": "floor", "primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2}]}]}
+    tree["meshes"][0]["primitives"][0]["material"] = 0
+    tree["meshes"] += [{"primitives": [{"attributes": {"POSITION": 3}, "indices": 2}]}]
+    tree |= {"nodes": [{"mesh": 0, "translation": [200 * k, 0, 0]} for k in range(len(plates))], "materials": [{}]}
+    tree["nodes"] += [{"mesh": 1, "translation": [200 * k + x, 0.3, 2.5]} for k, x in enumerate(plates) if x is not None]
+    path.write_bytes(glb(tree, [square, SQUARE, TWO, np.float32(0.6 / 16) * square]))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("plates", "pictures"),
+    [
+        ((1.5, 4.5), 2),  # in one block of 8 x 8 texels: its mean stays
+        ((None, 1.5), 2),
+        ((1.5, 1.5, 1.5), 1),
+    ],
+)
+def test_shadows_that_move_within_a_block_are_seen(call, tmp_path, plates, pictures):
+    path = floors_with_plates(tmp_path / "in.glb", plates)
+    status, out, _ = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 256)
+    found = "share one picture" if pictures == 1 else f"show {pictures} pictures"
+    assert (status, f"the {len(plates)} places of 'floor' {found}" in out) == (0, True)
+
+
+@pytest.mark.parametrize("sheet", [0.0, 2.0])  # within the thin box of one place, or above it
+def test_exact_numbers_are_compared_by_the_levels_of_the_picture(call, tmp_path, sheet):
+    """Half of a thickness of 0.006 is missing beside a thickness of 3: less than a level of 8 bits."""
+    thin = trimesh.creation.box((0.4, 0.006, 0.4)).apply_translation([5, 0, 0])
+    both = trimesh.util.concatenate([trimesh.creation.box((1, 3, 2)), thin])
+    arrays = [np.float32(both.vertices), np.uint16(both.faces).ravel(), TWO]
+    arrays += [np.float32([(4.7, 0, 0.3), (5.3, 0, 0.3), (5.3, 0, -0.3), (4.7, 0, -0.3)])]
+    meshes = [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}]
+    meshes += [{"primitives": [{"attributes": {"POSITION": 3}, "indices": 2}]}]
+    nodes = [{"mesh": 0}, {"mesh": 0, "translation": [20, 0, 0]}, {"mesh": 1, "translation": [20, sheet, 0]}]
+    volume = {"extensions": {"KHR_materials_volume": {}}}
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb({"meshes": meshes, "nodes": nodes, "materials": [volume]}, arrays))
+    options = ("--texture", 64, "--quantity", "thickness", "--uv", "new")
+    for depth, differs in ((8, False), (16, sheet == 0.0)):
+        status, out, _ = call("bake", path, "-o", tmp_path / "out.glb", *options, "--depth", depth)
+        assert (status, "show 2 pictures" in out, "share one picture" in out) == (0, differs, not differs)
+
+
+@pytest.mark.parametrize("options", [(16,), (64, "--supersample", 2), (64, "--quantity", "bent-normals")])
+def test_turned_places_share_a_picture(call, tmp_path, options):
+    """Floors below crates: texels that are filled with one neighbour's value have one error together.
+
+    The axes of tangents turn with the places, and those of the errors do not.
+    """
+    floor = np.array([(-2, 0, 2), (2, 0, 2), (2, 0, -2), (-2, 0, -2)], np.float32)
+    crate = trimesh.creation.box((1, 1, 1)).apply_translation([-0.8, 0.45, -0.5])
+    arrays = [floor, SQUARE, TWO, np.float32(crate.vertices), np.uint16(crate.faces).ravel()]
+    meshes = [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}]
+    meshes += [{"primitives": [{"attributes": {"POSITION": 3}, "indices": 4}]}]
+    half = np.array([0.0, 0.7, np.pi / 2, 2.1]) / 2
+    places = [{"translation": [300 * k, 0, 0], "rotation": [0, np.sin(a), 0, np.cos(a)]} for k, a in enumerate(half)]
+    nodes = [{"mesh": mesh, **place} for place in places for mesh in (0, 1)]
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb({"meshes": meshes, "nodes": nodes, "materials": [{}]}, arrays))
+    status, out, _ = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 64, "--samples", *options)
+    assert (status, out.count("the 4 places of"), out.count("share one picture")) == (0, 2, 2)

@@ -1,5 +1,7 @@
 """Images of numbers at texels: closed forms, seams, gutters, mips, errors, and the same bits by parts."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from lookups import coarser, floor_by_a_wall, lookup, on_surface, prism, two_charts
@@ -154,6 +156,22 @@ def test_a_texel_of_one_sample_has_the_error_of_its_point():
     more = ws.texture_points(mesh, uv, 16, samples=4)
     with pytest.raises(TypeError, match="errors: got .*, want the whole Estimate, because errors of 4 samples"):
         more.image_error(np.ones(len(more)))
+
+
+@pytest.mark.parametrize("samples", [1, 4])
+def test_a_filled_texel_has_the_error_of_its_source(samples):
+    """Before, it was 0 with several samples."""
+    mesh, uv = two_charts()
+    t = ws.texture_points(mesh, uv, 16, samples=samples)
+    value = np.random.default_rng(2).uniform(size=len(t))
+    middle = np.isin(t.texel, np.unique(t.texel)[10:20])
+    value[middle] = np.nan
+    found = SimpleNamespace(value=value, standard_error=np.where(middle, np.nan, 0.1 + value))
+    image, error = t.image(value), t.image_error(found)
+    filled = np.unique(t.texel[middle])
+    pairs = list(zip(image.ravel().tolist(), error.ravel().tolist(), strict=True))
+    assert all(error.ravel()[filled] > 0.0)
+    assert {pairs[texel] for texel in filled} <= {pairs[texel] for texel in np.unique(t.texel[~middle])}
 
 
 def test_a_texel_with_one_of_several_samples_has_an_error_of_its_place_too():

@@ -278,8 +278,9 @@ OPTIONS: dict[str, Option] = {
     "instances": Option(
         Literal["split", "mean"],
         _TEXTURE_PANEL,
-        "Texture of a mesh that the file places several times: split makes a copy for each place whose values differ by "
-        "more than their errors, mean averages all places. Default: split.",
+        "Texture of a mesh that the file places several times: split makes a copy for each place that differs by "
+        "more than standard errors and the rounding to --depth bits, in a texel, in a block of 8 x 8 texels or in the whole "
+        "picture; mean averages all places. Default: split.",
         _on(TEXTURE, only=_GLTF),
     ),
     "chunk": Option(

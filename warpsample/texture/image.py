@@ -75,7 +75,8 @@ class TexelRows:
         """Return the standard errors (texels, C) float64 of the texels' means, from the spread of values within texels.
 
         A texel with one value has no spread: its variance is pooled from the surrounding texels. The error of a mean of k
-        values is at least a k-th of the largest standard error among these values, because equal values have no spread.
+        values is at least a k-th of the largest standard error among these values, because equal values have no spread. A
+        texel without a finite value has the error NaN.
 
         Args:
             values: (P, C), values at the points.
@@ -89,7 +90,9 @@ class TexelRows:
         single = np.flatnonzero(count == 1)
         if len(single):
             errors[single] = np.sqrt(_pool_variance(squares, count, single, columns))
-        return np.fmax(errors, self._largest(own) / np.maximum(count, 1)[:, None])
+        errors = np.fmax(errors, self._largest(own) / np.maximum(count, 1)[:, None])
+        errors[count == 0] = np.nan
+        return errors
 
     def _largest(self, values: np.ndarray) -> np.ndarray:
         """Return the largest of the values (P, C) in each texel, (texels, C), without NaN; 0 for texels without points."""

@@ -9,8 +9,9 @@ import numpy as np
 from warpsample.host.extras import missing
 from warpsample.host.locks import imported
 
-_WHITE = {8: (255.0, np.uint8), 16: (65535.0, np.uint16)}
-DEPTHS = tuple(_WHITE)
+WHITE = {8: (255.0, np.uint8), 16: (65535.0, np.uint16)}
+"""Largest number of a channel of a .png and its type, by the bits per channel."""
+DEPTHS = tuple(WHITE)
 """Bits per channel of a .png."""
 
 
@@ -23,7 +24,7 @@ def encode_png(image: np.ndarray, depth: int) -> bytes:
     if image.ndim == 3:
         length = np.linalg.norm(image.astype(np.float64), axis=2, keepdims=True)
         image = 0.5 + 0.5 * np.where(length > 0.0, image / np.where(length > 0.0, length, 1.0), (0.0, 0.0, 1.0))
-    white, kind = _WHITE[depth]
+    white, kind = WHITE[depth]
     levels = np.floor(np.clip(image.astype(np.float64), 0.0, 1.0) * white + 0.5).astype(kind)
     stream = BytesIO()
     import_library("PIL.Image", "a .png needs Pillow").fromarray(levels).save(stream, "PNG", compress_level=9)

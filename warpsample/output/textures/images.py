@@ -34,6 +34,7 @@ class Filled:
         value: (H, W) or (H, W, C) values, float32, or float64 for positions.
         error: Standard errors of the same shape, float32, raised where they ignore geometry that no ray has hit.
         unbiased: Standard errors that are 0 where all rays agree, without a gutter: their squares may be added.
+        own: (H, W) bool, texels with a value of their own, which is no copy of another texel's value.
         mean: Mean of the values at the points.
         inside: Number of points inside closed bodies that are filled.
         enclosed: Number of points inside closed bodies that keep their values.
@@ -48,6 +49,7 @@ class Filled:
     value: np.ndarray
     error: np.ndarray
     unbiased: np.ndarray
+    own: np.ndarray
     mean: float
     inside: int
     enclosed: int
@@ -97,9 +99,11 @@ def fill_texture(
 
 def _images(
     job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray, unbiased: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
-    """Return the images of values, of standard errors and of unbiased standard errors at the texels, and the mean value."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, float]:
+    """Return the fields `value`, `error`, `unbiased`, `own` and `mean` of `Filled`."""
     known = np.isfinite(value)
+    own_texels = np.zeros(how.size[::-1], np.bool_)
+    own_texels.ravel()[job.points.texel[known.reshape(len(known), -1).all(axis=1)]] = True
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
 
     def image_error(own: np.ndarray, gutter: Any) -> np.ndarray:
@@ -108,7 +112,7 @@ def _images(
         return job.points.image_error(SimpleNamespace(value=value, standard_error=own), gutter=gutter)
 
     make_image = job.points.precise_image if value.dtype == np.float64 else job.points.image  # positions
-    return make_image(value, gutter=how.gutter), image_error(error, how.gutter), image_error(unbiased, 0), mean
+    return make_image(value, gutter=how.gutter), image_error(error, how.gutter), image_error(unbiased, 0), own_texels, mean
 
 
 def _converter(

@@ -6,17 +6,13 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.output.textures.comparison import do_pictures_differ
 from warpsample.output.textures.images import Filled
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.jobs import TextureJob
 from warpsample.texture.notes import join_names
 from warpsample.texture.primitives import Primitive
 from warpsample.texture.sets import TextureOptions
-
-_BLOCK = 8  # texels along a side: a shadow 1 texel wide moves the mean of a block by an eighth of its depth
-_SIGMAS = 6.0  # by chance about one block of 10^9 differs by more
-_SIGMAS_WHOLE = 4.0  # of the mean over a whole picture, one number: by chance about 1 of 16,000 differs by more
-_STEP = 1 / 255  # of the largest number: differences that a picture of 8 bits does not show
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +37,9 @@ def pictures_of(job: TextureJob, fill: Callable[[TextureJob], Filled], how: Text
         return [_mean_of(found[0], (_picture(fill(other), other) for other in job.at_other_places()), how.gutter)]
     for other in job.at_other_places():
         made = _picture(fill(other), other)
-        same = next((i for i, known in enumerate(found) if not _differ(known.filled, made.filled)), None)
+        same = next(
+            (i for i, known in enumerate(found) if not do_pictures_differ(known.filled, made.filled, how.depth)), None
+        )
         if same is None:
             found.append(made)
         else:
@@ -73,31 +71,6 @@ def _mean_of(first: PlacedTexture, others: Iterator[PlacedTexture], gutter: Any)
 
 def _picture(filled: Filled, job: TextureJob) -> PlacedTexture:
     return PlacedTexture(filled, [job.group], (filled.rays, filled.inside_rays))
-
-
-def _differ(known: Filled, other: Filled) -> bool:
-    """Return whether the pictures of two places differ by more than the standard errors, in a block of texels or overall.
-
-    Errors of single texels do not do: they are 0 where all rays of each stratum agree. Errors of blocks are sums of unbiased
-    variances; raised errors would hide differences.
-    """
-    both = known.job.points.covered & other.job.points.covered
-    row, column = np.nonzero(both)
-    block = row // _BLOCK * (both.shape[1] // _BLOCK + 1) + column // _BLOCK
-    count = np.maximum(np.bincount(block), 1)
-    value, error = (
-        [getattr(one, name)[both].reshape(len(block), -1).astype(np.float64) for one in (known, other)]
-        for name in ("value", "unbiased")
-    )
-    squares = np.square(np.nan_to_num(error)).sum(axis=0)
-    step = _STEP * float(np.abs(value).max(initial=0.0))
-    for gap, own in zip((value[1] - value[0]).T, squares.T, strict=True):
-        variance = (np.bincount(block, own) / count + own.mean()) / count
-        if (np.abs(np.bincount(block, gap)) / count > _SIGMAS * np.sqrt(variance) + step).any():
-            return True
-        if abs(gap.sum()) > _SIGMAS_WHOLE * np.sqrt(own.sum()) + step * len(gap):
-            return True
-    return False
 
 
 def _sums(filled: Filled) -> tuple[np.ndarray, np.ndarray]:
