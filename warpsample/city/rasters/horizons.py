@@ -108,21 +108,23 @@ def _bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) -
     where = [np.nan_to_num((each[:, :2] - low) / cell).clip(0, size / cell).astype(np.int64) for each in (vertices, points)]
     tops = np.full(np.int64(size / cell) + 1, -np.inf)
     np.maximum.at(tops, tuple(where[0].T), vertices[:, 2])
-    slope, radius, level = np.zeros(len(points)), 4.0 * cell, 0
+    find_highest, slope, radius, level = imported("scipy.ndimage").maximum_filter, np.zeros(len(points)), nearest, 0
     while radius < min(np.hypot(*size), reach):
-        highest = imported("scipy.ndimage").maximum_filter(
-            tops, 17, mode="constant", cval=-np.inf
-        )  # within 8 cells of the grid, twice the radius
+        if radius > 4.0 * cell:
+            tops = np.pad(tops, [(0, length % 2) for length in tops.shape], constant_values=-np.inf)
+            tops = tops.reshape(len(tops) // 2, 2, -1, 2).max(axis=(1, 3))
+            cell, level = 2.0 * cell, level + 1
+        highest = find_highest(tops, 17, mode="constant", cval=-np.inf)  # within 8 cells of the grid: the outer radius
         slope = np.fmax(slope, (highest[tuple(where[1].T >> level)] - points[:, 2]) / radius)
-        tops = np.pad(tops, [(0, length % 2) for length in tops.shape], constant_values=-np.inf)
-        tops = tops.reshape(len(tops) // 2, 2, -1, 2).max(axis=(1, 3))
-        radius, level = 2.0 * radius, level + 1
-    if cosine:  # what is as steep as a tilted receiver is hidden by its plane, or is terrain that its azimuths hit
-        up = (at.normal[:, 2] / np.maximum(np.linalg.norm(at.normal, axis=1), _SHORTEST)).clip(_SHORTEST, 1.0)
-        level = np.sqrt(1.0 - up**2)
-        slope = np.maximum(slope - 2.0 * level / up, 0.0)
+        radius *= 2.0
+    if not cosine:
+        return (slope / np.hypot(1.0, slope)).astype(np.float32)
+    # What is as steep as a tilted receiver is hidden by its plane, or is terrain that its azimuths hit.
+    up = (at.normal[:, 2] / np.maximum(np.linalg.norm(at.normal, axis=1), _SHORTEST)).clip(_SHORTEST, 1.0)
+    tilt = np.sqrt(1.0 - up**2)
+    slope = np.maximum(slope - 2.0 * tilt / up, 0.0)
     sine = slope / np.hypot(1.0, slope)
-    return (up * sine**2 + level * sine if cosine else sine).astype(np.float32)
+    return (up * sine**2 + tilt * sine).astype(np.float32)
 
 
 def _cell_width(mesh: Mesh) -> float:
