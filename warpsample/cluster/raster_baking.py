@@ -58,7 +58,7 @@ class ZarrTiles:
     def __init__(self, output: Path, resume: bool, processes: int | None) -> None:
         """Check the path of the store and the number of processes, and set both."""
         check_processes(processes)
-        self.path = check_store(output, "--output")
+        self.path: Path = check_store(output, "--output")
         self.resume, self.processes = resume, processes
 
     def locked(self) -> AbstractContextManager[None]:

@@ -104,6 +104,7 @@ def _find_example(item: Any) -> str:
 def _distribution_example(kind: type[Distribution]) -> str:
     """Return example lines for a distribution: sampled directions and their densities."""
     text = re.sub(r"(?<![\w.])([A-Z]\w*\()", r"ws.\1", repr(kind.cases()[0]))
+    text = re.sub(r"\barray(\([\d, ]+\))", r"np.ones(\1)", text)  # which stands for a picture of that shape
     return f">>> lobe = {text}\n>>> w = lobe.sample(ws.sample_square('sobol', points=1, count=64)[0])\n>>> p = lobe.pdf(w)"
 
 

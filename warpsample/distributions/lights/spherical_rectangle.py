@@ -157,7 +157,7 @@ class SphericalRectangle(Distribution):
     source = "Urena2013; VanOosterom1983, equation 8"
     symmetric = False
     polar = False
-    worst_round_trip = 1e-5
+    worst_round_trip: ClassVar[float] = 1e-5
     limits = (
         "the density is blurred by 3e-7 rad at the edges. The error of the inverse is measured for solid angles above 4e-3 "
         "sr, and grows as 6e-8 over the rectangle's width in radians, because w is rounded"

@@ -120,7 +120,7 @@ class SphericalTriangle(Distribution):
     source = "Arvo1995; Peters2021, section 5; VanOosterom1983, equation 8"
     symmetric = False
     polar = False
-    worst_round_trip = 1e-5
+    worst_round_trip: ClassVar[float] = 1e-5
     limits = (
         "the density is blurred by 3e-7 rad at the edges. The error of the inverse is measured for u[1] above 0.01 and for "
         "solid angles above 4e-3 sr, and grows as 6e-8 over the triangle's width in radians, because w is rounded"

@@ -198,7 +198,7 @@ class VisibleGGX(VisibleNormals):
         "The error of the inverse is measured for u[0] from 0.06 to 0.94, away from the poles of the spherical cap. "
         "With alpha_y the direction is within 5e-7, because the stretch adds to the rounding of the isotropic map"
     )
-    worst_angle = 5e-7
+    worst_angle: ClassVar[float] = 5e-7
     # Views from above, from the side and from the horizon; then brushed surfaces.
     case_values: ClassVar[Cases] = (
         (1.0, (0.0, 0.0, 1.0)),

@@ -1,7 +1,7 @@
 """Base class of lobes of light that a rough surface scatters: directions that follow from a lobe of normals and a view."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -26,7 +26,7 @@ class ScatteredLight(Distribution):
     view: tuple[float, float, float]
 
     support = "sphere"
-    parameters = ("view",)
+    parameters: ClassVar[tuple[str, ...]] = ("view",)
     symmetric = False
     polar = False
     below = False

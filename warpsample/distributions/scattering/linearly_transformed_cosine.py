@@ -120,7 +120,7 @@ class LinearlyTransformedCosine(Distribution):
     source = "Heitz2016, equation 1"
     symmetric = False
     polar = False
-    worst_round_trip = 1e-5
+    worst_round_trip: ClassVar[float] = 1e-5
     limits = (
         "the support is the hemisphere about M⁻ᵀz. The density is blurred by rounding at the horizon of o. The error of the "
         "inverse is measured for u[0] above 0.01, and grows with the condition of M, because M⁻¹ stretches the rounding of w"

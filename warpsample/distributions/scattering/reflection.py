@@ -200,8 +200,8 @@ class Reflection(ScatteredLight):
         "u[0] above 0.01 and abs(v·m) above 0.3. The density of Beckmann's normals is less precise than others, because the "
         "exponential of the slope of m multiplies the rounding of w"
     )
-    worst_angle = 1.2e-6
-    worst_pdf = 6e-6
+    worst_angle: ClassVar[float] = 1.2e-6
+    worst_pdf: ClassVar[float] = 6e-6
     # Visible normals, rough, brushed and narrow; normals that face away; and lobes over the whole sphere.
     case_values: ClassVar[Cases] = (
         (VisibleGGX(1.0), (0.0, 0.0, 1.0)),

@@ -155,7 +155,7 @@ class RoughDielectric(ScatteredLight):
 
     name = "rough_dielectric"
     density = "p(m)F/(4v·m)+p(t)(1−F)abs(w·t)η²/abs(v+ηw)²"
-    parameters = ("view", "eta")
+    parameters: ClassVar[tuple[str, ...]] = ("view", "eta")
     below = True
     source = "Walter2007, equations 13 to 22; the choice by a hash: own"
     limits = (
@@ -165,8 +165,8 @@ class RoughDielectric(ScatteredLight):
         "below 1e-3. The density of Beckmann's normals is less precise than others, because the exponential of the slope "
         "of m multiplies the rounding of w"
     )
-    worst_angle = 3e-5
-    worst_pdf = 6e-6
+    worst_angle: ClassVar[float] = 3e-5
+    worst_pdf: ClassVar[float] = 6e-6
     # From above and from below; glass, water, and an index close to 1.
     case_values: ClassVar[Cases] = (
         (VisibleGGX(0.3), (0.0, 0.0, 1.0), 1.5),

@@ -39,7 +39,7 @@ class TileFiles:
 
     def __init__(self, output: Path, resume: bool) -> None:
         """Set the output file, next to which the hidden folder of tiles is created."""
-        self.path = output.absolute().with_name(f".{output.name}.tiles")
+        self.path: Path = output.absolute().with_name(f".{output.name}.tiles")
         self.resume = resume
 
     @contextmanager
