@@ -51,6 +51,7 @@ def test_a_store_is_exported_as_bake_would_have_written(call, tmp_path):
     assert {name for name in one if one[name] != other[name]} == {"output"}
 
 
+@pytest.mark.thorough
 def test_faces_that_reflect_and_let_light_through(call, path, tmp_path, monkeypatch):
     """What faces send back is found once for all chunks, whose bits are those of one call; another share is another run."""
     found, find = [], by_pictures.reflections_of

@@ -84,7 +84,8 @@ def restart(client):
     client.restart(timeout=HANGS, wait_for_workers=False)
 
 
-@pytest.mark.parametrize("end", [kill_all, pytest.param(restart, marks=pytest.mark.thorough)])
+@pytest.mark.thorough
+@pytest.mark.parametrize("end", [kill_all, restart])
 def test_a_store_outlives_workers_that_are_killed_or_restarted(client, mesh, right, path, end):
     client.wait_for_workers(2)
     thread = meanwhile(path, lambda: (end(client), two_again(client)))

@@ -12,8 +12,13 @@ SLOW = pytest.mark.slow
 # The ways through the kernels: a map in a frame, one without a frame and with a rim drawn anew, one with parameters.
 CASES = [ws.CosineHemisphere("polar"), ws.CosineHemisphere("offset"), ws.VisibleGGX(0.3, (0.6, -0.64, 0.48))]
 EACH = pytest.mark.parametrize("distribution", CASES, ids=repr)
-# Short rows in flat blocks; rows with a remainder. Slow: one sample; full vectors; more than one part of a row.
-COUNTS = [3, 23, *(pytest.param(n, marks=SLOW) for n in (1, 16, 64, 100))]
+# Short rows in flat blocks; rows with a remainder. Slow: one sample; full vectors. Thorough: more than one part of a row.
+COUNTS = [
+    3,
+    23,
+    *(pytest.param(n, marks=SLOW) for n in (1, 64)),
+    *(pytest.param(n, marks=pytest.mark.thorough) for n in (16, 100)),
+]
 
 
 @pytest.mark.parametrize("distribution", [CASES[0], *(pytest.param(case, marks=SLOW) for case in CASES[1:])], ids=repr)

@@ -182,7 +182,9 @@ def launched(calls, monkeypatch):
 @pytest.mark.parametrize(
     "arch", [pytest.param(a, marks=(pytest.mark.thorough if i else pytest.mark.slow)) for i, a in enumerate(ARCHITECTURES)]
 )
-@pytest.mark.parametrize("name", [*CALLS, *(pytest.param(name, marks=SLOW) for name in ESTIMATES if name not in CALLS)])
+@pytest.mark.parametrize(
+    "name", [*CALLS, *(pytest.param(name, marks=pytest.mark.thorough) for name in ESTIMATES if name not in CALLS)]
+)
 def test_each_kernel_that_a_device_runs_compiles_for_cuda(name, arch, bunny, some, tmp_path, monkeypatch):
     one = CALLS.get(name) or ESTIMATES[name]
     kernels = launched([lambda: one(bunny, some)], monkeypatch)

@@ -76,7 +76,9 @@ def judge(sampling, count=256, picture=PICTURE, truth=EXACT, **options):
 
 
 @pytest.mark.parametrize("sampling", ["picture", "both"])
-@pytest.mark.parametrize("sequence", ["fibonacci", pytest.param("sobol", marks=pytest.mark.thorough), "independent"])
+@pytest.mark.parametrize(
+    "sequence", ["fibonacci", *(pytest.param(n, marks=pytest.mark.thorough) for n in ("sobol", "independent"))]
+)
 def test_values_errors_and_intervals_of_a_shadowed_sun_are_right(sampling, sequence):
     assert judge(sampling, sequence=sequence) == set()
 
