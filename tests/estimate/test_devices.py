@@ -15,7 +15,6 @@ from second_device import BUDGET, second_device
 import warpsample as ws
 from warpsample.host import engine
 
-SLOW = pytest.mark.slow
 ARCHITECTURES = (86, 75, 90)
 NUMBERS = ("value", "standard_error", "spread", "degrees_of_freedom", "rays", "status")
 FEW = ("occlusion", "tolerance", "data", "bent", "picture")
