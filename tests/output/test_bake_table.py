@@ -155,6 +155,8 @@ def run_of(given):
 def outcome(given):
     """(exit status, stdout, stderr) of the command in this process."""
     done = CliRunner().invoke(app, ["bake", *given])
+    if done.exception is not None and not isinstance(done.exception, SystemExit):
+        raise done.exception
     return done.exit_code, done.stdout, done.stderr
 
 
