@@ -130,7 +130,7 @@ class Texels:
             if lacking:
                 raise ValueError(
                     f"--uv: got {number}, want a set of texture coordinates for all faces of {name!r}, but {lacking:,} of "
-                    f"{faces:,} lack it or have NaN in it; --uv new makes a set"
+                    f"{faces:,} lack it or have no finite numbers in it; --uv new makes a set"
                 )
             found = self.points_by_set(number, rows)
             if not len(found):
@@ -143,7 +143,7 @@ class Texels:
         for number in dict.fromkeys([*([] if first is None else [first]), *range(LAST_SET + 1)]):
             lacking = self._count_lacking(number, rows)
             if 0 < lacking < faces or (lacking and self._is_named(number, rows)):
-                why = f"{lacking:,} of {faces:,} faces lack it or have NaN in it"
+                why = f"{lacking:,} of {faces:,} faces lack it or have no finite numbers in it"
                 passed.append(f"set {number} is passed over: {self._unreadable.get(number, why)}")
             if not lacking:
                 found = self.points_by_set(number, rows)
