@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from affine import Affine
 from horizon_cases import blocks, exact_sky, hills, yard
 from raster_cases import NORTH_UP
 
@@ -133,3 +134,15 @@ def test_bars_around_tall_objects_are_right(places, width, height):
         found = np.array([shares(quantity, mesh, points, right, count, 4) for count in (16, 64, 256)])
         assert found[:, 0].min() > 0.9, found
         assert (found[:, 2] / found[:, 3]).min() > 0.1, found  # bars of at most three errors
+
+
+def test_flat_terrain_far_away_widens_no_bar():
+    """At 30 cells or more from a house; the grid of highest vertices is coarse in a scene of 100 km."""
+    heights = np.zeros((101, 101))
+    heights[48:53, 48:53] = 8.0
+    row, column = np.mgrid[:101, :101] - 50
+    away = np.hypot(row, column) > 30.0
+    far = (np.zeros((200, 200)), Affine(500.0, 0.0, -50_000.0, 0.0, -500.0, 50_000.0), None)
+    found = [rasters.sky_view_factor((heights, NORTH_UP, None), 64, far=each) for each in (None, far)]
+    alone, within = (np.sqrt(np.square(one.standard_error.values[away].astype(np.float64)).mean()) for one in found)
+    assert within <= 1.5 * alone

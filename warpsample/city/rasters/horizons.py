@@ -98,7 +98,8 @@ def _bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) -
 
     Objects are at least as wide as a cell. So an azimuth hits all objects that are closer than the distance at which a cell
     spans the angle between two azimuths. For rings beyond it, each twice as wide as the one before, the elevation of the
-    highest object is at most that of the highest vertex within the ring's outer radius, at its inner radius.
+    highest object is at most that of the highest vertex within the ring's outer radius, at its inner radius. In a large
+    scene the rings begin farther away, at 1/512 of its extent.
     """
     assert at.mesh is not None
     vertices, points = at.mesh.vertices, np.asarray(at.points.position, np.float64)
@@ -108,15 +109,13 @@ def _bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) -
     where = [np.nan_to_num((each[:, :2] - low) / cell).clip(0, size / cell).astype(np.int64) for each in (vertices, points)]
     tops = np.full(np.int64(size / cell) + 1, -np.inf)
     np.maximum.at(tops, tuple(where[0].T), vertices[:, 2])
-    find_highest, slope, radius, level = imported("scipy.ndimage").maximum_filter, np.zeros(len(points)), nearest, 0
+    find_highest, slope, radius, level = imported("scipy.ndimage").maximum_filter, np.zeros(len(points)), 4.0 * cell, 0
     while radius < min(np.hypot(*size), reach):
-        if radius > 4.0 * cell:
-            tops = np.pad(tops, [(0, length % 2) for length in tops.shape], constant_values=-np.inf)
-            tops = tops.reshape(len(tops) // 2, 2, -1, 2).max(axis=(1, 3))
-            cell, level = 2.0 * cell, level + 1
         highest = find_highest(tops, 17, mode="constant", cval=-np.inf)  # within 8 cells of the grid: the outer radius
         slope = np.fmax(slope, (highest[tuple(where[1].T >> level)] - points[:, 2]) / radius)
-        radius *= 2.0
+        tops = np.pad(tops, [(0, length % 2) for length in tops.shape], constant_values=-np.inf)
+        tops = tops.reshape(len(tops) // 2, 2, -1, 2).max(axis=(1, 3))
+        radius, level = 2.0 * radius, level + 1
     if not cosine:
         return (slope / np.hypot(1.0, slope)).astype(np.float32)
     # What is as steep as a tilted receiver is hidden by its plane, or is terrain that its azimuths hit.
