@@ -86,14 +86,6 @@ def _plane_of(along: wp.float32, up: wp.float32) -> wp.float32:
 
 
 @wp.func
-def _plane_in_double(along: wp.float64, up: wp.float64, cosine: wp.int32) -> wp.float64:
-    """Return `_plane_of` in float64; 0 for weights by solid angle, which a receiver's plane does not cut."""
-    if cosine == 0 or along >= ZERO:
-        return ZERO
-    return -along / wp.sqrt(along * along + up * up)
-
-
-@wp.func
 def _seen_above(sine: wp.float64, along: wp.float64, up: wp.float64, cosine: wp.int32) -> wp.float64:
     """Return the fraction of the sky that is visible in one azimuth above a horizon with the given sine of elevation.
 
@@ -227,7 +219,8 @@ def _add_azimuth(
         if jump * sums[_JUMP] < ZERO:
             back = wp.min(wp.abs(jump), wp.abs(sums[_JUMP]))
             sums[_SPIKES] += back * back
-    sums[_DEEPEST] = wp.max(sums[_DEEPEST], _seen_above(_plane_in_double(along, up, cosine), along, up, cosine) - above_low)
+    plane = wp.where(cosine == 0, ZERO, wp.float64(_plane_of(wp.float32(along), wp.float32(up))))
+    sums[_DEEPEST] = wp.max(sums[_DEEPEST], _seen_above(plane, along, up, cosine) - above_low)
     width = above_low - above_high
     sums[_RANGE] += width
     sums[_WIDTHS] += width * width * (wp.sqrt(run + ONE) - wp.sqrt(run))

@@ -109,7 +109,8 @@ def _bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) -
     where = [np.nan_to_num((each[:, :2] - low) / cell).clip(0, size / cell).astype(np.int64) for each in (vertices, points)]
     tops = np.full(np.int64(size / cell) + 1, -np.inf)
     np.maximum.at(tops, tuple(where[0].T), vertices[:, 2])
-    find_highest, slope, radius, level = imported("scipy.ndimage").maximum_filter, np.zeros(len(points)), 4.0 * cell, 0
+    find_highest = imported("scipy.ndimage").maximum_filter
+    slope, radius, level = np.zeros(len(points)), 4.0 * cell, 0
     while radius < min(np.hypot(*size), reach):
         highest = find_highest(tops, 17, mode="constant", cval=-np.inf)  # within 8 cells of the grid: the outer radius
         slope = np.fmax(slope, (highest[tuple(where[1].T >> level)] - points[:, 2]) / radius)
