@@ -119,12 +119,12 @@ class Mixture(Distribution):
 
     @property
     def in_world(self) -> bool:  # type: ignore[override]
-        """Whether the directions of a lobe are in world coordinates; then `sample` and `pdf` would need normals."""
+        """True if a lobe's directions are in world coordinates, so that `sample` and `pdf` need normals."""
         return any(self._worlds)
 
     @property
     def _worlds(self) -> tuple[bool, ...]:
-        """Whether the directions of each lobe are in world coordinates."""
+        """For each lobe, True if the directions are in world coordinates."""
         return tuple(lobe.in_world for lobe in self.lobes)
 
     def about(self, tangents: bool = False) -> wp.Function:

@@ -139,7 +139,7 @@ class Distribution(Parameterised):
         )
 
     def seam(self, u: np.ndarray) -> np.ndarray:
-        """Return a mask of unit-square points that `invert` cannot recover precisely, by default those mapped to the pole.
+        """Return a mask of points u that `invert` cannot recover precisely: by default, the points mapped to the pole.
 
         Args:
             u: (..., 2) float, in [0, 1).

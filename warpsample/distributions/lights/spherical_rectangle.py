@@ -218,7 +218,7 @@ class SphericalRectangle(Distribution):
 
 
 def _are_perpendicular(edge_x: np.ndarray, edge_y: np.ndarray) -> np.ndarray:
-    """Return the mask of (P, 3) float64 edges of which neither is zero and whose angle is right within 1e-4 rad."""
+    """Return the mask of rows whose two edges, (P, 3) float64, are not zero and are perpendicular within 1e-4 rad."""
     with np.errstate(all="ignore"):
         x, y = (edge / np.abs(edge).max(axis=1, keepdims=True) for edge in (edge_x, edge_y))
         lengths = np.sqrt(np.square(x).sum(axis=1) * np.square(y).sum(axis=1))

@@ -82,7 +82,7 @@ def _other_normal(w: wp.vec3, view: wp.vec3, eta: wp.float32, mirrors: wp.bool):
 
 @once
 def rough_dielectric_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> Maps:
-    """Build the functions of a rough dielectric, from those of the lobe of normals.
+    """Build the Warp functions of `RoughDielectric` (map and density) from the functions of the lobe of normals.
 
     Args:
         lobe: functions of (u or m, Parameters).
@@ -136,7 +136,7 @@ def rough_dielectric_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: boo
 
 @dataclass(frozen=True)
 class RoughDielectric(ScatteredLight):
-    """Distribution of the directions in which normals of a lobe reflect or refract the view, as on ground glass.
+    """Directions in which a rough transparent surface, such as ground glass, reflects or refracts the view.
 
     Fresnel's share F of a normal is reflected, the rest refracted. A hash of the bits of u chooses, so that there is no
     inverse. The density per steradian is p(m) F / (4 v·m) for the normal m that reflects the view v to w, plus
