@@ -242,7 +242,7 @@ class Distribution(Parameterised):
         return (build_about_frame if tangents else build_about)(maps.sample, maps.pdf)
 
     def bound_maps(self, start: int = 0) -> Maps:
-        """Return the functions with all parameters in the struct `Parameters`, for kernels and for lobes of lobes.
+        """Return the Warp functions of (u or w, Parameters), which read all parameters from one struct, for kernels.
 
         Args:
             start: index of the first number of the parameters in the struct. Default: 0.

@@ -71,7 +71,7 @@ def reflection_to_normal(w: wp.vec3, view: wp.vec3) -> wp.vec3:
 
 @wp.func
 def normal_per_reflection(w: wp.vec3, view: wp.vec3) -> wp.float32:
-    """Return the solid angle of normals for the solid angle of reflected directions w, 1 / (4 abs(v.m)).
+    """Return the Jacobian of reflection: solid angle of normals per solid angle of directions w, 1 / (4 abs(v.m)).
 
     The density of w is that of the normals m and -m together, times this number. A cosine v.m below 2^-24 counts as 2^-24.
     """
@@ -225,7 +225,7 @@ class Reflection(ScatteredLight):
             object.__setattr__(self, "worst_pdf", Distribution.worst_pdf)
 
     def bound_maps(self, start: int = 0) -> Maps:
-        """Return the functions with arguments (u or w, Parameters), which read the parameters from number `start` on."""
+        """Return the Warp functions of (u or w, Parameters), with parameters from number `start` on; see `Distribution`."""
         lobe, end = self.lobe, start + self.lobe.size
         return reflection_maps(lobe.bound_maps(start), end, end - 3, lobe.support != "hemisphere")
 

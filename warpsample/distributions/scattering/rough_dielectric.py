@@ -196,7 +196,7 @@ class RoughDielectric(ScatteredLight):
         return copy_rows(np.where(np.abs(rows - 1.0) < _APART, np.nan, rows), _LOWEST, _HIGHEST)
 
     def bound_maps(self, start: int = 0) -> Maps:
-        """Return the functions with all parameters in the struct `Parameters`; see `Distribution.bound_maps`."""
+        """Return the Warp functions of (u or w, Parameters), with parameters from number `start` on; see `Distribution`."""
         lobe, end = self.lobe, start + self.lobe.size
         return rough_dielectric_maps(lobe.bound_maps(start), end, end - 3, lobe.support != "hemisphere")
 
@@ -208,7 +208,7 @@ class RoughDielectric(ScatteredLight):
         return tuple(float(np.arccos(-z / n)) for n in (1.0, index) if abs(z) < n)
 
     def seam(self, u: Any) -> Any:
-        """Return the mask of no point: there is no inverse. See `Distribution.seam`."""
+        """Return a mask that is False everywhere, because there is no inverse to test. See `Distribution.seam`."""
         return np.zeros(np.shape(u)[:-1], bool)
 
 

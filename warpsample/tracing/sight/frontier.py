@@ -50,7 +50,7 @@ def limit_of_boxes(limit: wp.float32, n: wp.vec3) -> wp.float32:
 
 @wp.func
 def visible_children(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
-    """Return two bit masks of a tree node's children: boxes that rays from the point o may hit, and boxes that contain o.
+    """Return two masks of a tree node's children: those that rays from the point o may hit, and those that contain o.
 
     A child is above the horizon if its box has a point x with x n of at least `limit`.
     """
