@@ -112,7 +112,7 @@ def place_pictures(file: GlbFile, pictures: list[list[PlacedTexture]]) -> list[l
 
 
 def _mesh_for(file: GlbFile, one: Primitive, shown: dict[int, int], known: dict[Any, int]) -> int:
-    """Assign a mesh to a glTF node, a copy if the node shows other pictures than the mesh; return the number of the mesh."""
+    """Assign a glTF node its mesh, or a copy if the node shows other pictures than the mesh; return the mesh's number."""
     key = one.mesh, tuple(sorted(shown.items()))
     if key not in known:
         known[key] = file.copy_mesh(one.mesh) if any(shown.values()) else one.mesh
