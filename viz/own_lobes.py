@@ -37,7 +37,7 @@ def brushed(mesh: ws.Mesh, count: int, seed: int) -> ws.SurfacePoints:
 
 
 def reflections(points: ws.SurfacePoints, bounds: np.ndarray, camera: np.ndarray) -> ws.Reflection:
-    """Return the lobes in which points reflect a distant camera in the direction `camera`, (3,)."""
+    """Return the lobes of light that points reflect towards a distant camera in the direction `camera`, (3,)."""
     mean, ratio = roughness(points.position, bounds)
     view = points.to_local(camera)
     normals = ws.VisibleGGX(alpha=mean / np.sqrt(ratio), alpha_y=mean * np.sqrt(ratio), view=view)
@@ -65,7 +65,7 @@ def main(
     ] = None,
     size: Size = (1800, 680),
 ) -> None:
-    """Show how points of a surface with varying roughness reflect the camera, and one of these lobes with its map."""
+    """Show the reflected lobes of a surface with varying roughness, and one lobe enlarged with its map."""
     rendering.check_output(screenshot, rendering.SCENE_SUFFIXES)
     rendering.check_size(size, (900, 340))
     check_integer(points, "--points", 10, 1000)

@@ -203,7 +203,7 @@ def test_a_bar_that_is_interrupted_while_it_starts_is_drawn_no_more():
             raise KeyboardInterrupt
 
     before, bar = set(threading.enumerate()), Interrupted(console=Console(file=StringIO(), force_terminal=True))
-    with pytest.raises(KeyboardInterrupt), progress.shown(bar):
+    with pytest.raises(KeyboardInterrupt), progress.run_display(bar):
         pytest.fail("the bar has started")
     for thread in set(threading.enumerate()) - before:
         thread.join(HANGS)

@@ -128,31 +128,57 @@ def test_whole_pictures_with_few_rays_that_differ_are_distinguished(call, tmp_pa
     assert (status, "share one picture" in out) == (0, True)
 
 
-def floors_with_plates(path, plates):
-    """One floor of 32 x 32, in rows of a scene, each with a plate of 1.2 x 1.2 just above it at the given x, or none."""
+def floors_with_plates(path, plates, box_at=None):
+    """One floor of 32 x 32, in rows of a scene, each with a plate of 1.2 x 1.2 just above it at the given x, or none.
+
+    At place number `box_at`, the plate is the top of a box that reaches through the floor.
+    """
     square = np.array([(-16, 0, 16), (16, 0, 16), (16, 0, -16), (-16, 0, -16)], np.float32)
     tree = {"meshes": [{"name": "floor", "primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2}]}]}
     tree["meshes"][0]["primitives"][0]["material"] = 0
     tree["meshes"] += [{"primitives": [{"attributes": {"POSITION": 3}, "indices": 2}]}]
     tree |= {"nodes": [{"mesh": 0, "translation": [200 * k, 0, 0]} for k in range(len(plates))], "materials": [{}]}
     tree["nodes"] += [{"mesh": 1, "translation": [200 * k + x, 0.3, 2.5]} for k, x in enumerate(plates) if x is not None]
-    path.write_bytes(glb(tree, [square, SQUARE, TWO, np.float32(0.6 / 16) * square]))
+    arrays = [square, SQUARE, TWO, np.float32(0.6 / 16) * square]
+    if box_at is not None:
+        box = trimesh.creation.box((1.2, 0.6, 1.2)).apply_translation([0, -0.3, 0])
+        arrays += [np.float32(box.vertices), np.uint16(box.faces).ravel()]
+        tree["meshes"] += [{"primitives": [{"attributes": {"POSITION": 4}, "indices": 5}]}]
+        tree["nodes"][len(plates) + box_at]["mesh"] = 2
+    path.write_bytes(glb(tree, arrays))
     return path
 
 
 @pytest.mark.parametrize(
-    ("plates", "pictures"),
+    ("plates", "options", "pictures"),
     [
-        ((1.5, 4.5), 2),  # in one block of 8 x 8 texels: its mean stays
-        ((None, 1.5), 2),
-        ((1.5, 1.5, 1.5), 1),
+        ((1.5, 4.5), (256,), 2),  # in one block of 8 x 8 texels: its mean stays
+        ((None, 1.5), (256,), 2),
+        ((1.5, 1.5, 1.5), (256,), 1),
+        ((None, 2.0), (64, "--supersample", 4), 2),  # above halves of two texels, whose values vary from 0 to 1
+        ((2.0, 2.0), (64, "--supersample", 4), 1),
     ],
 )
-def test_shadows_that_move_within_a_block_are_seen(call, tmp_path, plates, pictures):
+def test_shadows_that_move_within_a_block_are_seen(call, tmp_path, plates, options, pictures):
     path = floors_with_plates(tmp_path / "in.glb", plates)
-    status, out, _ = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 256)
+    status, out, _ = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32, "--samples", *options)
     found = "share one picture" if pictures == 1 else f"show {pictures} pictures"
     assert (status, f"the {len(plates)} places of 'floor' {found}" in out) == (0, True)
+
+
+@pytest.mark.parametrize("box_at", [0, 1])
+def test_a_texel_inside_a_body_at_one_place_is_compared(call, tmp_path, box_at):
+    """A box covers one texel at one place. A sheet of the same outline at the other place makes it dark, but visible."""
+    path, output = floors_with_plates(tmp_path / "in.glb", (1.5, 1.5), box_at), tmp_path / "out.glb"
+    status, out, _ = call("bake", path, "-o", output, "--texture", 32, "--samples", 32)
+    assert (status, "the 2 places of 'floor' show 2 pictures" in out) == (0, True)
+    tree, data, _ = opened(output)
+    shown = []
+    for node in tree["nodes"][:2]:
+        material = tree["materials"][tree["meshes"][node["mesh"]]["primitives"][0]["material"]]
+        shown.append(picture(tree, data, material["occlusionTexture"]["index"])[13, 17, 0])
+    assert shown[box_at] > 0.7  # that of its neighbours
+    assert shown[1 - box_at] < 0.3
 
 
 @pytest.mark.parametrize("sheet", [0.0, 2.0])  # within the thin box of one place, or above it

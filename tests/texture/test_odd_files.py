@@ -177,6 +177,11 @@ def test_coordinates_of_usd_that_are_no_numbers_are_named(call, tmp_path, bad):
     assert (status, err, f", set 1 {why}: " in out) == (0, "", True)
     status, out, err = call("bake", write_usd(tmp_path), "-o", tmp_path / "a.npz", *command)
     assert (status, err, ", new coordinates: " in out) == (0, "", True)
+    refusal = f"without texture coordinates that can be used {why}, want .npz"
+    for suffix in (".png", ".exr"):  # they hold no new coordinates
+        output = tmp_path / f"a{suffix}"
+        status, _, err = call("bake", write_usd(tmp_path, f"({bad}, {bad}), " * 3), "-o", output, *command)
+        assert (status, err.count("\n"), refusal in err) == (2, 1, True)
 
 
 def test_a_set_of_usd_that_cannot_be_read_is_named(call, tmp_path):

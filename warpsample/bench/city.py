@@ -68,7 +68,7 @@ def build_slope(degrees: float = 30.0, side: int = 401) -> tuple[np.ndarray, np.
 
 
 def load_terrain(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Read a raster of heights, and return (heights, indices of the cells to compare, reference visible sky in these cells).
+    """Read a raster of heights, and return (heights, indices of the compared cells, reference visible sky in each of them).
 
     The reference traces 16,384 rays per compared cell on the triangulated raster.
     """

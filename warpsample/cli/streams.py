@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def open_closed_streams() -> None:
-    """Open stdin, stdout and stderr on the null device if they are closed."""
+    """Connect each of stdin, stdout and stderr that is closed to the null device."""
     while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
         pass
     os.close(number)
@@ -20,7 +20,7 @@ def open_closed_streams() -> None:
 
 
 def escape(text: str) -> str:
-    """Return text with an escape, such as that of repr(), for each character that is not printable, line breaks included.
+    """Replace each unprintable character of a text, line breaks included, by an escape such as repr() gives.
 
     Names in a file could otherwise move the cursor of a terminal or forge lines of a report.
     """

@@ -164,7 +164,7 @@ def _pop_large_arguments(taken: dict[str, Any], on: Any) -> dict[str, Any]:
 
 
 def _read_pictures(distribution: Any) -> dict[str, Distribution]:
-    """Return the `distribution` of a text that names a picture's file, so that the file is read once; {} for others."""
+    """Convert a text that names a picture, "environment_map('sky.hdr')", to {"distribution": lobe}; other values to {}."""
     made = as_distribution(distribution) if isinstance(distribution, str) else None
     return {} if made is None or not list_picture_hashes(made) else {"distribution": made}
 
@@ -313,7 +313,7 @@ def _user_lobes(distribution: Any) -> list[Distribution]:
 
 
 def _convert_for_json(value: Any) -> Any:
-    """Convert a value to a form that JSON can store; return the value's text if there is no such form."""
+    """Convert a value to a form that JSON can store; a value of any other type becomes text."""
     if isinstance(value, Named):
         return value.content
     if isinstance(value, Distribution) and _user_lobes(value):

@@ -32,7 +32,7 @@ def current_client() -> Any | None:
 
 
 class Tasks(MaterializedLayer):
-    """Dask tasks that use data sent to a Client in advance; computing them after the Client is closed raises an error."""
+    """Dask tasks that use data sent to a Client in advance. Computing a task after the Client is closed raises an error."""
 
     def __init__(self, mapping: Mapping[Any, Any]) -> None:
         """Store a mapping from keys to tasks, together with the current Client, if there is one."""

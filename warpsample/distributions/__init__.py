@@ -204,7 +204,7 @@ def _parse_keywords(kind: type[Distribution], text: str, arrays: Arrays | None) 
 
 
 def _parse_value(node: ast.expr, arrays: Arrays | None) -> Any:
-    """Return the value of a parameter: a number, string or tuple, the array of a name such as "@roughness", or a lobe."""
+    """Evaluate the text of a parameter: a number, string or tuple, an array named like "@roughness", or a lobe."""
     if isinstance(node, ast.Call):
         return as_distribution(ast.unparse(node), arrays)
     if isinstance(node, ast.List | ast.Tuple) and any(isinstance(item, ast.Call) for item in node.elts):
@@ -217,7 +217,7 @@ def _parse_value(node: ast.expr, arrays: Arrays | None) -> Any:
 
 
 def _find_array(value: Any, arrays: Arrays | None) -> Any:
-    """Return the array that a value such as "@roughness" names, or another value unchanged."""
+    """Look up the array that a value such as "@roughness" names; return any other value unchanged."""
     if not isinstance(value, str) or not _ARRAY.fullmatch(value):
         return value
     if arrays is None:

@@ -98,7 +98,7 @@ class Mixture(Distribution):
 
     @property
     def nested(self) -> dict[str, Any]:
-        """Lobes, by the names "lobes[0]", "lobes[1]" and so on."""
+        """Lobes of the mixture, keyed by "lobes[0]", "lobes[1]" and so on."""
         return {f"lobes[{i}]": lobe for i, lobe in enumerate(self.lobes)}
 
     def _with_nested(self, lobes: dict[str, Any]) -> Self:
@@ -108,7 +108,7 @@ class Mixture(Distribution):
         return copy
 
     def bound_maps(self, start: int = 0) -> Maps:
-        """Return the functions with arguments (u or w, Parameters), which read the parameters from number `start` on."""
+        """Return the Warp functions of (u or w, Parameters), with parameters from number `start` on; see `Distribution`."""
         parts, first = self._bound_parts(start)
         return parts[0] if len(parts) == 1 else mixture_maps(parts, first, self._worlds)
 
@@ -119,12 +119,12 @@ class Mixture(Distribution):
 
     @property
     def in_world(self) -> bool:  # type: ignore[override]
-        """Whether the directions of a lobe are in world coordinates; then `sample` and `pdf` would need normals."""
+        """True if a lobe's directions are in world coordinates, so that `sample` and `pdf` need normals."""
         return any(self._worlds)
 
     @property
     def _worlds(self) -> tuple[bool, ...]:
-        """Whether the directions of each lobe are in world coordinates."""
+        """For each lobe, True if the directions are in world coordinates."""
         return tuple(lobe.in_world for lobe in self.lobes)
 
     def about(self, tangents: bool = False) -> wp.Function:

@@ -156,7 +156,7 @@ def mixture_about(parts: tuple[Maps, ...], first: int, in_world: tuple[bool, ...
 
 @once
 def mixture_maps(parts: tuple[Maps, ...], first: int, in_world: tuple[bool, ...]) -> Maps:
-    """Build the functions of a mixture from those of the parts, about +z; the weights begin at parameter `first`."""
+    """Build map and density of a mixture about +z from the functions of the lobes; weights begin at parameter `first`."""
     draw_chosen, total = build_chosen_drawer(parts, first), build_sum(parts, first, in_world)
 
     @wp.func

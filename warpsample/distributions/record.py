@@ -139,7 +139,7 @@ class Distribution(Parameterised):
         )
 
     def seam(self, u: np.ndarray) -> np.ndarray:
-        """Return a mask of unit-square points that `invert` cannot recover precisely, by default those mapped to the pole.
+        """Return a mask of points u that `invert` cannot recover precisely: by default, the points mapped to the pole.
 
         Args:
             u: (..., 2) float, in [0, 1).
@@ -242,7 +242,7 @@ class Distribution(Parameterised):
         return (build_about_frame if tangents else build_about)(maps.sample, maps.pdf)
 
     def bound_maps(self, start: int = 0) -> Maps:
-        """Return the functions with all parameters in the struct `Parameters`, for kernels and for lobes of lobes.
+        """Return the Warp functions of (u or w, Parameters), which read all parameters from one struct, for kernels.
 
         Args:
             start: index of the first number of the parameters in the struct. Default: 0.

@@ -48,7 +48,7 @@ def uniform_cone_to_square(w: wp.vec3, one_minus_cos: wp.float32) -> wp.vec2:
 
 @dataclass(frozen=True)
 class UniformCone(Distribution):
-    """Uniform distribution in a cone of half angle θₘ about the normal: 1 / (2π(1 − cosθₘ)) per steradian.
+    """Uniform distribution in a cone of half angle θₘ about the normal, with density 1 / (2π(1 − cosθₘ)) per steradian.
 
     Give one of the two attributes.
 

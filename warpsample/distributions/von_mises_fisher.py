@@ -58,7 +58,7 @@ def von_mises_fisher_to_square(w: wp.vec3, kappa: wp.float32) -> wp.vec2:
 
 @dataclass(frozen=True)
 class VonMisesFisher(Distribution):
-    """Von Mises-Fisher distribution about the normal: κ exp(κ(cosθ−1)) / (2π(1−e^(−2κ))) per steradian on the sphere.
+    """Von Mises-Fisher distribution about the normal, with density κ exp(κ(cosθ−1)) / (2π(1−e^(−2κ))) per steradian.
 
     Attributes:
         kappa: concentration, from 1e-6 (almost uniform) to 1e12.

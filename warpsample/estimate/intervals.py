@@ -81,7 +81,7 @@ def least_errors(half_width: np.ndarray) -> np.ndarray:
 
 
 def raised_errors(found: Any) -> np.ndarray:
-    """Return the standard errors of a result, raised where they ignore geometry that no ray has hit.
+    """Return the standard errors of a result, raised at points where rays may have missed geometry.
 
     An error of 0 becomes that of `least_errors`. Other errors become at least half of it, because with weights, as of
     distances, the error is small but above 0 where all rays agree. Errors of points without rays, which are proven to be

@@ -26,7 +26,7 @@ def cpu() -> wp.Device:
 
 
 def check_device(device: Any, default: wp.Device) -> wp.Device:
-    """Return the Warp device with a name such as "cuda:0"; a wp.Device is returned unchanged, None gives the default.
+    """Convert an argument `device` to a wp.Device: a name such as "cuda:0", a wp.Device, or None for the default.
 
     Raises:
         TypeError: the value is neither a string nor a wp.Device.
@@ -51,7 +51,7 @@ def _device(device: Any) -> wp.Device:
 
 
 def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarray:
-    """Convert a value to an array of real numbers; float32 arrays stay float32, others become float64.
+    """Convert a value to an array of real numbers: float32 stays float32, every other type becomes float64.
 
     Raises:
         TypeError: the value is no array of real numbers.

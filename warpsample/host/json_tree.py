@@ -15,7 +15,7 @@ from warpsample.host.arguments import check_flag, check_integer, quote
 
 @dataclass(frozen=True)
 class Part:
-    """JSON object whose members are checked as they are read.
+    """JSON object that checks the type of each member when the member is read.
 
     Attributes:
         content: members by name.

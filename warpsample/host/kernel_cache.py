@@ -138,7 +138,7 @@ def _is_whole(entry: Path) -> bool | None:
 
 
 def _contents(entry: Path) -> tuple[set[str], set[str]]:
-    """Return (names of a module's cached files, names of those that have a checksum)."""
+    """Return (names of a module's cached files, names of the files with a checksum)."""
     names = [path.name for path in entry.iterdir()]
     marked = {name.removesuffix(_MARK) for name in names if name.endswith(_MARK)}
     return {name for name in names if not name.endswith((_MARK, *_SOURCES))}, marked

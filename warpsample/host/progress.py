@@ -44,7 +44,7 @@ def _bar(what: str, total: int | None) -> Iterator[None]:
     console = Console(stderr=True)
     columns = TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
     disable = not (console.is_terminal or console.is_jupyter)
-    with shown(Progress(*columns, console=console, disable=disable, transient=True)) as display:
+    with run_display(Progress(*columns, console=console, disable=disable, transient=True)) as display:
         token, seen = (
             _display.set((display, display.add_task(what, total=total), total is not None)),
             _is_on.set(not disable),
@@ -57,7 +57,7 @@ def _bar(what: str, total: int | None) -> Iterator[None]:
 
 
 @contextmanager
-def shown(display: Any) -> Iterator[Any]:
+def run_display(display: Any) -> Iterator[Any]:
     """Show a progress bar of rich within a `with` statement, and stop it even if an interrupt comes while it starts.
 
     Otherwise its thread draws the bar again after the last message.

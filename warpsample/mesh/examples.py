@@ -41,7 +41,7 @@ def courtyard() -> tuple[np.ndarray, np.ndarray]:
 
 
 def example(path: str | PathLike[str]) -> tuple[np.ndarray, np.ndarray] | None:
-    """Return (vertices, faces) of the example mesh if `path` is "courtyard" and no such file exists, else None."""
+    """Return (vertices, faces) of the example mesh if `path` is "courtyard" and no file has this name, else None."""
     named = isinstance(path, str | PathLike) and fspath(path) == "courtyard"
     return courtyard() if named and not Path(path).exists() else None
 

@@ -72,7 +72,7 @@ def part_means(
     weight = weights[face] / points[face]
     with np.errstate(invalid="ignore", divide="ignore"):
         means = [np.bincount(owner, weights * mean, count) / total for mean, _ in found]
-        spreads = [_spread(owner, weights**2 * variance, points, count, widen) / total for _, variance in found]
+        spreads = [_combine_variances(owner, weights**2 * variance, points, count, widen) / total for _, variance in found]
         floors = [_largest(owner[face], weight * errors, count) / total for errors in components[2]]
     errors = np.maximum(spreads, floors)
     shape = (count, *value.shape[1:])
@@ -80,7 +80,7 @@ def part_means(
     return PartMeans(np.stack(means, axis=1).reshape(shape), errors.T.reshape(shape), used)
 
 
-def _spread(owner: np.ndarray, variance: np.ndarray, points: np.ndarray, count: int, widen: bool) -> np.ndarray:
+def _combine_variances(owner: np.ndarray, variance: np.ndarray, points: np.ndarray, count: int, widen: bool) -> np.ndarray:
     """Return the root of the sum of the variances of each owner's faces, (count,) float64; widened by `_t_ratio`."""
     total = np.bincount(owner, variance, count)
     return np.sqrt(total) * (_t_ratio(owner, variance, points, total) if widen else 1.0)

@@ -176,7 +176,7 @@ def _check(run: DirectionsRun) -> None:
 def _parts(
     points: SurfacePoints, lobe: Distribution, run: DirectionsRun, workers: int | None
 ) -> Iterator[tuple[int, Directions]]:
-    """Sample directions for as many points at a time as fit into memory; yield (first row, directions)."""
+    """Sample the directions in parts of points that fit into memory; yield (first row, directions) for each part."""
     step, record = max(1, DIRECTIONS_PER_PART // run.samples), RunRecord("directions")
     with record.show("sampling"), record.count(len(points), f"{run.output} is as it was before"):
         for start in range(0, len(points), step):
@@ -192,7 +192,7 @@ def _sampled(points: Any, lobe: Distribution, run: DirectionsRun, workers: int |
 
 
 def _record(run: DirectionsRun, lobe: Distribution) -> dict[str, object]:
-    """Return what is needed to repeat a command to the bit: arguments, hashes of files, versions of libraries."""
+    """Return the record for repeating a command bit for bit: arguments, hashes of files, versions of libraries."""
     digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
     if run.arrays is None:

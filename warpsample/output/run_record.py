@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.host.progress import shown
+from warpsample.host.progress import run_display
 
 SUMMARY = np.dtype(
     [(name, np.int64) for name in ("points", "rays", "known")]
@@ -93,7 +93,7 @@ class RunRecord:
         bar = Progress(*columns, console=console, disable=not console.is_terminal, transient=True)
         bar.add_task(step, total=None, state="")
         self._bar = bar
-        with shown(bar):
+        with run_display(bar):
             yield self
 
     @contextmanager

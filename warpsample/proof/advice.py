@@ -93,7 +93,7 @@ def _large_errors(worst: dict[str, Verdict]) -> set[str]:
 
 
 def _name_parts(sets: list[frozenset[str]], conflicts: list[Conflict]) -> str:
-    """Return a sentence that names the wrong functions, those that explain every conflict between functions."""
+    """Return a sentence that names the functions that must be wrong, because they explain every conflict."""
     parts = _in_order(sets[0])
     same = len(parts) == 2 and set(parts) in ({*MAPS}, {*DENSITIES}) and all(c.parts != sets[0] for c in conflicts)
     error = f" The two agree: both have the same error, and {parts[0]} and twin must be mended." if same else ""
@@ -123,7 +123,7 @@ _BETWEEN = {
 
 
 def _in_order(parts: Iterable[str]) -> list[str]:
-    """Return the parts of a sampler (map, density, inverse, ...) in the order in which they are to be mended."""
+    """Sort parts of a sampler (map, density, inverse, ...) by the order in which a user should mend them."""
     return [part for part in _MEND if part in parts]
 
 

@@ -40,7 +40,7 @@ class Subject:
 
 
 class Evidence:
-    """Directions and errors measured on one sampler, computed when a test needs them first."""
+    """Directions and errors measured on one sampler, each computed when a test first needs it."""
 
     subject: Subject
     sampler: Any

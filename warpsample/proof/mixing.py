@@ -56,7 +56,7 @@ def _variates_kernel(name: str) -> wp.Kernel:
         count: wp.array[wp.uint32],
         out: wp.array[wp.vec2],
     ):
-        """Write the random numbers of one sample of one point: those of this thread's index."""
+        """Write the random numbers of one sample of one point, chosen by the thread's index."""
         i = wp.tid()
         key = key_of(run_of(seed, high_word(point[i])), low_word(point[i]))
         if stream >= wp.int64(0):

@@ -132,7 +132,7 @@ def _pool_variance(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, c
 def fill_texels(
     found: np.ndarray, covered: np.ndarray, charts: Callable[[], np.ndarray], size: tuple[int, int], gutter: float
 ) -> np.ndarray:
-    """Return the (H, W, C) image in which empty texels have the value of the nearest texel with a value.
+    """Build the (H, W, C) image of texel values; empty texels get the value of the nearest texel with a value.
 
     Args:
         found: (texels, C), values, NaN where there is none. The image has the same type.

@@ -185,8 +185,8 @@ def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> 
         return TextureJob(path.name, found.points, found.number, found.describe(f"set {found.number}"), [])
     if output != ".npz":
         raise ValueError(
-            f"--output: got a {output} for {path.name!r} without texture coordinates that can be used, want .npz, which "
-            "holds new ones, or .glb for a glTF file"
+            f"--output: got a {output} for {path.name!r} {found.describe('without texture coordinates that can be used')}, "
+            "want .npz, which holds new ones, or .glb for a glTF file"
         )
     uv = unwrap(mesh, square_side(how.size), padding=PADDING)[1]
     return TextureJob(path.name, texels.points(uv, rows), 0, found.describe("new coordinates"), [])

@@ -84,7 +84,7 @@ class Primitive:
 
 
 def list_primitives(tree: Part, data: Data) -> list[Primitive]:
-    """Return the triangle primitives of the scene, each once, with all its places in `others`."""
+    """List each triangle primitive of the scene once; its attribute `others` holds the other nodes that show it."""
     known = tree.parts("materials")
     faces, vertices = 0, 0
     found: dict[tuple[int, int], Primitive] = {}

@@ -18,7 +18,7 @@ UV_CHOICES = ("auto", "0", "1", "new")
 
 @dataclass(frozen=True)
 class TextureOptions:
-    """Options of a `warpsample bake --texture` command: size, samples, normals, gutter and others.
+    """Options of a `warpsample bake --texture` command, such as size, samples, normals and gutter.
 
     Attributes:
         size: width and height in texels.

@@ -128,7 +128,7 @@ class TexturePoints(Summary):
         return self.precise_image(values, gutter=gutter).astype(np.float32)
 
     def precise_image(self, values: Any, *, gutter: Any = "all") -> np.ndarray:
-        """Return the image of `image` as float64, for values such as positions far from the origin.
+        """Return the same image as `image` in float64, for values such as positions far from the origin.
 
         Args:
             values: (P,) or (P, C) numbers, as for `image`.

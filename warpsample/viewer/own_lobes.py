@@ -22,7 +22,7 @@ def has_view(distribution: Distribution) -> bool:
 
 
 def follows_camera(choice: Choice) -> bool:
-    """Return whether the directions, or the densities that they are compared with, depend on the camera."""
+    """Return whether the directions, or the densities in the comparison, depend on the camera."""
     return choice.camera and (has_view(choice.distribution) or has_view(choice.claim))
 
 

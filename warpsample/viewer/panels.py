@@ -105,7 +105,7 @@ class Panels:
 
     @property
     def is_turning(self) -> bool:
-        """Whether the user turns or moves the model at this moment."""
+        """True while the user turns or moves the model."""
         style = self.plotter.iren.interactor.GetInteractorStyle()
         return style.GetState() != 0  # VTKIS_NONE of vtkInteractorStyle.h
 
@@ -114,7 +114,7 @@ class Panels:
         self.cloud_actor.show(clouds.position, clouds.color, clouds.peak)
 
     def show_near(self, near: NearCloud | None) -> None:
-        """Replace the enlarged cloud, its lobe and the direction to the viewer; None hides them."""
+        """Replace the enlarged cloud, its lobe and the direction to the viewer; None hides all three."""
         view = None if near is None else getattr(near.lobe, "view", None)
         self.near_actor.actor.SetVisibility(near is not None)
         self.lobe_actor.actor.SetVisibility(near is not None)

@@ -10,7 +10,7 @@ _KEY = re.compile(r"\b([A-Z][A-Za-z]+(?:1[89]|20)\d\d|ShirleyTrick)\b")
 
 
 def link(app: Any, doctree: nodes.document, page: str) -> None:
-    """Add anchors to the rows of the page of sources, and link keys such as Walter2007 on other pages to these rows."""
+    """Add an anchor to each row of the page of sources, and link keys such as Walter2007 on other pages to the row."""
     if page == PAGE:
         for row in doctree.findall(nodes.row):
             row["ids"].append(row[0].astext().lower())

@@ -107,7 +107,7 @@ def draw_figure(picture: Picture, rows: list[Any], caption: str) -> "Figure":
 
 
 def _get_values(picture: Picture, row: Any) -> list[Any]:
-    """Return the x value and all y values of a benchmark row, as a picture plots them."""
+    """Return the x value and all y values that a picture plots for one benchmark row."""
     x = picture.x(row) if callable(picture.x) else getattr(row, picture.x)
     return [x, *(getattr(row, name) for name in picture.y.split())]
 

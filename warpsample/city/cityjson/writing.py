@@ -109,7 +109,7 @@ def _format_finite(cells: Mapping[str, float]) -> Iterator[tuple[str, float]]:
 
 
 def _split_semantics(geometry: dict[str, Any], semantic: list[int], types: list[str]) -> list[int | None]:
-    """Give each face of a geometry a semantic object of its own, in place, so that each face can have its own results.
+    """Copy shared semantic objects of a geometry, in place, so that each face has one and can have separate results.
 
     Return the number of the semantic object of each face, None for faces without a type.
     """

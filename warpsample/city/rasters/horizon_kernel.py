@@ -160,7 +160,7 @@ def _choose_tilted(point: ShadingPoint, length: wp.int32):
 
 @wp.func
 def _aim(rows: HorizonRows, point: ShadingPoint, length: wp.int32, last: wp.bool, tilted: wp.bool):
-    """Aim a ray in each azimuth at the middle of the interval with the horizon, or a last ray at a random height in it."""
+    """Aim each azimuth's ray at the middle of the interval with the horizon, or with `last` at a random height in it."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     chunk = point.chunk
     even = rows.cosine == 0

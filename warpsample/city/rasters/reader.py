@@ -69,9 +69,9 @@ class RasterReader:
         return heights * self.factor if abs(self.factor - 1.0) > 1e-5 else heights
 
     def check_heights(self, model: str) -> None:
-        """Raise a ValueError if the raster has no surface: no cell with a height, or for "tin" no 2 x 2 block of such cells.
+        """Raise a ValueError if the raster has no surface: no cell with a height, or for "tin" no 2 x 2 block of heights.
 
-        Bands of rows are read until a height, or such a block, is found: for most rasters one band.
+        Bands of rows are read until a height, or for "tin" a block, is found: for most rasters one band.
         """
         rows, columns = self.shape
         some, step = False, max(1, _BAND // max(columns, 1))

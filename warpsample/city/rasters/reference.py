@@ -125,7 +125,7 @@ def check_unit(unit: str, crs: pyproj.CRS | None, what: str) -> None:
 
 
 def check_upward(attributes: Mapping[str, Any]) -> None:
-    """Raise a ValueError if the attributes of an array or a band, as netCDF names them, state depths in place of heights."""
+    """Raise a ValueError if the netCDF attributes of an array or a band state that the numbers are depths, not heights."""
     positive, name = (str(attributes.get(key, "")).strip().lower() for key in ("positive", "standard_name"))
     if positive == "down" or (_DEPTH.search(name) and positive != "up"):
         got = f"standard_name={name!r}" if positive != "down" else "positive='down'"

@@ -128,7 +128,7 @@ def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
 
 
 def coordinates_of(transform: Affine, shape: tuple[int, int]) -> dict[str, np.ndarray]:
-    """Return the coordinates of cell centres, bit for bit as rioxarray computes them; empty for a rotated raster."""
+    """Return x and y of the cell centres, with the same bits as in rioxarray; an empty dictionary for a rotated raster."""
     a, b, c, d, e, f = transform[:6]
     if b or d:
         return {}

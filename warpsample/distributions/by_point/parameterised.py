@@ -163,7 +163,7 @@ class Parameterised:
 
     @property
     def size(self) -> int:
-        """Number of float32 numbers that the parameters take in the struct `Parameters`, with those of nested lobes."""
+        """Number of float32 values in the struct `Parameters`, including the parameters of nested lobes."""
         return count_numbers(self.kernel_values())
 
     @property

@@ -52,10 +52,11 @@ def _sky(height: int, width: int) -> np.ndarray:
 
 @dataclass(frozen=True)
 class EnvironmentMap(Distribution):
-    """Directions towards a picture of the whole sphere: luminance / Σ luminance Ω per steradian, constant in each pixel.
+    """Directions towards an environment map, a picture of the whole sphere, with a density proportional to luminance.
 
-    Directions, also those of `sample`, `pdf` and `invert`, are in world coordinates, whatever the normal. Ω is the solid
-    angle of a pixel. A pixel's share is a multiple of 2^-32 of its row; no pixel of luminance 0 is drawn.
+    Directions, also those of `sample`, `pdf` and `invert`, are in world coordinates, whatever the normal. The
+    density in a pixel of luminance L is constant, L / Σ L Ω per steradian, where Ω is the solid angle of a pixel. A pixel's
+    share is a multiple of 2^-32 of its row; no pixel of luminance 0 is drawn.
 
     Attributes:
         picture: (H, W) luminance, or (H, W, 3) colours with the weights 0.2126, 0.7152 and 0.0722, numbers from 0 to 1e37
@@ -107,7 +108,7 @@ class EnvironmentMap(Distribution):
 
     @property
     def by_point(self) -> dict[str, np.ndarray]:
-        """Parameters with one row for each point: none, since the picture belongs to all points."""
+        """Parameters with one row for each point: an empty dictionary, since all points share the picture."""
         return {}
 
     @property
@@ -117,12 +118,12 @@ class EnvironmentMap(Distribution):
 
     @property
     def jumps(self) -> tuple[float, ...]:
-        """Angles in radians at which rows meet. See `Distribution`."""
+        """Polar angles in radians of the edges between the picture's rows, where the density jumps. See `Distribution`."""
         height = len(self.picture)
         return tuple(pi * row / height for row in range(1, height))
 
     def seam(self, u: np.ndarray) -> np.ndarray:
-        """Return the mask of points u at the edges of a pixel's share, or in a narrow share. See `Distribution.seam`."""
+        """Return a mask of points u that `invert` cannot recover precisely: near a pixel's edges, or in a narrow pixel."""
         rows, columns = self.shares()
         row = np.searchsorted(rows, u[..., 0], side="right") - 1
         column = (columns[row] <= u[..., 1, None]).sum(axis=-1) - 1
@@ -135,11 +136,11 @@ class EnvironmentMap(Distribution):
         return found
 
     def shares(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the cumulative shares of the light of the picture's rows, and of the pixels within each row.
+        """Return the cumulative distribution functions of the rows, and of the pixels within each row.
 
         Returns:
-            cumulative shares of the rows, (H + 1,) float64 from 0 to 1; cumulative shares of the pixels within each row,
-            (H, W + 1) float64.
+            cumulative shares of the picture's light by row, (H + 1,) float64 from 0 to 1; cumulative shares by pixel within
+            each row, (H, W + 1) float64.
 
         Example:
             >>> rows, pixels = ws.EnvironmentMap(np.array([[1.0, 3.0], [0.0, 4.0]])).shares()
@@ -162,7 +163,9 @@ class EnvironmentMap(Distribution):
         return find_or_make(f"{self.name} {self._content()}", self._build_table)
 
     def about(self, tangents: bool = False) -> wp.Function:
-        """Return the wp.func that samples directions whatever the normal, with a search as short as the picture allows.
+        """Return the wp.func that samples world directions, with as few search steps as the picture allows.
+
+        The normal has no effect.
 
         Args:
             tangents: whether the first argument of the function is a frame. Default: False.
@@ -192,7 +195,7 @@ class EnvironmentMap(Distribution):
         return int(self.table_array.ctypes.data)
 
     def kernel_values(self, loan: Loan | None = None) -> tuple[Any, ...]:
-        """Return the address of the table on the kernels' device as the numbers that kernels take; see `Distribution`."""
+        """Return the kernel parameter: the address of the pixel table on the kernels' device, split into float32 numbers."""
         return (split_address(self.table if loan is None else _lend_table(loan, self.table_array)),)
 
     def __getstate__(self) -> dict[str, Any]:

@@ -68,7 +68,7 @@ def height_at(y: wp.float64, square: wp.float64) -> wp.float64:
 
 @wp.func
 def square_to_spherical_rectangle(u: wp.vec2, corner: wp.vec3, edge_x: wp.vec3, edge_y: wp.vec3) -> wp.vec3:
-    """Map a point of the unit square to a direction towards a rectangle with a corner and two perpendicular edges there.
+    """Map a point of the unit square to a direction towards a rectangle, given by a corner and the two edges from it.
 
     u[0] is the share of the solid angle left of a line along edge_y, and u[1] the share along this line (Urena2013). The
     angles of the spherical rectangle are used as points of the unit circle, without inverse cosines.
@@ -134,7 +134,7 @@ def spherical_rectangle_to_square(w: wp.vec3, corner: wp.vec3, edge_x: wp.vec3, 
 
 @dataclass(frozen=True)
 class SphericalRectangle(Distribution):
-    """Directions towards a rectangle, such as a window, uniform in its solid angle A: 1 / A per steradian.
+    """Directions towards a rectangle, such as a window, uniform in its solid angle A: density 1 / A per steradian.
 
     Each attribute may have one row for each point, (P, 3). The solid angle must be at least 1e-12 sr, and the point must not
     lie in the rectangle.
@@ -206,7 +206,7 @@ class SphericalRectangle(Distribution):
 
     @property
     def largest_angle(self) -> float:
-        """Coordinate of the edges in the chart of the rectangle (see `StretchedSquare`), plus the width of their blur."""
+        """Coordinate of the edges in the rectangle's chart, a `StretchedSquare`, with a margin for rounding; no angle."""
         return float(np.pi / 4.0 + float(BLUR) * np.linalg.cond(self.stretch))
 
     @property
@@ -218,7 +218,7 @@ class SphericalRectangle(Distribution):
 
 
 def _are_perpendicular(edge_x: np.ndarray, edge_y: np.ndarray) -> np.ndarray:
-    """Return the mask of (P, 3) float64 edges of which neither is zero and whose angle is right within 1e-4 rad."""
+    """Return the mask of rows whose two edges, (P, 3) float64, are not zero and are perpendicular within 1e-4 rad."""
     with np.errstate(all="ignore"):
         x, y = (edge / np.abs(edge).max(axis=1, keepdims=True) for edge in (edge_x, edge_y))
         lengths = np.sqrt(np.square(x).sum(axis=1) * np.square(y).sum(axis=1))

@@ -104,7 +104,7 @@ def spherical_triangle_to_square(w: wp.vec3, corners: wp.mat33) -> wp.vec2:
 
 @dataclass(frozen=True)
 class SphericalTriangle(Distribution):
-    """Directions towards a triangle, such as a lamp, uniform in its solid angle A: 1 / A per steradian.
+    """Directions towards a triangle, such as a lamp, uniform in its solid angle A: density 1 / A per steradian.
 
     Attributes:
         corners: three local vectors from the point to the corners, (3, 3), of any length and order; or (P, 3, 3), one
@@ -157,7 +157,7 @@ class SphericalTriangle(Distribution):
 
     @property
     def stretch(self) -> Corners:
-        """The unit vectors to the corners as columns: the triangle is the octant of positive coordinates."""
+        """Matrix with the unit vectors to the corners as columns, which maps the octant x, y, z > 0 to the triangle."""
         corners = np.array(self.corners, np.float32).astype(np.float64)
         unit = corners / np.sqrt(np.square(corners).sum(axis=1, keepdims=True))
         return tuple(map(tuple, unit.T.tolist()))

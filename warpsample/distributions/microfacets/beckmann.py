@@ -82,9 +82,10 @@ def anisotropic_beckmann_to_square(w: wp.vec3, alpha: wp.float32, alpha_y: wp.fl
 
 @dataclass(frozen=True)
 class Beckmann(Microfacets):
-    """Beckmann distribution of microfacet normals m, with D(m) cosθ = exp(−(x²/α_x² + y²/α_y²)/cos²θ) / (πα_xα_ycos³θ).
+    """Beckmann distribution of the microfacet normals of a rough surface, whose slopes are normally distributed.
 
-    The density is per steradian. For equal roughnesses it is exp(−tan²θ/α²) / (πα²cos³θ).
+    The density of a normal m = (x, y, z), z = cosθ, is D(m) cosθ = exp(−(x²/α_x² + y²/α_y²)/z²) / (π α_x α_y z³) per
+    steradian. For equal roughnesses it is exp(−tan²θ/α²) / (π α² cos³θ).
 
     Attributes:
         alpha: roughness, sqrt(2) times the root mean square slope, from 1e-6 to 1. With `alpha_y`, the roughness along the

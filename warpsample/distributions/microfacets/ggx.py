@@ -77,9 +77,10 @@ def anisotropic_ggx_to_square(w: wp.vec3, alpha: wp.float32, alpha_y: wp.float32
 
 @dataclass(frozen=True)
 class GGX(Microfacets):
-    """GGX distribution of microfacet normals m, with density D(m) cosθ = cosθ / (πα_xα_y(x²/α_x² + y²/α_y² + z²)²).
+    """GGX (Trowbridge-Reitz) distribution of the microfacet normals of a rough surface.
 
-    The density is per steradian. For equal roughnesses it is α²cosθ / (π(sin²θ + α²cos²θ)²).
+    The density of a normal m = (x, y, z) is D(m) cosθ = cosθ / (π α_x α_y (x²/α_x² + y²/α_y² + z²)²) per steradian. For
+    equal roughnesses it is α² cosθ / (π (sin²θ + α² cos²θ)²).
 
     Attributes:
         alpha: roughness, from 1e-6 to 1; 1 gives the cosine lobe. With `alpha_y`, the roughness along the x axis of the

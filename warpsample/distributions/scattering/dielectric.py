@@ -113,7 +113,7 @@ def refraction_of(w: wp.vec3, view: wp.vec3, eta: wp.float32):
 
 @wp.func
 def normal_per_refraction(w: wp.vec3, view: wp.vec3, eta: wp.float32) -> wp.float32:
-    """Return the solid angle of normals for the solid angle of refracted directions w, abs(w.m) eta^2 / L^2.
+    """Return the Jacobian of refraction: solid angle of normals per solid angle of directions w, abs(w.m) eta^2 / L^2.
 
     L = abs(v + eta w) for the view v. The density of w is that of the normal times 1 - F times this number.
     """

@@ -74,9 +74,9 @@ def henyey_greenstein_to_square(w: wp.vec3, g: wp.float32) -> wp.vec2:
 
 @dataclass(frozen=True)
 class HenyeyGreenstein(Distribution):
-    """Henyey-Greenstein phase function about the direction of flight: (1−g²) / (4π(1+g²−2g cosθ)^(3/2)) per steradian.
+    """Henyey-Greenstein phase function of scattered light, with density (1−g²) / (4π(1+g²−2g cosθ)^(3/2)) per steradian.
 
-    The direction of flight takes the place of the normal, so g > 0 scatters forward.
+    θ is the angle to the direction of flight, which takes the place of the normal, so g > 0 scatters forward.
 
     Attributes:
         g: mean cosine of the scattering angle, from -0.999999 (backward) to 0.999999 (forward); 0 is uniform.

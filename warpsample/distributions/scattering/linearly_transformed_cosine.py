@@ -54,7 +54,7 @@ def transformed(matrix: wp.mat33d, x: wp.float64, y: wp.float64, z: wp.float64) 
 
 @wp.func
 def square_to_linearly_transformed_cosine(u: wp.vec2, matrix: wp.mat33) -> wp.vec3:
-    """Map a point of the unit square to a direction M o / abs(M o), for the matrix M and o of the cosine lobe about +z.
+    """Map a point of the unit square to a direction M o / abs(M o), for a matrix M and a cosine-distributed direction o.
 
     o has cos theta = sqrt(1 - u[0]) and azimuth 2 pi u[1]. The arithmetic is float64, because M can stretch a rounding error
     of o.
@@ -101,7 +101,7 @@ def linearly_transformed_cosine_to_square(w: wp.vec3, matrix: wp.mat33) -> wp.ve
 
 @dataclass(frozen=True)
 class LinearlyTransformedCosine(Distribution):
-    """Cosine lobe after a linear transformation M: directions M o / abs(M o), with o of the cosine lobe about +z.
+    """Linearly transformed cosine (LTC): directions M o / abs(M o), for a matrix M and cosine-distributed directions o.
 
     The density is max(0, o_z) / (π abs(det M) abs(M⁻¹w)³) per steradian. It is above 0 in a hemisphere, which may reach
     below the surface. Published tables often hold the inverse of M.

@@ -71,7 +71,7 @@ def reflection_to_normal(w: wp.vec3, view: wp.vec3) -> wp.vec3:
 
 @wp.func
 def normal_per_reflection(w: wp.vec3, view: wp.vec3) -> wp.float32:
-    """Return the solid angle of normals for the solid angle of reflected directions w, 1 / (4 abs(v.m)).
+    """Return the Jacobian of reflection: solid angle of normals per solid angle of directions w, 1 / (4 abs(v.m)).
 
     The density of w is that of the normals m and -m together, times this number. A cosine v.m below 2^-24 counts as 2^-24.
     """
@@ -119,7 +119,7 @@ def normals_per_cosine(lobe: Maps, view_at: int, lobe_view_at: int, below: bool 
 
 @once
 def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> Maps:
-    """Build the functions of the distribution of reflected directions, from those of the lobe of normals.
+    """Build the Warp functions of `Reflection` (map, density and inverse) from the functions of the lobe of normals.
 
     Args:
         lobe: functions of (u or m, Parameters).
@@ -181,7 +181,7 @@ def reflection_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> 
 
 
 class Reflection(ScatteredLight):
-    """Distribution of the directions w = 2 (v·m) m − v, in which normals m of a lobe reflect the view v.
+    """Directions in which a rough surface reflects the view v: w = 2 (v·m) m − v, with normals m sampled from a lobe.
 
     The density is (p(m) + p(−m)) / (4 abs(v·m)) per steradian over the sphere, for the density p of the lobe. A rough
     surface also reflects below its mean plane. A renderer drops those directions; here they count.
@@ -216,7 +216,7 @@ class Reflection(ScatteredLight):
     )
 
     def __post_init__(self) -> None:
-        """Check the parameters, and set the bounds of errors to those for the lobe of normals."""
+        """Check the parameters, and derive the bounds of errors from the bounds for the lobe of normals."""
         super().__post_init__()
         if self.lobe.in_world:
             raise ValueError(f"lobe: got {self.lobe!r}, whose directions are in world coordinates, want a lobe of normals")
@@ -225,7 +225,7 @@ class Reflection(ScatteredLight):
             object.__setattr__(self, "worst_pdf", Distribution.worst_pdf)
 
     def bound_maps(self, start: int = 0) -> Maps:
-        """Return the functions with arguments (u or w, Parameters), which read the parameters from number `start` on."""
+        """Return the Warp functions of (u or w, Parameters), with parameters from number `start` on; see `Distribution`."""
         lobe, end = self.lobe, start + self.lobe.size
         return reflection_maps(lobe.bound_maps(start), end, end - 3, lobe.support != "hemisphere")
 

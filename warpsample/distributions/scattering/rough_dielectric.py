@@ -82,7 +82,7 @@ def _other_normal(w: wp.vec3, view: wp.vec3, eta: wp.float32, mirrors: wp.bool):
 
 @once
 def rough_dielectric_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: bool) -> Maps:
-    """Build the functions of a rough dielectric, from those of the lobe of normals.
+    """Build the Warp functions of `RoughDielectric` (map and density) from the functions of the lobe of normals.
 
     Args:
         lobe: functions of (u or m, Parameters).
@@ -136,7 +136,7 @@ def rough_dielectric_maps(lobe: Maps, view_at: int, lobe_view_at: int, both: boo
 
 @dataclass(frozen=True)
 class RoughDielectric(ScatteredLight):
-    """Distribution of the directions in which normals of a lobe reflect or refract the view, as on ground glass.
+    """Directions in which a rough transparent surface, such as ground glass, reflects or refracts the view.
 
     Fresnel's share F of a normal is reflected, the rest refracted. A hash of the bits of u chooses, so that there is no
     inverse. The density per steradian is p(m) F / (4 v·m) for the normal m that reflects the view v to w, plus
@@ -196,7 +196,7 @@ class RoughDielectric(ScatteredLight):
         return copy_rows(np.where(np.abs(rows - 1.0) < _APART, np.nan, rows), _LOWEST, _HIGHEST)
 
     def bound_maps(self, start: int = 0) -> Maps:
-        """Return the functions with all parameters in the struct `Parameters`; see `Distribution.bound_maps`."""
+        """Return the Warp functions of (u or w, Parameters), with parameters from number `start` on; see `Distribution`."""
         lobe, end = self.lobe, start + self.lobe.size
         return rough_dielectric_maps(lobe.bound_maps(start), end, end - 3, lobe.support != "hemisphere")
 
@@ -208,7 +208,7 @@ class RoughDielectric(ScatteredLight):
         return tuple(float(np.arccos(-z / n)) for n in (1.0, index) if abs(z) < n)
 
     def seam(self, u: Any) -> Any:
-        """Return the mask of no point: there is no inverse. See `Distribution.seam`."""
+        """Return a mask that is False everywhere, because there is no inverse to test. See `Distribution.seam`."""
         return np.zeros(np.shape(u)[:-1], bool)
 
 

@@ -21,7 +21,7 @@ _LEAST, _MOST = 1e-30, 1e30  # of a limit, so that float32 limits and errors are
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MeanDistance(Estimate):
-    """An `Estimate` of the mean distance to the first hit, in mesh units.
+    """Mean distance from P points to the first hits of rays, in mesh units, as an `Estimate`.
 
     Attributes:
         max_distance: Distance that a ray without a hit counts as, in mesh units; no value exceeds this distance.

@@ -75,7 +75,7 @@ class Quantity:
 
     @property
     def is_vector(self) -> bool:
-        """Whether a value is a vector in space; values with three components are colours otherwise."""
+        """True if a value is a vector in space; other values with three components are colours."""
         return self.channels == "xyz"
 
     @property

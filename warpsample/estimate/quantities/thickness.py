@@ -18,7 +18,10 @@ from warpsample.tracing.trace import trace
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Thickness(ExactResult):
-    """Thickness of a body at P points in mesh units: `value` (P,), and (P,) `standard_error` 0, `rays` and `status`."""
+    """Thickness of a body at P points, in mesh units.
+
+    The fields are `value`, `standard_error` (0, because nothing is random), `rays` and `status`, each (P,).
+    """
 
 
 def thickness(
@@ -30,7 +33,7 @@ def thickness(
     first_point: int = 0,
     workers: int | None = None,
 ) -> Thickness:
-    """Measure the thickness of a body at each point: the distance to the first face opposite to the normal.
+    """Measure the thickness of a body at each point: the distance against the normal to the first face.
 
     `mean_distance` with normals inward is the mean over a lobe in place of this single ray.
 

@@ -77,9 +77,9 @@ def find_faces_with(path: Path, name: str) -> np.ndarray:
 
 
 def describe_invisible(path: Path) -> list[str]:
-    """Return a sentence on the invisible meshes that `read` leaves out; an empty list without such meshes.
+    """Describe the invisible meshes that `read` leaves out: one sentence in a list, or an empty list without any.
 
-    Files of other formats have none.
+    The list is empty for files of other formats.
     """
     if path.suffix.lower() not in (".glb", ".gltf") or not path.is_file():
         return []

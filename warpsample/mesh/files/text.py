@@ -76,7 +76,7 @@ def read_obj_normals(path: Path) -> np.ndarray | None:
 
 
 def has_obj_lines(path: Path, keyword: str) -> bool:
-    """Return whether an .obj has any lines with a keyword, such as "vt", whose values may be NaN or unused."""
+    """Return whether an .obj file has lines with a keyword such as "vt", whatever their values."""
     with path.open("rb") as file:
         return any(line.split(None, 1)[:1] == [keyword.encode()] for line in file)
 

@@ -53,14 +53,14 @@ def read_array(path: Any, name: str, argument: str) -> Rows:
 
 
 def _ply(path: Path, name: str) -> tuple[Iterable[str], Rows | None]:
-    """Return the names of the numbers at vertices and faces in a .ply file, and those of one name or None."""
+    """Read a .ply file: return the names of its vertex and face properties, and the property `name`, or None."""
     found = read_elements(path)
     arrays = _columns(found.get("face", {}), "faces") | _columns(found.get("vertex", {}), "vertices")
     return arrays, arrays.get(name)
 
 
 def _columns(element: dict[str, Any], at: Literal["vertices", "faces"]) -> dict[str, Rows]:
-    """Return the properties of a .ply element that are numbers, not lists, and vectors of three properties, by name."""
+    """Return the numeric properties of a .ply element by name; three properties _x, _y and _z also make a vector."""
     columns = {name: np.asarray(column) for name, column in element.items() if not isinstance(column, tuple)}
     for name in [name.removesuffix("_x") for name in columns if name.endswith("_x")]:
         parts = [columns[f"{name}_{axis}"] for axis in "xyz" if f"{name}_{axis}" in columns]
@@ -70,7 +70,7 @@ def _columns(element: dict[str, Any], at: Literal["vertices", "faces"]) -> dict[
 
 
 def _vtp(path: Path, name: str) -> tuple[Iterable[str], Rows | None]:
-    """Return the names of the point and cell arrays of a .vtp file, and the array of one name or None."""
+    """Read a .vtp file: return the names of its point and cell arrays, and the array `name`, or None."""
     arrays = arrays_of(pyvista().read(path))
     return arrays, arrays.get(name)
 
@@ -82,7 +82,7 @@ def arrays_of(dataset: Any) -> dict[str, Rows]:
 
 
 def _npz(path: Path, name: str) -> tuple[Iterable[str], Rows | None]:
-    """Return the names of the arrays in an .npz file, and the array of one name or None; others are not read."""
+    """Read an .npz file: return the names of its arrays, and the array `name`, or None; no other array is read."""
     with np.load(path, allow_pickle=False) as archive:
         return archive.files, Rows(archive[name]) if name in archive.files else None
 
@@ -114,7 +114,7 @@ def carry_to_points(
 
 
 def _corner_weights(mesh: Mesh, points: SurfacePoints) -> np.ndarray:
-    """Return the (P, 3) barycentric coordinates of points on faces, from their positions if they have none; not below 0."""
+    """Return barycentric coordinates of points, (P, 3), at least 0; computed from positions for points without them."""
     if points.barycentric is not None:
         return points.barycentric
     a, b, c = (mesh.vertices[mesh.faces[points.face, k]] for k in range(3))

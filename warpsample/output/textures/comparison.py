@@ -25,8 +25,9 @@ def do_pictures_differ(known: Filled, other: Filled, depth: int) -> bool:
     3. the difference of the means over a block, or over the whole picture.
 
     Rules 1 and 2 use errors that are above 0 where all rays agree. Rule 3 uses unbiased errors, whose squares may be added:
-    raised errors would hide a small difference of all texels. Texels that are filled in both pictures are copies and do not
-    count; rule 1 takes only texels that are filled in neither.
+    raised errors would hide a small difference of all texels. All errors are those of the rays alone: the samples within a
+    texel are at the same positions at all places. Texels that are filled in both pictures are copies and do not count.
+    A texel that is filled in one picture counts with the value and the error of its source.
 
     The length of a vector's difference is compared with the sum of the variances along the axes, because the vectors of a
     picture and their errors have different axes.
@@ -48,11 +49,9 @@ def do_pictures_differ(known: Filled, other: Filled, depth: int) -> bool:
 
     level = _level_of(known.value, depth)
     gap = select(other.value) - select(known.value)
-    raised, unbiased = (
-        sum(np.square(select(getattr(one, name))).sum(axis=0) for one in (known, other)) for name in ("error", "unbiased")
-    )
-    certain = (known.own & other.own)[covered]
-    return _do_texels_differ(np.square(gap).sum(axis=0), raised, block, level, certain) or any(
+    pairs = zip(known.noise, other.noise, strict=True)
+    raised, unbiased = (sum(np.square(select(one)).sum(axis=0) for one in pair) for pair in pairs)
+    return _do_texels_differ(np.square(gap).sum(axis=0), raised, block, level) or any(
         _do_means_differ(one, unbiased, block, level) for one in gap
     )
 
@@ -63,9 +62,7 @@ def _level_of(value: np.ndarray, depth: int) -> float:
     return span / WHITE[depth][0]
 
 
-def _do_texels_differ(
-    squares: np.ndarray, variance: np.ndarray, block: np.ndarray, level: float, certain: np.ndarray
-) -> bool:
+def _do_texels_differ(squares: np.ndarray, variance: np.ndarray, block: np.ndarray, level: float) -> bool:
     """Return whether a texel differs, or whether the squared differences of a block or of all texels are too large.
 
     Args:
@@ -73,12 +70,11 @@ def _do_texels_differ(
         variance: (n,) variances of the differences.
         block: (n,) number of each texel's block.
         level: difference between two levels of the picture.
-        certain: (n,) bool, texels that may be compared one by one.
     """
     count = np.bincount(block)
     lacking = np.maximum(_FEW - count, 0)
     pooled = ((np.bincount(block, variance) + lacking * variance.mean()) / (count + lacking))[block]
-    if (np.sqrt(squares) > _SIGMAS_OF_TEXEL * np.sqrt(variance + pooled) + level)[certain].any():
+    if (np.sqrt(squares) > _SIGMAS_OF_TEXEL * np.sqrt(variance + pooled) + level).any():
         return True
     variance = _UNSURE * np.where(count[block] < _FEW, np.maximum(variance, pooled), variance) + (0.5 * level) ** 2
     return any(_are_squares_too_large(squares, variance, group) for group in (block, np.zeros_like(block)))

@@ -23,6 +23,7 @@ from warpsample.texture.jobs import SCENES, TextureJob
 from warpsample.texture.materials import slot_for_quantity
 from warpsample.texture.sets import TextureOptions
 from warpsample.texture.tangents import Frames
+from warpsample.texture.texture_points import TexturePoints
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +35,8 @@ class Filled:
         value: (H, W) or (H, W, C) values, float32, or float64 for positions.
         error: Standard errors of the same shape, float32, raised where they ignore geometry that no ray has hit.
         unbiased: Standard errors that are 0 where all rays agree, without a gutter: their squares may be added.
+        noise: Errors with which places are compared: the parts of `error` and `unbiased` that come from rays, without the
+            spread of several samples within a texel. The whole errors if the texture is not compared.
         own: (H, W) bool, texels with a value of their own, which is no copy of another texel's value.
         mean: Mean of the values at the points.
         inside: Number of points inside closed bodies that are filled.
@@ -49,6 +52,7 @@ class Filled:
     value: np.ndarray
     error: np.ndarray
     unbiased: np.ndarray
+    noise: tuple[np.ndarray, np.ndarray]
     own: np.ndarray
     mean: float
     inside: int
@@ -61,9 +65,19 @@ class Filled:
 
 
 def fill_texture(
-    job: TextureJob, *, run: BakeRun, how: TextureOptions, closed: Closed, high: HighMesh | None, record: RunRecord
+    job: TextureJob,
+    *,
+    is_compared: bool,
+    run: BakeRun,
+    how: TextureOptions,
+    closed: Closed,
+    high: HighMesh | None,
+    record: RunRecord,
 ) -> Filled:
-    """Compute a quantity at all texels of one texture, and return the images of values and standard errors."""
+    """Compute a quantity at all texels of one texture, and return the images of values and standard errors.
+
+    `is_compared` states whether the picture is compared with those of other places.
+    """
     quantity, points, options = quantity_of(run.quantity), job.points, dict(run.options)
     if how.samples > 1 and quantity.takes("samples"):
         options["samples"] = max(2, (options.get("samples") or quantity.default("samples")) // how.samples)
@@ -91,16 +105,16 @@ def fill_texture(
     buried = bodies.find_buried(np.isfinite(value.reshape(len(value), -1)).all(axis=1)) & ~missed
     within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, bodies.inside & ~buried & ~missed, missed))
     value[buried] = np.nan
-    pictures = _images(job, how, value, error, unbiased)
+    pictures = _images(job, how, value, error, unbiased, is_compared=is_compared)
     charts = bodies.count_mostly_buried(buried)
     counts = {"mostly_inside": charts, "inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
     return Filled(job, *pictures, **counts, rays=rays, inside_rays=bodies.rays)
 
 
 def _images(
-    job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray, unbiased: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, float]:
-    """Return the fields `value`, `error`, `unbiased`, `own` and `mean` of `Filled`."""
+    job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray, unbiased: np.ndarray, *, is_compared: bool
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, tuple[np.ndarray, np.ndarray], np.ndarray, float]:
+    """Return the fields `value`, `error`, `unbiased`, `noise`, `own` and `mean` of `Filled`."""
     known = np.isfinite(value)
     own_texels = np.zeros(how.size[::-1], np.bool_)
     own_texels.ravel()[job.points.texel[known.reshape(len(known), -1).all(axis=1)]] = True
@@ -112,7 +126,33 @@ def _images(
         return job.points.image_error(SimpleNamespace(value=value, standard_error=own), gutter=gutter)
 
     make_image = job.points.precise_image if value.dtype == np.float64 else job.points.image  # positions
-    return make_image(value, gutter=how.gutter), image_error(error, how.gutter), image_error(unbiased, 0), own_texels, mean
+    image, errors = make_image(value, gutter=how.gutter), (image_error(error, how.gutter), image_error(unbiased, 0))
+    noise = _noise_of_rays(job.points, error, unbiased) if is_compared and how.samples > 1 else errors
+    return image, *errors, noise, own_texels, mean
+
+
+def _noise_of_rays(points: TexturePoints, error: np.ndarray, unbiased: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return images of the parts of `error` and `unbiased` that come from rays, for several samples per texel.
+
+    The first is at least a k-th of the largest of the k raised errors in a texel. Rays that all agree have such an error,
+    which is proportional to 1 / rays, and k samples have k times as many rays.
+
+    Args:
+        points: P points, several in a texel.
+        error: (P,) or (P, C), raised standard errors, NaN for points without a value.
+        unbiased: Standard errors of the same shape that are 0 where all rays agree.
+    """
+    shape = (*points.size[::-1], *error.shape[1:])
+    error, unbiased = (some.reshape(len(points), -1) for some in (error, unbiased))
+    starts = np.flatnonzero(np.diff(points.texel, prepend=-1))
+    known = np.isfinite(unbiased).all(axis=1)
+    count = np.maximum(np.add.reduceat(known, starts, dtype=np.int64), 1)[:, None]
+    noise = np.sqrt(np.add.reduceat(np.square(np.nan_to_num(unbiased)), starts, dtype=np.float64)) / count
+    both = np.concatenate([np.fmax(noise, np.fmax.reduceat(error, starts) / count), noise], axis=1).astype(np.float32)
+    rows = np.repeat(both, np.diff(starts, append=len(points)), axis=0)
+    rows[~known] = np.nan
+    raised, own = np.split(points.image(rows, gutter=0), 2, axis=2)
+    return raised.reshape(shape), own.reshape(shape)
 
 
 def _converter(

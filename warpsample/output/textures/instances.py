@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -30,8 +31,13 @@ class PlacedTexture:
     rays: tuple[int, int]
 
 
-def pictures_of(job: TextureJob, fill: Callable[[TextureJob], Filled], how: TextureOptions) -> list[PlacedTexture]:
-    """Compute a texture for each place of its mesh in the scene, and return the pictures that differ."""
+def pictures_of(job: TextureJob, fill: Callable[..., Filled], how: TextureOptions) -> list[PlacedTexture]:
+    """Compute a texture for each place of its mesh in the scene, and return the pictures that differ.
+
+    The arguments of `fill` are a texture at one place, and `is_compared`, whether its picture is compared with others.
+    """
+    is_compared = how.instances == "split" and any(one.others for one in job.group)
+    fill = partial(fill, is_compared=is_compared)
     found = [_picture(fill(job), job)]
     if how.instances == "mean":
         return [_mean_of(found[0], (_picture(fill(other), other) for other in job.at_other_places()), how.gutter)]
@@ -106,7 +112,7 @@ def place_pictures(file: GlbFile, pictures: list[list[PlacedTexture]]) -> list[l
 
 
 def _mesh_for(file: GlbFile, one: Primitive, shown: dict[int, int], known: dict[Any, int]) -> int:
-    """Assign a mesh to a glTF node, a copy if the node shows other pictures than the mesh; return the number of the mesh."""
+    """Assign a glTF node its mesh, or a copy if the node shows other pictures than the mesh; return the mesh's number."""
     key = one.mesh, tuple(sorted(shown.items()))
     if key not in known:
         known[key] = file.copy_mesh(one.mesh) if any(shown.values()) else one.mesh

@@ -66,7 +66,7 @@ def _rectangle(d: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def _normals(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the z components of the normals of a rectangle's edges, and the angles between these edges (Urena2013)."""
+    """Return n_z of the planes through the origin and a rectangle's edges, and the angles between planes (Urena2013)."""
     (x0, y0, z0), (x1, y1, _) = low, high
     normals = _normalize(np.array([[0.0, z0, -y0], [-z0, 0.0, x1], [0.0, -z0, y1], [z0, 0.0, -x0]]))
     return normals[:, 2], np.arccos(-(normals * np.roll(normals, -1, axis=0)).sum(axis=1))

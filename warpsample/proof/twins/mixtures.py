@@ -29,7 +29,7 @@ def twins_of(directions: Function, density: Function) -> dict[str, tuple[Functio
         return found
 
     def mixed_density(d: Any, w: np.ndarray) -> np.ndarray:
-        """Return the weighted sum of the densities of all lobes, of which some cover the upper hemisphere only."""
+        """Return the weighted sum of the densities of all lobes, with 0 below the surface for lobes on the hemisphere."""
         above = [lobe.support != "hemisphere" or w[..., 2] >= 0.0 for lobe in d.lobes]
         parts = zip(d.weights, d.lobes, above, strict=True)
         return sum(weight * np.where(seen, density(lobe, w), 0.0) for weight, lobe, seen in parts)

@@ -96,7 +96,7 @@ def _build_caster(glass: bool) -> wp.Function:
 
 @once
 def face_kernel(glass: bool = False) -> wp.Kernel:
-    """Build the kernel that casts rays from faces and stores what they hit; `glass` is for translucent faces."""
+    """Build the kernel that casts rays from faces and stores the hit faces; `glass` adds translucent faces."""
     cast_replicate = _build_caster(glass)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)

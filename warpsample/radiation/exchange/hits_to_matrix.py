@@ -120,7 +120,7 @@ class Collector:
 
 
 def _count_codes(codes: np.ndarray, weights: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Count the rays of each face by what they hit; return (face, code of the hit, number of rays in each set).
+    """Count the rays from each face by the code of their hit; return (face, code of the hit, number of rays in each set).
 
     codes: (B, replicates, per_replicate). weights: the same shape; hits are then float64 sums of the weights.
     """

@@ -141,7 +141,7 @@ class ViewFactors(Summary):
         return net_radiation_of(self.matrix, self.outside, temperature, emissivity, outside, **how)
 
     def to_frame(self) -> Any:
-        """Return the view factors' arrays with one number per surface as a table, without the matrix.
+        """Return all numbers per surface as a table, for example the share that leaves the scene; the matrix is left out.
 
         Returns:
             a pandas.DataFrame with a row for each surface; without pandas a dictionary of arrays. Columns are the names if

@@ -37,7 +37,7 @@ def view_factors(
     active: Any = None,
     **options: Unpack[CastKeywords],
 ) -> ViewFactors:
-    """Compute the share of the diffuse radiation of each face's front that first hits the front of each other face.
+    """Compute view factors: the share of diffuse radiation from each face's front that first hits each other face's front.
 
     A face's rays come from one lattice in four dimensions: 4,096 are as good as 10,000 to 15,000 independent ones. The bits
     of a row depend on (mesh, seed, first_face + face, count, replicates) alone; those of its errors on the replicates of

@@ -55,10 +55,10 @@ def irradiance(
     sampling: Sampling | None = None,
     **options: Unpack[RayKeywords],
 ) -> Irradiance:
-    """Compute the irradiance of distant light that the mesh does not block, and of light that faces reflect.
+    """Compute the irradiance of each point under distant light, with shadows of the mesh and light that its faces reflect.
 
-    An open point under a radiance of 1 gets pi. Faces with a reflectance (see `Mesh`)
-    reflect as for `irradiation`, with rays of their own on the CPU, and without a `tolerance`.
+    An open point under a radiance of 1 gets pi. Faces with a reflectance (see `Mesh`) reflect as for `irradiation`, with
+    rays of their own on the CPU, and without a `tolerance`.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.

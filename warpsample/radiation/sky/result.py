@@ -38,7 +38,7 @@ class SkySkipped:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SkyMatrix(PointResult):
-    """Sky matrix: cosine-weighted share of each sky patch in the view of each point, or weighted sums of the shares.
+    """Sky matrix: how much each point sees of each sky patch, weighted by the cosine; or weighted sums over the patches.
 
     Attributes:
         value: (P, K) float32, integral of visibility times max(0, n.w) over the patch, divided by pi. A value times pi and

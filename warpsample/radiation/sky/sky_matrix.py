@@ -39,7 +39,7 @@ def sky_matrix(
     fold: Any = None,
     **options: Unpack[CastPointKeywords],
 ) -> SkyMatrix:
-    """Compute the cosine-weighted share of each sky patch in the view of each point: daylight coefficients divided by pi.
+    """Compute how much each point sees of each sky patch, weighted by the cosine: daylight coefficients divided by pi.
 
     An empty patch has its exact share and costs no ray, as does a patch that a single triangle fills, with 0. Each other
     patch gets its share of `count` rays, but at least 2; fewer where less than a quarter of the lobe is sky. Rays of a patch

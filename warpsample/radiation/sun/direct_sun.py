@@ -122,7 +122,7 @@ def direct_sun(
     cosine: bool = False,
     **options: Unpack[CastPointKeywords],
 ) -> np.ndarray:
-    """Find the sun positions that each point sees, or their weighted sum, for example sun hours or direct irradiation.
+    """Compute which sun positions are visible from each point, or a weighted sum over them such as sun hours.
 
     A point sees a sun in front of it, n.s > 0, if the ray of `trace` towards the sun hits nothing. Most pairs need no
     ray: a sun behind, up to 16 suns whose shaft is empty or covered by one triangle, a triangle that blocked another sun.

@@ -81,7 +81,7 @@ def irradiation(
     refine: float | None = None,
     **options: Unpack[CastPointKeywords],
 ) -> Irradiation:
-    """Compute the irradiation of a year, or the irradiance in each hour, with the weather of a file.
+    """Compute the irradiation of each point by sun and sky over a year, or the irradiance in each hour, from a weather file.
 
     The sun adds its direct normal radiation, if its centre in the middle of the hour is above the horizon, with refraction,
     and not hidden. The sky adds the patches' shares of the lobe, times their radiance by Perez1993 (Radiance's gendaymtx),
