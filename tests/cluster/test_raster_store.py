@@ -304,7 +304,14 @@ def moved(path):
     write_tif(path, heights(), transform=SLOVENIA @ Affine.scale(1.5))
 
 
-@pytest.mark.parametrize(("change", "when", "there"), [(raised, 4, 5), (raised, TILES - 1, TILES), (moved, 4, TILES)])
+@pytest.mark.parametrize(
+    ("change", "when", "there"),
+    [
+        (raised, 4, 5),
+        pytest.param(raised, TILES - 1, TILES, marks=pytest.mark.thorough),
+        pytest.param(moved, 4, TILES, marks=pytest.mark.thorough),
+    ],
+)
 def test_a_file_that_changes_meanwhile_puts_no_number_into_the_store(dsm, folder, monkeypatch, change, when, there):
     before, numbers = dsm.read_bytes(), RasterRun.numbers
 

@@ -21,8 +21,17 @@ COUNTS = [
 ]
 
 
-@pytest.mark.parametrize("distribution", [CASES[0], *(pytest.param(case, marks=SLOW) for case in CASES[1:])], ids=repr)
-@pytest.mark.parametrize("count", COUNTS)
+@pytest.mark.parametrize(
+    ("count", "distribution"),
+    [
+        *((count, CASES[0]) for count in (3, 23)),
+        *(pytest.param(count, CASES[0], marks=SLOW) for count in (1, 64)),
+        *(pytest.param(3, case, marks=SLOW) for case in CASES[1:]),
+        *(pytest.param(count, CASES[0], marks=pytest.mark.thorough) for count in (16, 100)),
+        *(pytest.param(count, case, marks=pytest.mark.thorough) for case in CASES[1:] for count in (1, 16, 23, 64, 100)),
+    ],
+    ids=repr,
+)
 def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution, count, monkeypatch):
     """Global ids pass a multiple of 2^32 in the middle of the call, and at the start of one of its parts."""
     normals = np.random.default_rng(3).normal(size=(9001, 3)).astype(np.float32)

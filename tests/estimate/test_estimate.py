@@ -60,7 +60,8 @@ def _sides(d: wp.vec3):
 
 
 @pytest.mark.parametrize(
-    ("sequence", "count"), [("fibonacci", 64), ("fibonacci", 512), pytest.param("independent", 64, marks=pytest.mark.slow)]
+    ("sequence", "count"),
+    [("fibonacci", 64), ("fibonacci", 512), pytest.param("independent", 64, marks=pytest.mark.thorough)],
 )
 def test_the_standard_error_is_what_it_says(bunny, points, sequence, count):
     """Its mean square equals that of the error, over 32 runs of 600 points."""

@@ -18,14 +18,8 @@ ws.integrate([[0.0, 0.0, 1.0]], sky, 256, distribution=ws.DISTRIBUTION, sequence
 """
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("distribution", "sequence"),
-    [
-        pytest.param("CosineHemisphere()", "fibonacci", marks=pytest.mark.thorough),
-        ("GGX(0.3)", "sobol"),
-    ],
-)
+@pytest.mark.thorough
+@pytest.mark.parametrize(("distribution", "sequence"), [("CosineHemisphere()", "fibonacci"), ("GGX(0.3)", "sobol")])
 def test_every_loop_over_directions_is_vectorised(distribution, sequence, tmp_path, child_environment):
     """The compiler's own remarks say so. Float64 in the loop of the map would halve its lanes."""
     script = tmp_path / "remarks.py"

@@ -77,13 +77,13 @@ def enough(held, runs, least=LEAST):
 KINDS = [(place, what) for place in CENTRES for what in ("hole", "thing")]
 
 
-@pytest.mark.parametrize("count", [64, pytest.param(448, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [64, pytest.param(448, marks=pytest.mark.thorough)])
 @pytest.mark.parametrize("kind", KINDS, ids="-".join)
 def test_each_expected_count_is_covered(kind, count, plausible):
     plausible(enough([coverage(kind, expected, count) for expected in EXPECTED], RUNS))
 
 
-@pytest.mark.parametrize("count", [64, pytest.param(448, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [64, pytest.param(448, marks=pytest.mark.thorough)])
 def test_both_ends_at_once_are_covered(count, plausible):
     few = [n for n in EXPECTED if n <= 10]  # of 64 rays more would not fit beside each other
     plausible(enough([coverage("both", expected, count) for expected in few], RUNS))

@@ -144,7 +144,7 @@ def upside_down(module, monkeypatch):
 @pytest.mark.parametrize(
     ("name", "options", "spoil"),
     [
-        ("offset_family", {"samples": 5000, "size": (800, 800)}, ball_for_sphere),
+        pytest.param("offset_family", {"samples": 5000, "size": (800, 800)}, ball_for_sphere, marks=pytest.mark.thorough),
         pytest.param("sequences", {"randomisations": 16, "size": (800, 640)}, ball_for_cosine, marks=pytest.mark.thorough),
         ("occlusion", {"samples": 32, "size": (900, 340)}, upside_down),
     ],

@@ -191,8 +191,9 @@ def test_what_the_checks_cannot_decide_is_a_choice(subject_of):
     assert "Either of these is wrong: the map, or the twin's map." in said
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("part", ["map", "density"])
+@pytest.mark.parametrize(
+    "part", [pytest.param("map", marks=pytest.mark.slow), pytest.param("density", marks=pytest.mark.thorough)]
+)
 def test_one_error_in_a_part_and_in_its_twin_is_said_of_both(part, subject_of):
     """The cdf and the inverse decide."""
     replaced = dict.fromkeys(
@@ -221,7 +222,8 @@ def test_one_wrong_part_is_named(lobe, part, kind, subject_of):
     assert named(subject_of(lobe, {part: KINDS[part][1](lobe)[kind]})) == {(part,)}
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("lobe", LOBES)
+@pytest.mark.parametrize(
+    "lobe", [pytest.param(n, marks=pytest.mark.slow if n == "cone" else pytest.mark.thorough) for n in LOBES]
+)
 def test_nothing_is_named_of_a_right_lobe(lobe, subject_of):
     assert named(subject_of(lobe, {})) == {()}

@@ -42,7 +42,7 @@ def rcontrib(folder, mesh, points, multiple):
 @pytest.mark.parametrize(
     ("scene", "patches", "multiple"),
     [
-        pytest.param("city", "tregenza", 1, marks=pytest.mark.slow),
+        pytest.param("city", "tregenza", 1, marks=pytest.mark.thorough),
         pytest.param("city", "reinhart2", 2, marks=pytest.mark.slow),
         pytest.param("bunny", "tregenza", 1, marks=pytest.mark.thorough),
     ],

@@ -10,6 +10,7 @@ from trimesh import creation
 import warpsample as ws
 
 LARGE = ("annulus", "torus")
+ALONG_AXES = ("box", "star")
 ROOMS = {
     "box": creation.box(),
     "flat": creation.box((1.0, 1.0, 1e-3)),
@@ -32,8 +33,13 @@ def on_all_edges(mesh):
     return position, mesh.face_normals[face], face
 
 
-@pytest.mark.parametrize("turn", [pytest.param(0, marks=pytest.mark.slow), 3])
-@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in LARGE else n for n in ROOMS])
+@pytest.mark.parametrize(
+    ("name", "turn"),
+    [
+        *(pytest.param(name, 3, marks=pytest.mark.slow if name in LARGE else ()) for name in ROOMS),
+        *(pytest.param(n, 0, marks=pytest.mark.slow if n in ALONG_AXES else pytest.mark.thorough) for n in ROOMS),
+    ],
+)
 def test_no_point_of_a_closed_room_sees_out_of_it(name, turn):
     """The workspace is stored with shared corners or as an .stl, oriented inwards, or outwards and seen from behind."""
     vertices, faces = ROOMS[name].vertices @ turned(turn).T, ROOMS[name].faces
