@@ -25,6 +25,9 @@ from warpsample.texture.sets import TextureOptions
 from warpsample.texture.tangents import Frames
 from warpsample.texture.texture_points import TexturePoints
 
+COUNTS = ("inside", "enclosed", "mostly_inside", "missed", "lost")
+"""Fields of `Filled` that are counts of points or charts."""
+
 
 @dataclass(frozen=True, eq=False)
 class Filled:
