@@ -87,9 +87,9 @@ HEAVY = {
 NOT_EVERYWHERE = {"vtkmodules", "trame", "distributed", "xarray", "fcntl", "resource"}
 """Further libraries that are imported inside functions: parts of extras, and modules that some systems lack."""
 IN_ONE_PLACE = {name: {"cluster"} for name in ("dask", "distributed", "zarr", "google_crc32c")} | {
-    "xarray": {"cluster", "rasters", "estimate"}
+    "xarray": {"cluster", "rasters", "sources", "estimate"}
 }
-IN_ONE_PLACE |= {name: {"rasters"} for name in ("rasterio", "rioxarray", "affine", "pyproj")}
+IN_ONE_PLACE |= {name: {"rasters", "sources"} for name in ("rasterio", "rioxarray", "affine", "pyproj")}
 """Libraries that whole folders are based on; such a folder is imported on first use of one of its names."""
 MOST_FILES = 20
 """Largest number of files in a folder, without `__init__.py`; a larger folder is divided into folders by topic."""

@@ -3,7 +3,8 @@
 from importlib import import_module
 
 _HOMES = {
-    "city.cityjson.city": ("City", "load_city"),
+    "city.cityjson.city": ("City",),
+    "city.cityjson.loading": ("load_city",),
     "city.cityjson.surfaces": ("CitySurfaces",),
     "directions.sample": ("Directions", "Status", "sample_directions", "sample_square"),
     "estimate.integrate": ("integrate",),

@@ -2,7 +2,8 @@
 
 from warpsample import distributions as distributions, sequences as sequences
 from warpsample.city import rasters as rasters
-from warpsample.city.cityjson.city import City as City, load_city as load_city
+from warpsample.city.cityjson.city import City as City
+from warpsample.city.cityjson.loading import load_city as load_city
 from warpsample.city.cityjson.surfaces import CitySurfaces as CitySurfaces
 from warpsample.directions.sample import (
     Directions as Directions,

@@ -12,7 +12,7 @@ import warpsample as ws
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.fringe import add_fringe, cut_fringe
 from warpsample.city.rasters.raster_surface import build_surface
-from warpsample.city.rasters.reading import reader_of
+from warpsample.city.rasters.sources.reading import reader_of
 
 INNER = slice(16, 32)
 """Rows and columns of the raster, out of those of the terrain around it."""

@@ -13,10 +13,11 @@ pytest.importorskip("rasterio")
 pytest.importorskip("rioxarray")
 
 import warpsample as ws
-from warpsample.city.rasters import far, grid, reader
+from warpsample.city.rasters import far, grid
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.horizons import sky_by_horizons
-from warpsample.city.rasters.reading import reader_of
+from warpsample.city.rasters.sources import reader
+from warpsample.city.rasters.sources.reading import reader_of
 from warpsample.city.rasters.tiles import RasterRun
 from warpsample.estimate.quantities.ambient_occlusion import RECORD as OCCLUSION
 from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY

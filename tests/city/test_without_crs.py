@@ -16,7 +16,7 @@ import xarray as xr
 
 import warpsample as ws
 from warpsample.city import arc_grid
-from warpsample.city.rasters.transforms import check_lengths
+from warpsample.city.rasters.sources.transforms import check_lengths
 
 HEIGHTS = np.arange(120.0).reshape(10, 12) % 7.0
 WARNED = "without a CRS; its coordinates are taken as metres"

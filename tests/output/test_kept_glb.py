@@ -1,7 +1,7 @@
 """Numbers at the vertices of a .glb become attributes of it, and nothing else in it changes."""
 
 import numpy as np
-from textured_scenes import array_of, changed, opened, rich
+from textured_scenes import array_of, opened, rich, with_data_outside
 
 import warpsample as ws
 
@@ -49,10 +49,7 @@ def test_a_mesh_in_two_places_has_the_numbers_of_the_first(call, tmp_path):
 
 
 def test_a_file_that_cannot_be_edited_is_refused_before_the_work(call, tmp_path):
-    path = tmp_path / "in.glb"
-    path.write_bytes(rich())
-    (tmp_path / "data.bin").write_bytes(opened(path)[1])
-    path.write_bytes(changed(rich(), lambda tree: tree["buffers"][0].update(uri="data.bin")))
+    path = with_data_outside(tmp_path / "in.glb")
     status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--samples", 16)
     assert (status, "cannot be read as a glTF file to be edited: the buffer buffers[0] is in another file" in err) == (
         2,

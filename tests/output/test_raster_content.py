@@ -7,7 +7,7 @@ pytest.importorskip("rioxarray")
 
 from raster_cases import NORTH_UP
 
-from warpsample.city.rasters.reading import reader_of
+from warpsample.city.rasters.sources.reading import reader_of
 from warpsample.output.rasters import content
 from warpsample.output.rasters.content import digests_of, unchanging
 

@@ -103,6 +103,14 @@ def changed(content, change):
     return content[:8] + struct.pack("<II", length, len(text)) + content[16:20] + text + content[20 + size :]
 
 
+def with_data_outside(path):
+    """Write the scene `rich` with its data in another file, data.bin in the same folder; return the path."""
+    path.write_bytes(rich())
+    (path.parent / "data.bin").write_bytes(opened(path)[1])
+    path.write_bytes(changed(rich(), lambda tree: tree["buffers"][0].update(uri="data.bin")))
+    return path
+
+
 def array_of(tree, data, number):
     """The numbers of an accessor."""
     kinds = {5126: "f4", 5125: "u4", 5123: "u2", 5121: "u1"}

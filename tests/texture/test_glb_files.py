@@ -6,7 +6,7 @@ import struct
 from base64 import b64decode
 
 import pytest
-from textured_scenes import RAYS, baked, changed, floor_and_glass, opened, rich
+from textured_scenes import RAYS, baked, changed, floor_and_glass, opened, rich, with_data_outside
 
 import warpsample as ws
 
@@ -74,10 +74,7 @@ def test_a_sparse_target_that_stays_is_no_matter(call, tmp_path):
 
 
 def test_a_buffer_in_another_file_is_refused(call, tmp_path):
-    path = tmp_path / "in.glb"
-    path.write_bytes(rich())
-    (tmp_path / "data.bin").write_bytes(opened(path)[1])
-    path.write_bytes(changed(rich(), lambda tree: tree["buffers"][0].update(uri="data.bin")))
+    path = with_data_outside(tmp_path / "in.glb")
     status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32)
     assert (status, "buffers[0] is in another file" in err) == (2, True)
 

@@ -218,3 +218,26 @@ def test_turned_places_share_a_picture(call, tmp_path, options):
     path.write_bytes(glb({"meshes": meshes, "nodes": nodes, "materials": [{}]}, arrays))
     status, out, _ = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 64, "--samples", *options)
     assert (status, out.count("the 4 places of"), out.count("share one picture")) == (0, 2, 2)
+
+
+@pytest.mark.parametrize("instances", ["split", "mean"])
+def test_a_chart_that_is_mostly_inside_a_body_at_one_place_is_reported(call, tmp_path, instances):
+    """A slab, too low to shade the floor, covers more than half of the floor at the second place."""
+    floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
+    slab = trimesh.creation.box((6.5, 2e-3, 6.5))
+    arrays = [floor, SQUARE, TWO, np.float32(slab.vertices), np.uint16(slab.faces).ravel()]
+    meshes = [
+        {"name": "floor", "primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}
+    ]
+    meshes += [{"primitives": [{"attributes": {"POSITION": 3}, "indices": 4}]}]
+    nodes = [{"mesh": 0}, {"mesh": 0, "translation": [40, 0, 0]}, {"mesh": 1, "translation": [40, 0, 0]}]
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    path.write_bytes(glb({"meshes": meshes, "nodes": nodes, "materials": [{}]}, arrays))
+    command = ("bake", path, "-o", output, "--texture", 32, "--samples", 16, "--instances", instances)
+    status, out, err = call(*command)
+    assert (status, err, "the 2 places of 'floor' share one picture" in out) == (0, "", True)
+    assert "676 points inside closed bodies, filled" in out  # 26 x 26 texels
+    warning = "one chart is more than half inside closed bodies and filled: if a body is a room, pass --inside keep"
+    assert warning in out
+    status, _, err = call(*command, "--strict")
+    assert (status, err.startswith("error: --strict: got"), warning in err) == (2, True, instances == "split")

@@ -10,7 +10,7 @@ import numpy as np
 import zarr
 from zarr.storage import MemoryStore
 
-from warpsample.city.rasters.calls import attributes_of
+from warpsample.city.rasters.datasets import attributes_of
 from warpsample.city.rasters.raster_surface import on_map
 from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.cluster.holdings import arrays_of, whole_chunks

@@ -51,9 +51,35 @@ def widths_of(slots: Slots) -> wp.Function:
 
 
 @once
+def shaft_finder(slots: Slots) -> wp.Function:
+    """Build the Warp function that searches a shaft, the region that the rays of a stratum or sector cross, for faces."""
+    find, wide = finder_of(slots.glass), slots.wide
+
+    @wp.func
+    def find_in_shaft(
+        lobes: Lobes,
+        tree: Accelerator,
+        point: ShadingPoint,
+        shaft: wp.int32,
+        found: wp.int32,
+        local: wp.int32,
+        opened: wp.bool,
+    ):
+        """Return the kinds of faces in a shaft and the nodes to start from; `found` and `local` if no search is possible."""
+        kinds = found
+        start = local
+        if wp.static(wide):
+            if opened and lobes.shafts != wp.uint64(0) and found != 0:
+                kinds, start = find(lobes, tree, point, shaft, local)
+        return kinds, start
+
+    return find_in_shaft
+
+
+@once
 def traced_lobe(slots: Slots) -> wp.Function:
     """Build the Warp function that casts all rays of one point against a mesh and sums their weights."""
-    find, of_glass = finder_of(slots.glass), GLASS if slots.glass else 0
+    find_in_shaft, of_glass = shaft_finder(slots), GLASS if slots.glass else 0
     constant, struct, wide, open_jump = slots.constant, slots.struct, slots.wide, ONE if slots.any_hit else HALF
     sum_stratum, widths, jump_at = stratum_sum(slots), widths_of(slots), jump_of(slots)
 
@@ -80,27 +106,20 @@ def traced_lobe(slots: Slots) -> wp.Function:
         if wp.static(wide):
             if lobes.skip != 0:
                 seen, local, opened = open_around(accelerator, point)
-        anything = wp.where(seen.starts == 0 and local == 0, 0, BLOCKERS) | of_glass
         for sector in range(lobes.sectors):
-            sector_found = anything
+            in_sector = wp.where(seen.starts == 0 and local == 0, 0, BLOCKERS) | of_glass
             for step in range(wp.where(lobes.bands > 2, 0, 1), lobes.bands + 1):  # step 0: whole sector
-                found = sector_found
-                stratum_local = local
-                if wp.static(wide):
-                    if opened and lobes.shafts != wp.uint64(0) and found != 0:
-                        shaft = sector * (lobes.bands + 1) + step
-                        found, stratum_local = find(lobes, seen, point, shaft, local)
+                found, start = find_in_shaft(lobes, seen, point, sector * (lobes.bands + 1) + step, in_sector, local, opened)
                 if step == 0:
-                    sector_found = found
+                    in_sector = found
                 elif wp.static(constant) and found == 0:
                     empty += 2 * lobes.samples_per_stratum
                     total[0] += wp.float64(2 * lobes.samples_per_stratum)
                     unseen[0] += open_jump
                 else:
                     empty += wp.where(found == 0, 2 * lobes.samples_per_stratum, 0)
-                    add, difference, rays, free, counted, w = sum_stratum(
-                        lobes, seen, data, point, sector * lobes.bands + step - 1, found, stratum_local
-                    )
+                    stratum = sector * lobes.bands + step - 1
+                    add, difference, rays, free, counted, w = sum_stratum(lobes, seen, data, point, stratum, found, start)
                     cast += rays
                     squares = wp.cw_mul(difference, difference)
                     total += add

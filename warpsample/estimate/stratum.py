@@ -140,16 +140,57 @@ def weighing(slots: Slots) -> wp.Function:
 
 
 @once
-def stratum_sum(slots: Slots) -> wp.Function:
-    """Build the Warp function that casts the rays of one stratum of a point's directions and sums their weights."""
-    write_rays, weigh, struct = build_ray_writer(slots), weighing(slots), slots.struct
-    any_hit, constant, counts, channels = slots.any_hit, slots.constant, slots.counts, slots.channels
-    prepare, block, share_left = prepare_rays(slots.prepare), rays_blocked(slots.query, slots.wide), share_of(slots)
-    glass, weightless = slots.glass and any_hit, 1 if slots.sparse else 0
-    stops, dims = BLOCKERS if glass else -1, GLASS if glass else 0 if any_hit else -1
+def group_tracer(slots: Slots) -> wp.Function:
+    """Build the Warp function that writes, weighs and casts a group of rays of one stratum, as far as any hit is enough."""
+    write_rays, weigh, struct, any_hit = build_ray_writer(slots), weighing(slots), slots.struct, slots.any_hit
+    prepare, block = prepare_rays(slots.prepare), rays_blocked(slots.query, slots.wide)
+    stops = BLOCKERS if slots.glass else -1
 
     @wp.func
-    def sum_stratum(
+    def trace_group(
+        lobes: Lobes,
+        tree: Accelerator,
+        lobe: Lobe,
+        data: struct,
+        point: ShadingPoint,
+        stratum: wp.int32,
+        first: wp.int32,
+        length: wp.int32,
+        found: wp.int32,
+        local: wp.int32,
+    ):
+        """Return the bit sets of the rays from `first` on that have a weight, and of those that no opaque face blocks."""
+        write_rays(lobes, point, stratum, first, whole_vectors(length))
+        rays = weigh(lobe, data, point, length)
+        left = rays
+        if found != 0:
+            move_rays_near(point, length)
+            prepare(tree, point, local, length)
+            if wp.static(any_hit) and (found & stops) != 0:
+                left = rays & (~block(tree, point, local, rays, length))
+        return rays, left
+
+    return trace_group
+
+
+@once
+def stratum_sum(slots: Slots) -> wp.Function:
+    """Build the Warp function that casts the rays of one stratum of a point's directions and sums their weights.
+
+    It returns six numbers: the sum of the weights of both replicates, the first replicate's sum less the second's, the
+    number of rays cast, the number of unoccluded rays, the number of rays that count, and the weight `w` for `jump_of`'s
+    function.
+    """
+    return _stratum_count(slots) if slots.counts else _stratum_weights(slots)
+
+
+@once
+def _stratum_count(slots: Slots) -> wp.Function:
+    """Build the function of `stratum_sum` for rays that each add 0 or 1, so that their sum is a count."""
+    trace_group, struct, weightless = group_tracer(slots), slots.struct, 1 if slots.sparse else 0
+
+    @wp.func
+    def count_rays(
         lobes: Lobes,
         tree: Accelerator,
         data: struct,
@@ -158,14 +199,46 @@ def stratum_sum(slots: Slots) -> wp.Function:
         found: wp.int32,
         local: wp.int32,
     ):
-        """Cast the rays of one stratum of a point's directions; return six numbers: sums of weights and counts of rays.
-
-        They are: the sum of the weights of both replicates, the first replicate's sum less the second's, the number of rays
-        cast, the number of unoccluded rays, the number of rays that count, and the weight `w` for `jump_of`'s function.
-        """
-        # Scalars, since a vector of doubles goes through memory and costs half as much as a ray.
+        """Cast the rays of one stratum, and count the unoccluded ones; see `stratum_sum`."""
         hits = wp.int32(0)
         more_hits = wp.int32(0)
+        cast = wp.int32(0)
+        each = lobes.samples_per_stratum
+        counted = 2 * each
+        lobe = lobe_of(lobes, point)
+        for first in range(0, 2 * each, CHUNK):
+            length = wp.min(CHUNK, 2 * each - first)
+            rays, left = trace_group(lobes, tree, lobe, data, point, stratum, first, length, found, local)
+            cast += wp.where(found != 0, set_size(rays), 0)
+            counted -= weightless * (length - set_size(rays))
+            hits += set_size(left)
+            more_hits += 2 * set_size(left & first_rays(wp.clamp(each - first, 0, length))) - set_size(left)
+        total = wp.vec3d(wp.float64(hits), ZERO, ZERO)
+        difference = wp.vec3d(wp.float64(more_hits), ZERO, ZERO)
+        return total, difference, cast, hits, counted, wp.vec3(1.0, 0.0, 0.0)
+
+    return count_rays
+
+
+@once
+def _stratum_weights(slots: Slots) -> wp.Function:
+    """Build the function of `stratum_sum` for rays of any weight."""
+    trace_group, share_left, struct = group_tracer(slots), share_of(slots), slots.struct
+    constant, channels, glass = slots.constant, slots.channels, slots.glass and slots.any_hit
+    weightless, dims = 1 if slots.sparse else 0, GLASS if glass else 0 if slots.any_hit else -1
+
+    @wp.func
+    def sum_weights(
+        lobes: Lobes,
+        tree: Accelerator,
+        data: struct,
+        point: ShadingPoint,
+        stratum: wp.int32,
+        found: wp.int32,
+        local: wp.int32,
+    ):
+        """Cast the rays of one stratum, and sum their weights; see `stratum_sum`."""
+        # Scalars, since a vector of doubles goes through memory and costs half as much as a ray.
         x = ZERO
         y = ZERO
         z = ZERO
@@ -181,45 +254,30 @@ def stratum_sum(slots: Slots) -> wp.Function:
         lobe = lobe_of(lobes, point)
         for first in range(0, 2 * each, CHUNK):
             length = wp.min(CHUNK, 2 * each - first)
-            write_rays(lobes, point, stratum, first, whole_vectors(length))
-            rays = weigh(lobe, data, point, length)
-            left = rays
+            rays, left = trace_group(lobes, tree, lobe, data, point, stratum, first, length, found, local)
+            cast += wp.where(found != 0, set_size(rays), 0)
             counted -= weightless * (length - set_size(rays))
-            if found != 0:
-                move_rays_near(point, length)
-                prepare(tree, point, local, length)
-                cast += set_size(rays)
-                if wp.static(any_hit) and (found & stops) != 0:
-                    left = rays & (~block(tree, point, local, rays, length))
-                    free -= set_size(rays & (~left))
-            if wp.static(counts):
-                hits += set_size(left)
-                more_hits += 2 * set_size(left & first_rays(wp.clamp(each - first, 0, length))) - set_size(left)
-            else:
-                for k in range(length):
-                    if wp.static(not constant):
-                        w = _weight_at(point, k)
-                    share = wp.where((rays & (~left) & ray_set(k)) != NO_RAYS, 0.0, 1.0)
-                    if wp.static(dims != 0) and (found & dims) != 0 and (left & ray_set(k)) != NO_RAYS:
-                        share, met = share_left(lobes, tree, point, local, k)
-                        free -= wp.where(met, 1, 0)
-                    if wp.static(glass):
-                        lost += (1.0 - share) * w
-                    sign = wp.where(first + k < each, 1, -1)
-                    x += wp.float64(share * w[0])
-                    more_x += wp.float64(sign) * wp.float64(share * w[0])
-                    if wp.static(channels > 1):
-                        y += wp.float64(share * w[1])
-                        z += wp.float64(share * w[2])
-                        more_y += wp.float64(sign) * wp.float64(share * w[1])
-                        more_z += wp.float64(sign) * wp.float64(share * w[2])
+            free -= set_size(rays & (~left))
+            for k in range(length):
+                if wp.static(not constant):
+                    w = _weight_at(point, k)
+                share = wp.where((rays & (~left) & ray_set(k)) != NO_RAYS, 0.0, 1.0)
+                if wp.static(dims != 0) and (found & dims) != 0 and (left & ray_set(k)) != NO_RAYS:
+                    share, met = share_left(lobes, tree, point, local, k)
+                    free -= wp.where(met, 1, 0)
+                if wp.static(glass):
+                    lost += (1.0 - share) * w
+                sign = wp.float64(wp.where(first + k < each, 1, -1))
+                x += wp.float64(share * w[0])
+                more_x += sign * wp.float64(share * w[0])
+                if wp.static(channels > 1):
+                    y += wp.float64(share * w[1])
+                    z += wp.float64(share * w[2])
+                    more_y += sign * wp.float64(share * w[1])
+                    more_z += sign * wp.float64(share * w[2])
         free -= 2 * each - counted
-        if wp.static(counts):
-            x = wp.float64(hits)
-            more_x = wp.float64(more_hits)
-            free = hits  # unoccluded rays of weight 1
         if wp.static(glass):
             w = lost / wp.float32(wp.max(counted - free, 1))
         return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, counted, w
 
-    return sum_stratum
+    return sum_weights

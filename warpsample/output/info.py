@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.city.cityjson.city import load_city
+from warpsample.city.cityjson.loading import load_city
 from warpsample.host.extras import missing
 from warpsample.host.locks import imported
 from warpsample.mesh.files import load_mesh
@@ -84,7 +84,7 @@ def _describe_city(path: Path) -> Iterator[Row]:
 def _describe_raster(path: Path) -> Iterator[Row]:
     """Yield the cells, the reference system and the heights of a raster."""
     try:
-        reader = imported("warpsample.city.rasters.reading").reader_of(path)
+        reader = imported("warpsample.city.rasters.sources.reading").reader_of(path)
     except ModuleNotFoundError as error:
         raise missing(f"a raster needs {error.name}", error.name, "city") from error
     rows, columns = reader.shape

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from warpsample.city import rasters
-from warpsample.city.cityjson.city import City, load_city
+from warpsample.city.cityjson.city import City
 from warpsample.city.cityjson.context import GROUND_PLANE
+from warpsample.city.cityjson.loading import load_city
 from warpsample.city.cityjson.placing import spread_points
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.device_memory import Memory

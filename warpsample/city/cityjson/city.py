@@ -1,7 +1,6 @@
-"""The call `load_city`, which reads a CityJSON file as a mesh, and writes results back for each surface."""
+"""The surfaces of a CityJSON file as a mesh with a table; means over the surfaces, and writing of results into a copy."""
 
 from collections.abc import Mapping
-from contextlib import nullcontext
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -10,29 +9,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from warpsample.city.cityjson.choosing import as_lod
-from warpsample.city.cityjson.context import append_context
 from warpsample.city.cityjson.documents import rewrite_content
-from warpsample.city.cityjson.example import example_content
-from warpsample.city.cityjson.gathering import Gathered, Geometry, gather
+from warpsample.city.cityjson.gathering import Geometry
 from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
-from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks, tabulate_surfaces, warn_of_overlaps
+from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks
 from warpsample.city.cityjson.writing import ERROR, MEMBERS, PER_AREA, Editor
 from warpsample.estimate.intervals import raised_errors
 from warpsample.estimate.result import PointResult, has_value
-from warpsample.host.arguments import check_file, check_flag, check_seed, naming_file, quote
+from warpsample.host.arguments import check_seed, quote
 from warpsample.host.arrays import as_real
 from warpsample.host.files import check_output, write_bytes
-from warpsample.host.locks import read_only
 from warpsample.host.neighbours import describe_type
 from warpsample.host.summary import Summary
-from warpsample.mesh.holes import Outlines
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.part_means import part_means
 from warpsample.mesh.surface import SurfacePoints
 
-_FILE = "a CityJSON file"
+CITY_FILE = "a CityJSON file"
+"""Name of the input in messages."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -182,68 +177,9 @@ class City(Summary):
         write_bytes(target, rewrite_content(self.content, editor.edit))
 
 
-def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False, context: Any = None) -> City:
-    """Load the surfaces of a CityJSON file (version 1.0, 1.1 or 2.0) or sequence (CityJSONSeq) as a mesh.
-
-    Each object contributes the geometries of one level of detail. If an object has the same surfaces twice, those with
-    semantics are taken, or else the solids. Templates are placed, surfaces with holes are triangulated, points and lines are
-    left out.
-
-    The mesh, its areas and all lengths are in metres. Feet are converted by the file's metadata.referenceSystem, and heights
-    by their own unit (extra `city`). Without a reference system, coordinates are taken as metres.
-
-    Args:
-        path: path of the file, or "courtyard", an example, if no file has this name.
-        lod: level of detail, as 2.2 or "2.2". Default: the highest of each object, without footprints (LoD 0) and without
-            buildings whose parts have a higher one.
-        split: whether each polygon is a separate surface with its own results.
-        context: black surroundings without results. A mesh in the coordinates and units of the file, such as terrain; the
-            result of `rasters.surface`, in any unit on the same map; or "ground", a level plane through the lowest point.
-            Default: no surroundings, and no sky below the horizon.
-
-    Returns:
-        the mesh, the surface of each triangle, and the table of surfaces.
-
-    Raises:
-        TypeError: `path` is not a path.
-        FileNotFoundError: the file does not exist.
-        ValueError: the file is damaged, in degrees or has no surfaces of the level of detail; `lod` is invalid; or the
-            raster of `context` is on another map.
-        MemoryError: the surfaces and placed templates need more memory than is free.
-
-    Warns:
-        UserWarning: some polygons cross themselves. Their triangles overlap and may face either way, so shadows and results
-            of such surfaces are wrong; areas are by Newell's formula, and smaller than those of the triangles.
-        UserWarning: the reference system is unknown, pyproj is missing, or a map in feet has no unit of heights.
-        UserWarning: lengths on the map are wrong by 5 % or more, as in Web Mercator.
-
-    Example:
-        >>> city = ws.load_city("courtyard")
-        >>> print(city.surfaces.type, city.surfaces.area)
-        ['' 'RoofSurface' 'WallSurface'] [3816. 1368. 4176.]
-    """
-    made = example_content(path)
-    path = check_file(path, "path", _FILE) if made is None else Path(path)
-    lod = None if lod is None else as_lod(lod, "lod")
-    split = check_flag(split, "split")
-    with naming_file("path", path, _FILE) if made is None else nullcontext():
-        content = path.read_bytes() if made is None else made
-        found = gather(content, lod)
-        if not found.lods:
-            raise ValueError("the file has no city objects with surfaces")
-        points, outlines = np.concatenate(found.vertices), found.all_outlines
-        found.units.check_lengths(points, outlines)
-    if not found.geometries:
-        there = ", ".join(f"{level:g}" for level in sorted(found.lods))
-        got = "none" if lod is None else f"{lod:g}"
-        raise ValueError(f"lod: got {got}, want a level of detail with surfaces in {str(path)!r}: {there}")
-    found.units.warn(path, points)
-    return _build_city(found, points * found.units.metres, outlines, path, content, split=split, context=context)
-
-
 def _check_target(path: Any, source: Path) -> Path:
     if not isinstance(path, str | PathLike):
-        raise TypeError(f"path: got {quote(path)}, want the path of {_FILE}")
+        raise TypeError(f"path: got {quote(path)}, want the path of {CITY_FILE}")
     suffix = source.suffix or ".json"  # of the example
     if Path(path).suffix != suffix:
         raise ValueError(f"path: got {str(path)!r}, want a file that ends in {suffix}, as the input does")
@@ -268,19 +204,3 @@ def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
                 f"results: got {name!r} without {name.removesuffix(ERROR)!r}, want both the errors and the values"
             )
     return columns
-
-
-def _build_city(
-    found: Gathered, points: np.ndarray, outlines: Outlines, path: Path, content: bytes, *, split: bool, context: Any
-) -> City:
-    surfaces, rows = tabulate_surfaces(found, points, outlines, split)
-    triangles, owner = outlines.triangles(points)
-    if not len(triangles):
-        raise ValueError(f"path: got {str(path)!r}, all of whose polygons have no area, want at least one with an area")
-    vertices, faces = append_context(points, triangles, context, found.units)
-    surface = np.full(len(faces), -1, np.int32)
-    surface[: len(owner)] = rows.row[owner]
-    mesh = Mesh(vertices, faces, surface, surfaces.names)
-    covered = np.bincount(owner, mesh.face_areas[: len(owner)], len(rows.row))
-    warn_of_overlaps(path, surfaces.object[rows.row], covered, outlines.areas(points))
-    return City(mesh, read_only(surface), surfaces, split, found.geometries, rows, path, content)

@@ -57,7 +57,7 @@ def _check_map(grid: Any, units: Units) -> None:
     else:
         rows, columns = grid.height.shape
         middle = grid.transform @ (columns / 2.0, rows / 2.0)
-        if not imported("warpsample.city.rasters.reference").is_same_map(grid.crs, units.crs, *middle):
+        if not imported("warpsample.city.rasters.sources.reference").is_same_map(grid.crs, units.crs, *middle):
             raise ValueError(
                 f"context: got a raster in {grid.crs.name}, want {units.crs.name}, the map of the city, in any unit; "
                 "reproject the raster first, for example with gdalwarp"

@@ -45,7 +45,7 @@ class Units:
             return cls("", None, np.ones(3), "")
         name = metadata.text(_KEY)
         try:
-            reference = imported("warpsample.city.rasters.reference")
+            reference = imported("warpsample.city.rasters.sources.reference")
         except ModuleNotFoundError as error:
             return cls(
                 name,
@@ -84,7 +84,7 @@ class Units:
             warn(f"path: {message}, {self.doubt}{taken}", stacklevel=3)
         if self.crs is not None:
             x, y = 0.5 * (points.min(axis=0) + points.max(axis=0))[:2]
-            stretched = imported("warpsample.city.rasters.reference").describe_stretch(self.crs, x, y)
+            stretched = imported("warpsample.city.rasters.sources.reference").describe_stretch(self.crs, x, y)
             if stretched:
                 warn(
                     f"path: {stretched}: areas and slopes are wrong by the same factor; reproject the file first",

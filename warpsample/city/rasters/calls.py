@@ -1,45 +1,17 @@
 """Calls that compute sky view, irradiation and sun hours at the centre of each cell of a raster."""
 
-from collections.abc import Mapping
-from importlib.metadata import version
-from numbers import Real
-from os import PathLike, fspath
 from typing import Any
 
-import numpy as np
 import xarray as xr
 from typing_extensions import Unpack
 
 from warpsample.city.keywords import IrradiationKeywords, SkyKeywords, SunHoursKeywords
-from warpsample.city.rasters.canopy import TRUNK
-from warpsample.city.rasters.leaves import TRANSMITTANCE
-from warpsample.city.rasters.raster_surface import on_map
-from warpsample.city.rasters.tiles import RasterRun
-from warpsample.estimate.quantities.record import Quantity
+from warpsample.city.rasters.datasets import TREES_AND_TILES, compute_dataset
 from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY
 from warpsample.estimate.quantities.visible_sky import RECORD as VISIBLE_SKY
 from warpsample.host.options import with_options
 from warpsample.radiation.quantities.irradiation import RECORD as IRRADIATION
 from warpsample.radiation.quantities.sun_hours import RECORD as SUN_HOURS
-
-_SET_HERE = ("up", "north", "first_point", "active", "series")
-"""Options of the underlying calls that the raster determines, or whose results are not rasters."""
-
-_NOT_STORED = ("first_point", "active", "series", "workers", "progress")
-"""Options that are not stored as attributes, because they change no number or do not apply to rasters."""
-
-TREES_AND_TILES: dict[str, Any] = {
-    "canopy": None,
-    "trunk": TRUNK,
-    "relative": True,
-    "transmittance": TRANSMITTANCE,
-    "tile": None,
-    "margin": None,
-    "far": None,
-}
-"""Options common to all calls, with defaults; each call also has the options of its quantity."""
-
-_NORMAL = {"horizontal": "up", "surface": "the normal of the cell's surface"}
 
 
 @with_options(SkyKeywords, SKY.parameters | TREES_AND_TILES)
@@ -53,11 +25,10 @@ def sky_view_factor(
 ) -> xr.Dataset:
     """Compute the sky view factor (SVF) of each cell: the cosine-weighted fraction of the sky that is visible.
 
-    SOLWEIG and UMEP use the same definition.
-    The sky view factor times the diffuse irradiance of open ground is the irradiance of the cell under a uniform sky. By
-    default, rays search for the horizon in each azimuth. Trees switch to rays over the whole sky, and so do values of
-    `sequence`, `tolerance`, `tracer` and `device` other than the defaults. With tiles or distant terrain, the Earth's
-    curvature is included outside the margin.
+    SOLWEIG and UMEP use the same definition. The sky view factor times the diffuse irradiance of open ground is the
+    irradiance of the cell under a uniform sky. By default, rays search for the horizon in each azimuth. Trees switch to rays
+    over the whole sky, and so do values of `sequence`, `tolerance`, `tracer` and `device` other than the defaults. With
+    tiles or distant terrain, the Earth's curvature is included outside the margin.
 
     Args:
         source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
@@ -98,7 +69,7 @@ def sky_view_factor(
         >>> print(found.value.shape, f"{found.value[30, 30]:.1f}")
         (60, 60) 0.5
     """
-    return _compute_tiles(SKY, source, {"count": count, **options}, model=model, receiver=receiver)
+    return compute_dataset(SKY, source, {"count": count, **options}, model=model, receiver=receiver)
 
 
 @with_options(SkyKeywords, VISIBLE_SKY.parameters | TREES_AND_TILES)
@@ -142,7 +113,7 @@ def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **optio
         >>> print(f"{found.value[20, 19]:.1f}, {found.value[20, 30]:.1f}")
         0.5, 1.0
     """
-    return _compute_tiles(VISIBLE_SKY, source, {"count": count, **options}, model=model, receiver="horizontal")
+    return compute_dataset(VISIBLE_SKY, source, {"count": count, **options}, model=model, receiver="horizontal")
 
 
 @with_options(IrradiationKeywords, IRRADIATION.parameters | TREES_AND_TILES)
@@ -197,7 +168,7 @@ def irradiation(
         >>> print(f"{june.value.mean():.0f} {june.value.units}")
         270 kWh m-2
     """
-    return _compute_tiles(IRRADIATION, source, {"weather": weather, **options}, model=model, receiver=receiver)
+    return compute_dataset(IRRADIATION, source, {"weather": weather, **options}, model=model, receiver=receiver)
 
 
 @with_options(SunHoursKeywords, SUN_HOURS.parameters | TREES_AND_TILES)
@@ -243,89 +214,4 @@ def sun_hours(
         >>> print(float(ws.rasters.sun_hours(flat, "athens", period=("06-21", "06-21")).value.mean()))
         15.0
     """
-    return _compute_tiles(SUN_HOURS, source, {"weather": weather, **options}, model=model, receiver=receiver)
-
-
-def _compute_tiles(quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str) -> xr.Dataset:
-    """Compute a quantity in all cells of a raster, tile by tile, and return the Dataset."""
-    run, about = run_of(quantity, source, options, model=model, receiver=receiver)
-    run.reader.check_heights(run.model)
-    cells = {name: np.full(run.reader.shape, np.nan, np.float32) for name in run.names}
-    for span in run.spans():
-        for name, values in run.numbers(span).items():
-            cells[name][span] = values
-    outline = run.reader.outline
-    arrays = {name: on_map(outline, values).assign_attrs(attributes_of(name, quantity)) for name, values in cells.items()}
-    return xr.Dataset(arrays, attrs=about | {"cells_without_height": int(np.isnan(cells["value"]).sum())})
-
-
-def run_of(
-    quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str
-) -> tuple[RasterRun, dict[str, Any]]:
-    """Check the arguments of a call of `warpsample.rasters`; return (computation to run, attributes of the Dataset).
-
-    Raises:
-        TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
-    """
-    how = {name: options.get(name, default) for name, default in TREES_AND_TILES.items()}
-    own = {name: value for name, value in options.items() if name not in how}
-    _check_options(quantity, own)
-    run = RasterRun.of(source, quantity, own, model=model, receiver=receiver, **how)
-    own = {name: run.options.get(name, default) for name, default in quantity.parameters.items() if name not in _NOT_STORED}
-    rasters = {name: _describe_source(how[name]) for name in ("canopy", "trunk", "far")}
-    attributes = {"model": model, "receiver": receiver, **how, **rasters, "margin": run.margin if run.tile else None}
-    attributes["method"] = "horizons" if run.by_horizons else "rays"
-    attributes = {name: value for name, value in attributes.items() if value is not None}
-    return run, _attributes(quantity, source, attributes | own)
-
-
-def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:
-    """Return the attributes `units` and `long_name` of one array of a result, for example "standard_error"."""
-    said = {
-        "standard_error": "standard error of the ",
-        "half_width": "half width of the 95 % confidence interval of the ",
-        "far_error": "error due to pooled distant terrain of the ",
-    }
-    return {"units": quantity.unit.replace("/m2", " m-2") or "1", "long_name": said.get(name, "") + quantity.title}
-
-
-def _check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
-    """Raise a TypeError for an option that a call of `warpsample.rasters` does not accept.
-
-    Options that the raster determines, such as points, are not accepted either.
-    """
-    known = [name for name in (*quantity.parameters, *TREES_AND_TILES) if name not in _SET_HERE]
-    for name in options:
-        if name not in known:
-            raise TypeError(
-                f"{name}: got an argument that {quantity.title} of a raster does not take, want one of {', '.join(known)}"
-            )
-
-
-def _attributes(quantity: Quantity, source: Any, attributes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the attributes of a result's Dataset: definition, unit, source, version and options.
-
-    All values are numbers or strings.
-    """
-    return {
-        "quantity": quantity.name,
-        "definition": quantity.on_rasters[attributes["receiver"]].format(normal=_NORMAL[attributes["receiver"]]),
-        "unit": quantity.unit or "1",
-        "source": _describe_source(source),
-        "warpsample": version("warpsample"),
-        **{name: _convert_attribute(value) for name, value in attributes.items()},
-    }
-
-
-def _describe_source(source: Any) -> Any:
-    """Describe an input raster by its path or, for an array, by its type; return numbers and None unchanged."""
-    if source is None or isinstance(source, Real):
-        return source
-    return fspath(source) if isinstance(source, str | PathLike) else f"an array, {type(source).__name__}"
-
-
-def _convert_attribute(value: Any) -> int | float | str:
-    """Convert a value to a type that NetCDF, Zarr and GeoTIFF can store; sequences become a string with spaces."""
-    if isinstance(value, tuple | list | np.ndarray):
-        return " ".join(str(item) for item in value)
-    return value if isinstance(value, int | float) and not isinstance(value, bool) else str(value)
+    return compute_dataset(SUN_HOURS, source, {"weather": weather, **options}, model=model, receiver=receiver)

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from warpsample.city.rasters.grid import Grid
-from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reading import reader_of
+from warpsample.city.rasters.sources.reader import RasterReader
+from warpsample.city.rasters.sources.reading import reader_of
 from warpsample.host.arguments import check_flag, check_number, quote
 
 _SIDES = (((0, 1), (1, 1), (1, 0)), ((-1, 0), (1, 0), (0, 0)), ((0, -1), (0, 0), (0, 1)), ((1, 0), (0, 1), (1, 1)))

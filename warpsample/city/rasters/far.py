@@ -17,8 +17,8 @@ from affine import Affine
 from warpsample.city.rasters.canopy import Canopy, Crowns, build_prisms
 from warpsample.city.rasters.fringe import fringe_bounds
 from warpsample.city.rasters.grid import Bounds, Grid, resample_extremes
-from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.scenery import Columns, Part, join_triangles
+from warpsample.city.rasters.sources.reader import RasterReader
 
 _FINENESS = 50  # smallest distance of a ring in cells of the ring
 _EARTH, _REFRACTION = 6_371_000.0, 0.13  # radius in m; curvature of light rays as a fraction of the Earth's curvature

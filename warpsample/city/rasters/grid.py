@@ -8,7 +8,7 @@ import numpy as np
 import pyproj
 from affine import Affine
 
-from warpsample.city.rasters.reference import true_north
+from warpsample.city.rasters.sources.reference import true_north
 
 TOP, WALL = 0, 1
 """Kinds of triangles."""

@@ -11,8 +11,8 @@ from warpsample.city.rasters.canopy import TRUNK, Canopy, Crowns, build_prisms
 from warpsample.city.rasters.cells import STEP, build_joined_cells
 from warpsample.city.rasters.centres import build_tin
 from warpsample.city.rasters.grid import TOP, Grid
-from warpsample.city.rasters.reading import ground_of
 from warpsample.city.rasters.scenery import Scenery, join_triangles
+from warpsample.city.rasters.sources.reading import ground_of
 from warpsample.host.arguments import check_choice
 from warpsample.host.arrays import as_real
 from warpsample.host.summary import Summary

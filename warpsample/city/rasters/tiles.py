@@ -18,9 +18,9 @@ from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
 from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, compute_through_crowns
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, build_surface
-from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reading import ground_of, reader_of
 from warpsample.city.rasters.scenery import Foreground, Part, Scenery, Seen, join_triangles
+from warpsample.city.rasters.sources.reader import RasterReader
+from warpsample.city.rasters.sources.reading import ground_of, reader_of
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import has_value
 from warpsample.host.arguments import check_choice, check_integer, quote

@@ -11,9 +11,9 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from warpsample.city.rasters.calls import run_of
 from warpsample.city.rasters.cog import check_sidecars, write_cog
-from warpsample.city.rasters.reading import files_read
+from warpsample.city.rasters.datasets import run_of
+from warpsample.city.rasters.sources.reading import files_read
 from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.estimate.quantities.record import ARGUMENTS, Quantity
 from warpsample.host.arguments import quote

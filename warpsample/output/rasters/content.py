@@ -6,7 +6,7 @@ from hashlib import sha256
 
 import numpy as np
 
-from warpsample.city.rasters.reader import RasterReader
+from warpsample.city.rasters.sources.reader import RasterReader
 from warpsample.host.shared_values import digest_of
 
 _BLOCK = 64, 256

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.output.textures.comparison import do_pictures_differ
-from warpsample.output.textures.images import Filled
+from warpsample.output.textures.images import COUNTS, Filled
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.jobs import TextureJob
 from warpsample.texture.notes import join_names
@@ -54,9 +54,10 @@ def pictures_of(job: TextureJob, fill: Callable[..., Filled], how: TextureOption
 
 
 def _joined(known: PlacedTexture, other: PlacedTexture) -> PlacedTexture:
-    """Return one picture for the places of two equal pictures."""
+    """Return one picture for the places of two equal pictures, with the larger number of points of each count."""
     rays = known.rays[0] + other.rays[0], known.rays[1] + other.rays[1]
-    return replace(known, groups=known.groups + other.groups, rays=rays)
+    most = {name: max(getattr(known.filled, name), getattr(other.filled, name)) for name in COUNTS}
+    return replace(known, filled=replace(known.filled, **most), groups=known.groups + other.groups, rays=rays)
 
 
 def _mean_of(first: PlacedTexture, others: Iterator[PlacedTexture], gutter: Any) -> PlacedTexture:

@@ -19,9 +19,9 @@ from rasterio.windows import Window
 from rioxarray.exceptions import MissingSpatialDimensionError
 
 from warpsample.city.arc_grid import check_arc_grid
-from warpsample.city.rasters.coding import Coding
-from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reference import (
+from warpsample.city.rasters.sources.coding import Coding
+from warpsample.city.rasters.sources.reader import RasterReader
+from warpsample.city.rasters.sources.reference import (
     REPROJECT,
     check_unit,
     check_upward,
@@ -30,7 +30,7 @@ from warpsample.city.rasters.reference import (
     height_metres_of,
     metres_of,
 )
-from warpsample.city.rasters.transforms import (
+from warpsample.city.rasters.sources.transforms import (
     affine_of,
     check_cells,
     check_lengths,
