@@ -66,8 +66,9 @@ def test_hostile_normals_are_survived(case):
     assert broken(stress.judge_normals(case)) == []
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("method", ["polar", "offset"])
+@pytest.mark.parametrize(
+    "method", [pytest.param("polar", marks=pytest.mark.slow), pytest.param("offset", marks=pytest.mark.thorough)]
+)
 def test_cosine_lobe_is_correct_at_every_variate(method):
     """The test takes all 2^24 values of both coordinates; `verify --thorough` does so for all distributions."""
     case = ws.CosineHemisphere(method)
