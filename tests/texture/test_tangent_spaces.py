@@ -61,7 +61,7 @@ def frames(path, *, in_group):
     ],
 )
 def test_tangents_are_those_of_the_mesh_placed_by_its_node(tmp_path, nodes, skinned, in_group):
-    """Before, they were computed from the placed mesh, and 21 degrees away from those in the file at a scale of (1, 4, 1)."""
+    """Before, they were computed from the placed mesh, and 21 degrees off at a scale of (1, 4, 1)."""
     options = {"nodes": nodes, "skinned": skinned}
     made = frames(sheet(tmp_path / "made.glb", **options), in_group=in_group).tangents
     read = frames(sheet(tmp_path / "read.glb", **options, own=True), in_group=in_group).tangents
