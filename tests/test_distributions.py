@@ -27,12 +27,14 @@ def test_ten_laws_or_more_judge_every_case():
         assert sum(law.applies(case) for law in verify.LAWS) >= (8 if case.nested else 10)
 
 
-def tiered(cases, quick):
-    """Return the cases as parameters: the last of each kind that is not quick is slow, and others are thorough.
+GENERAL = ("mixture", "spherical_rectangle", "spherical_triangle")
+"""Distributions whose quick case is general: eight lobes, or no symmetry and in part below the horizon."""
 
-    The quick cases of spherical triangles and rectangles have no symmetry and are below the horizon, too.
-    """
-    last = {case.name: case for case in cases if case not in quick and not case.name.startswith("spherical")}.values()
+
+def tiered(cases, quick):
+    """Return the cases as parameters: the last of each kind is slow, without those of seconds, and others are thorough."""
+    further = [case for case in cases if case not in quick and case.name not in GENERAL]
+    last = {case.name: case for case in further if getattr(case, "view", (0.0, 0.0, 1.0))[2] != 0.0}.values()
     marks = [() if case in quick else pytest.mark.slow if case in last else pytest.mark.thorough for case in cases]
     return [pytest.param(case, marks=mark) for case, mark in zip(cases, marks, strict=True)]
 
@@ -64,8 +66,9 @@ def test_hostile_normals_are_survived(case):
     assert broken(stress.judge_normals(case)) == []
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("method", ["polar", "offset"])
+@pytest.mark.parametrize(
+    "method", [pytest.param("polar", marks=pytest.mark.slow), pytest.param("offset", marks=pytest.mark.thorough)]
+)
 def test_cosine_lobe_is_correct_at_every_variate(method):
     """The test takes all 2^24 values of both coordinates; `verify --thorough` does so for all distributions."""
     case = ws.CosineHemisphere(method)

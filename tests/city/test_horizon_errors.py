@@ -136,6 +136,14 @@ def test_bars_around_tall_objects_are_right(places, width, height):
         assert (found[:, 2] / found[:, 3]).min() > 0.1, found  # bars of at most three errors
 
 
+def test_a_standard_error_of_a_near_vertical_receiver_is_at_most_half():
+    """No value between 0 and 1 has a larger standard deviation. The edge of the receiver's own plane gave 8,000."""
+    heights = np.zeros((21, 21))
+    heights[10, 10] = 1000.0
+    found = rasters.sky_view_factor((heights, Affine(1e-5, 0, 0, 0, -1e-5, 0), None), 64, model="tin", receiver="surface")
+    assert 0.4 < float(found.standard_error.max()) <= 0.5
+
+
 def test_flat_terrain_far_away_widens_no_bar():
     """At 30 cells or more from a house; the grid of highest vertices is coarse in a scene of 100 km."""
     heights = np.zeros((101, 101))

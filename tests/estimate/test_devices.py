@@ -17,7 +17,7 @@ from warpsample.host import engine
 
 ARCHITECTURES = (86, 75, 90)
 NUMBERS = ("value", "standard_error", "spread", "degrees_of_freedom", "rays", "status")
-FEW = ("occlusion", "tolerance", "data", "bent", "picture")
+FEW = ("occlusion", "tolerance", "data", "picture")
 EACH = [name if name in FEW else pytest.param(name, marks=pytest.mark.thorough) for name in ESTIMATES]
 
 

@@ -181,8 +181,14 @@ def test_bad_arguments_are_named(bunny, points, change, message):
 # Portable; that its loops are vectorised is in tracing/test_query_kernels.py, whose compiler it shares
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("query", [(prepare_builtin, builtin_any_query), (None, None)], ids=["with a mesh", "without"])
+# The kernel with a mesh is that of occlusion in test_devices.py.
+@pytest.mark.parametrize(
+    "query",
+    [
+        pytest.param((prepare_builtin, builtin_any_query), id="with a mesh", marks=pytest.mark.thorough),
+        pytest.param((None, None), id="without", marks=pytest.mark.slow),
+    ],
+)
 def test_the_kernel_compiles_for_cuda(query, tmp_path):
     rays = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), None, 0.0, True)
     kernel = estimate_kernel(Slots(*rays, everywhere, Weights, True, True, 1, *query, True, False))

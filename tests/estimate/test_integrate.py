@@ -127,8 +127,9 @@ def mean_squares(values):
     return np.square(np.asarray(values, np.float64)).mean(axis=0)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("count", [64, 256, 1024])
+@pytest.mark.parametrize(
+    "count", [pytest.param(n, marks=pytest.mark.slow if n == 64 else pytest.mark.thorough) for n in (64, 256, 1024)]
+)
 def test_what_the_error_bar_costs_a_smooth_integrand(count):
     """Eight streams, folded, are about as good as one set; without the fold their error is 2.4 to 3 times as large."""
     at = lobes(32)

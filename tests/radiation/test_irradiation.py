@@ -78,13 +78,13 @@ def shone_on(normals, radiance, fine=40):
 @pytest.mark.parametrize(
     ("patches", "sky"),
     [
-        ("tregenza", "athens"),
-        ("tregenza", "grey"),
-        ("reinhart2", "athens"),
-        pytest.param("reinhart4", "grey", marks=pytest.mark.slow),
+        pytest.param("tregenza", "athens", marks=pytest.mark.slow),
+        pytest.param("reinhart2", "grey", marks=pytest.mark.slow),
+        pytest.param("tregenza", "grey", marks=pytest.mark.thorough),
+        pytest.param("reinhart2", "athens", marks=pytest.mark.thorough),
+        pytest.param("reinhart4", "grey", marks=pytest.mark.thorough),
     ],
 )
-@pytest.mark.slow
 def test_the_sky_is_that_of_gendaymtx_but_for_its_scale(patches, sky, request):
     path = request.getfixturevalue(sky)
     weather = read_weather(path).chosen(np.arange(4000, 4100))

@@ -60,7 +60,9 @@ KINDS = {
 }
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    "kind", [pytest.param(n, marks=pytest.mark.thorough if n in ("two replicates", "groups") else ()) for n in KINDS]
+)
 def test_errors_are_as_large_as_said(kind):
     options, tightest = KINDS[kind]
     check_all(options, 40, tightest)

@@ -35,6 +35,25 @@ def places(half=HALF):
     return np.meshgrid(at, at)
 
 
+def test_places_with_flat_facets_share_a_normal_map(call, tmp_path):
+    """A distant place rounds rays, so that single samples of a texel are on the next facet."""
+    path = quad(tmp_path / "low.glb")
+    tree = opened(path)[0]
+    nodes = [{"mesh": 0, "translation": [x, 0, 0]} for x in (0, 373, -817)]
+    square = (np.float32([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)]) * HALF + np.float32((0, RADIUS, 0))).astype("f4")
+    arrays = [square, np.float32(SQUARE * (1, -1) + (0, 1)), TWO]
+    path.write_bytes(glb({"meshes": tree["meshes"], "nodes": nodes}, arrays))
+    facets = trimesh.creation.icosphere(2, radius=RADIUS)
+    arrays = [facets.triangles.reshape(-1, 3).astype("f4"), np.arange(3 * len(facets.faces), dtype="u4")]
+    arrays += [np.repeat(facets.face_normals, 3, axis=0).astype("f4")]
+    part = {"attributes": {"POSITION": 0, "NORMAL": 2}, "indices": 1}
+    ball = {"meshes": [{"primitives": [part]}], "nodes": nodes}
+    (tmp_path / "ball.glb").write_bytes(glb(ball, arrays))
+    options = ("--quantity", "normals", "--high", tmp_path / "ball.glb", "--cage", 0.6, "--supersample", 16)
+    status, out, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 128, *options)
+    assert (status, err, "the 3 places of 'meshes[0]' share one picture" in out) == (0, "", True)
+
+
 def test_a_ball_above_a_square(call, tmp_path, ball):
     """n = (x, y, z) / R, as colours: 191, 128, 238 at x = 1; the image's up is -z."""
     low, output = quad(tmp_path / "low.glb"), tmp_path / "out.glb"

@@ -7,7 +7,7 @@ import numpy as np
 
 from warpsample.host.arguments import naming_file
 from warpsample.mesh.files import load_mesh
-from warpsample.mesh.files.normals import read_normals
+from warpsample.mesh.files.normals import read_normals, read_smooth_normals
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.shading import compute_corner_normals, shade_points
@@ -26,7 +26,7 @@ class HighMesh:
         mesh: the fine mesh.
         corner_normals: (F, 3, 3) float64, normals of the fine mesh's file, or of its vertices.
         cage: distance from the coarse mesh, outward to the start of rays and inward to their end, in units of the mesh.
-        normals: normals of the projected points: "face", "smooth" or "lifted".
+        normals: normals of the projected points: "face", "file", "smooth" or "lifted".
     """
 
     mesh: Mesh
@@ -39,7 +39,7 @@ class HighMesh:
         """Read the fine mesh and its normals from a file; `cage` is the distance at which projecting rays start."""
         mesh = load_mesh(path)
         with naming_file("--high", path, "a mesh with normals"):
-            given = read_normals(path)
+            given = read_smooth_normals(path, mesh) if normals in ("smooth", "lifted") else read_normals(path)
         return cls(mesh, compute_corner_normals(mesh, given), cage, normals)
 
     def project(self, points: SurfacePoints, low: Mesh, workers: int | None = None) -> tuple[SurfacePoints, np.ndarray]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from warpsample.host.json_tree import Part
 from warpsample.mesh.files.gltf import check_supported
-from warpsample.mesh.files.normals import read_normals
+from warpsample.mesh.files.normals import read_normals, read_smooth_normals
 from warpsample.mesh.files.uv import LAST_SET
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, convert_read_errors
@@ -196,7 +196,9 @@ def _read_corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndar
     """Return the normals at face corners, (F, 3, 3), to interpolate at texels; None for normals of faces or vertices."""
     if how.high is not None:
         return average_normals(mesh)
-    return read_normals(path) if how.normals != "face" else None
+    if how.normals == "face":
+        return None
+    return read_normals(path) if how.normals == "file" else read_smooth_normals(path, mesh)
 
 
 def _find_set(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:

@@ -24,7 +24,8 @@ class TextureOptions:
         size: width and height in texels.
         uv: texture coordinates to use, one of UV_CHOICES.
         samples: points per texel.
-        normals: normals of the points: "face", "smooth" or "lifted".
+        normals: normals of the points: "face", "smooth", "lifted", or "file" for those of a glTF file, where primitives
+            without normals are flat.
         gutter: fill distance in texels, or "all".
         strength: strength of the occlusion in the material, from 0 to 1.
         depth: bits per channel of a .png.
@@ -96,7 +97,8 @@ class Texels:
         for some in rows:
             own[some] = uv[some]
         how = self.how
-        normals = how.normals if how.high is None else "smooth"  # normals of the rays to the finer mesh
+        is_interpolated = how.high is not None or how.normals == "file"  # with a finer mesh, normals of the rays to it
+        normals = "smooth" if is_interpolated else how.normals
         return texture_points(self.mesh, own, how.size, samples=how.samples, normals=normals, corner_normals=self.normals)
 
     def choose_set(self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False) -> "ChosenSet":

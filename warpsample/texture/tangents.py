@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.host.arguments import naming_file
-from warpsample.mesh.files.gltf import read_corners
+from warpsample.mesh.files.gltf import find_faces_with, read_corners
 from warpsample.mesh.files.normals import read_normals
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.tangents import compute_tangents
@@ -46,7 +46,10 @@ class Frames:
             tangents[face] = compute_tangents(mesh.vertices[mesh.faces[face]], normals[face], uv[face])
         if path.suffix.lower() in (".glb", ".gltf"):
             given = read_corners(path, "TANGENT")
-            tangents = np.where(np.isfinite(given).all(axis=2, keepdims=True), given, tangents)
+            usable = np.isfinite(given).all(axis=2, keepdims=True)
+            if usable.any():  # viewers ignore tangents without normals (glTF 2.0, 3.7.2.1)
+                usable &= find_faces_with(path, "NORMAL")[:, None, None]
+            tangents = np.where(usable, given, tangents)
         return cls(normals, tangents)
 
     def to_components(self, vectors: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:

@@ -326,7 +326,8 @@ def horizon_kernel() -> wp.Kernel:
                 own = _own_plane_error(point.n, azimuths)
                 variance += own * own
         set_float(rows.value, point.index, wp.float32(sums[_SEEN] / azimuths))
-        set_float(rows.standard_error, point.index, wp.float32(wp.sqrt(variance)))
+        error = wp.min(wp.sqrt(variance), HALF)  # no value between 0 and 1 has a larger standard deviation
+        set_float(rows.standard_error, point.index, wp.float32(error))
         set_int(rows.rays, point.index, cast)
         set_byte(rows.status, point.index, point.status)
 

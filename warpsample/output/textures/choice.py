@@ -5,6 +5,7 @@ import re
 from warpsample.host.arguments import check_file, check_integer, check_number
 from warpsample.output.baked import BakeRun
 from warpsample.texture.image import check_gutter
+from warpsample.texture.jobs import SCENES
 from warpsample.texture.sets import TextureOptions
 from warpsample.texture.texture_points import check_samples, check_size
 
@@ -33,7 +34,8 @@ def texture_options(run: BakeRun) -> TextureOptions:
         check_file(given["high"], "--high", "a mesh file")
         check_number(given["cage"], "--cage", 1e-30, 1e30)
     if run.quantity == "normals":
-        given.setdefault("normals", "smooth")  # a normal map contains smooth normals
+        is_scene = given.get("high", run.mesh).suffix.lower() in SCENES
+        given.setdefault("normals", "file" if is_scene else "smooth")  # as in viewers; other files have no rule for them
     return TextureOptions(both, samples=samples, **given)
 
 

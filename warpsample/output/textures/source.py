@@ -87,20 +87,24 @@ def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[s
 
 def _check_scene(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[TextureJob]) -> list[str]:
     """Check a .glb or .gltf before anything is computed, and return sentences on its materials and missing files."""
+    slot = slot_for_quantity(run.quantity)
     with convert_read_errors(run.mesh):
         if run.output.suffix == ".gltf":
             file.check_no_trailing_bytes()
         group = [one for job in jobs for one in job.group]
-        notes = list(describe_materials(file.part, group, slot_for_quantity(run.quantity).name))
+        notes = list(describe_materials(file.part, group, slot.name))
         mesh = jobs[0].points.mesh
         placed = visible_primitives(list_primitives(file.part, file.data), mesh)
         if how.high is None and run.quantity not in _WITHOUT_LIGHT:  # a finer mesh has none of these materials
             notes += describe_light(file.part, placed, mesh)
         groups = group_by_material(placed)
         several = join_names(one.name for job in jobs for one in job.group if one.others)
+        faceted = join_names(one.name for one in group if slot.directed and "NORMAL" not in one.part.part("attributes"))
         flat = join_names(one.name for group in groups if is_flat(mesh, group) for one in group)
     if several and how.strict and how.instances == "mean":
         raise ValueError(f"--strict: got --instances mean for {several} in several places, want --instances split")
+    if faceted:
+        notes.append(f"without NORMAL, and so baked for the flat normals of viewers: {faceted}")
     if flat:
         notes.append(f"without an area, and so left without a picture: {flat}")
     return [*notes, *describe_missing_files(run.mesh, file.tree, run.output)]
