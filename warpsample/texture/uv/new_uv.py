@@ -70,7 +70,8 @@ def describe_extensions(tree: Part, group: list[Primitive]) -> Iterator[str]:
 def _split_vertices(file: GlbFile, one: Primitive, charts: MeshCharts, number: int) -> None:
     """Rewrite a primitive with new texture coordinates as set `number`; vertices at chart borders are split.
 
-    Extensions that refer to vertices by number are removed. The sets below `number` that the primitive lacks get the new coordinates, too, since glTF numbers sets without gaps.
+    The sets below `number` that the primitive lacks get the new coordinates, too, since glTF numbers sets without gaps.
+    Extensions that refer to vertices by number are removed.
     """
     primitive: dict[str, Any] = file.tree["meshes"][one.mesh]["primitives"][one.number]
     vertex, faces, uv = charts
