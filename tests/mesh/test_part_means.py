@@ -74,3 +74,29 @@ def test_errors_of_many_points_and_of_single_points_are_not_widened():
     assert np.array_equal(plain.value, widened.value)
     assert widened.standard_error[1] == plain.standard_error[1]
     assert 1.0 < widened.standard_error[0] / plain.standard_error[0] < 1.01  # 900 degrees of freedom at most: 1.0014
+
+
+def test_errors_that_points_share_do_not_average_out():
+    """400 points with eight runs whose errors are common: by 500 seeds, the mean squares of errors and bars agree."""
+    rng, face, common, own = np.random.default_rng(8), np.repeat([0, 1], 200), 0.2, 0.5
+    squares = []
+    for _ in range(500):
+        runs = 3.0 + common * rng.normal(size=(1, 1, 8)) + own * rng.normal(size=(400, 1, 8))
+        given = (np.zeros(2, int), np.ones(2), face, runs.mean(axis=(1, 2)), np.full(400, own / np.sqrt(8)))
+        found, plain = part_means(*given, count=1, runs=runs), part_means(*given, count=1)
+        assert np.array_equal(found.value, plain.value)
+        squares.append((found.value[0] - 3.0, found.standard_error[0], plain.standard_error[0]))
+    wrong, bar, too_small = np.square(squares).mean(axis=0)
+    # 500 squares of normal errors: their mean is known to sqrt(2 / 500) = 6.3 %, three of which are 19 %. The points' own
+    # errors count twice, which is 8 * 0.5^2 / (400 * 8^2) of 0.2^2 / 8: 2 %.
+    assert bar == pytest.approx(wrong, rel=0.21)
+    assert too_small < 0.1 * wrong
+
+
+def test_numbers_of_several_components_have_their_own_shared_errors():
+    runs = np.zeros((2, 3, 8))
+    runs[:, 1] = np.arange(8.0)
+    given = (np.zeros(2, int), np.ones(2), np.arange(2), np.ones((2, 3)), np.zeros((2, 3)))
+    found = part_means(*given, count=2, runs=runs)
+    assert found.standard_error[0] == pytest.approx([0.0, np.arange(8).std(ddof=1) / np.sqrt(8), 0.0])
+    assert np.isnan(found.standard_error[1]).all()

@@ -10,6 +10,7 @@ from warpsample.cluster.named import Named
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.integrate import integrate
+from warpsample.estimate.quantities.record import OF_MEANS
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.quantities import quantities
@@ -111,7 +112,7 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
     if "first_point" in arguments and "id" not in call.point_fields:
         arguments["first_point"] = call.first_point + start
     found = FUNCTIONS[call.name](**arguments)
-    return {item.name: getattr(found, item.name) for item in fields(found)}
+    return {item.name: getattr(found, item.name) for item in fields(found) if item.name not in OF_MEANS}
 
 
 def _with_rows(arguments: dict[str, Any], rows: dict[str, Any]) -> dict[str, Any]:

@@ -5,6 +5,11 @@ points. This variance includes the noise of the rays, because each point has its
 independent. A face with one point has the variance of that point's rays alone; a face without points is left out. Faces are
 weighted by area, and their errors are independent. Errors common to all points are not included: weather, sky model, mesh.
 
+Points share the light that faces reflect, so errors of reflected light do not average out. Several independent runs of this
+light are known (`runs`). The differences between the runs' means over a part contain the shared error, in full, and add to
+the variance. They also contain the noise of the points' own rays, which the sample variance contains, too. So errors are up
+to 1.4 times too large.
+
 If all values are equal, their spread is 0, but all rays may have missed the same geometry. So the error of a mean is at
 least the largest product of a point's weight and its least error. With k equal weights this is a k-th of the least error, as
 for a single point with all rays.
@@ -47,6 +52,7 @@ def part_means(
     *,
     count: int,
     least: np.ndarray | None = None,
+    runs: np.ndarray | None = None,
     widen: bool = False,
 ) -> PartMeans:
     """Compute the area-weighted mean over each part of a mesh, with its standard error.
@@ -59,6 +65,8 @@ def part_means(
         error: Standard errors of `value`, of the same shape.
         count: Number of parts.
         least: Standard errors of `value` that account for geometry without a hit, of the same shape. Default: `error`.
+        runs: (P, k, R) part of `value` in each of R independent runs, whose errors points share. k is 1 for (P,) values.
+            Default: no part with shared errors.
         widen: Whether to widen errors of few points, so that two standard errors contain the true mean in 95 % of the runs.
     """
     inside = (face >= 0) & (part[face] >= 0) & np.isfinite(value.reshape(len(value), -1)).all(axis=1)
@@ -73,7 +81,10 @@ def part_means(
     with np.errstate(invalid="ignore", divide="ignore"):
         means = [np.bincount(owner, weights * mean, count) / total for mean, _ in found]
         spreads = [_combine_variances(owner, weights**2 * variance, points, count, widen) / total for _, variance in found]
+        share = weight / total[owner[face]]
         floors = [_largest(owner[face], weight * errors, count) / total for errors in components[2]]
+    if runs is not None:
+        spreads = np.hypot(spreads, np.sqrt(_shared_variances(owner[face], share, runs[inside], count)))
     errors = np.maximum(spreads, floors)
     shape = (count, *value.shape[1:])
     used = np.bincount(owner, np.where(weights > 0.0, points, 0), count).astype(np.int64)
@@ -84,6 +95,13 @@ def _combine_variances(owner: np.ndarray, variance: np.ndarray, points: np.ndarr
     """Return the root of the sum of the variances of each owner's faces, (count,) float64; widened by `_t_ratio`."""
     total = np.bincount(owner, variance, count)
     return np.sqrt(total) * (_t_ratio(owner, variance, points, total) if widen else 1.0)
+
+
+def _shared_variances(owner: np.ndarray, share: np.ndarray, runs: np.ndarray, count: int) -> np.ndarray:
+    """Return the variance of the mean over independent runs, (k, count) float64, of the points' owners and shares."""
+    _, components, number = runs.shape
+    means = [[np.bincount(owner, share * runs[:, c, r], count) for r in range(number)] for c in range(components)]
+    return np.var(means, axis=1, ddof=1) / number
 
 
 def _t_ratio(owner: np.ndarray, variance: np.ndarray, points: np.ndarray, total: np.ndarray) -> np.ndarray:

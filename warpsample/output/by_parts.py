@@ -70,6 +70,7 @@ def _means(baked: Baked, city: City | None) -> Iterator[tuple[str, np.ndarray]]:
         found.standard_error,
         count=len(mesh.parts),
         least=raised_errors(found),
+        runs=getattr(found, "reflected_runs", None),
         widen=city is None,  # errors of surfaces add up to those of city objects, so they remain root mean squares
     )
     for name in ("value", "standard_error"):

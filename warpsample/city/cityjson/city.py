@@ -93,6 +93,9 @@ class City(Summary):
         without `points`, only the noise of rays is included. Errors of the weather, the sky model and the mesh are not
         included; they are common to all surfaces.
 
+        All points share the light that faces reflect. For a result with a `reflected` part, the differences between its
+        eight runs add the shared error. The error is then up to 1.4 times too large.
+
         Pass the result of a call, such as `ws.sky_view_factor`, as `values`. Where all rays agree, the error then accounts
         for geometry that no ray has hit. An array of values does not contain the number of rays. The error of its mean is
         therefore 0 where all values are equal and their errors are 0, even if all rays missed a small opening.
@@ -120,12 +123,13 @@ class City(Summary):
         """
         if not isinstance(points, SurfacePoints | None):
             raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
-        face, least = np.arange(len(self.surface)) if points is None else points.face, None
+        face = np.arange(len(self.surface)) if points is None else points.face
+        least = runs = None
         if isinstance(values, PointResult):
             if error is not None:
                 raise TypeError("error: got errors for a result as values, want None, because the result has errors")
             found: Any = values
-            error, least = found.standard_error, raised_errors(found)
+            error, least, runs = found.standard_error, raised_errors(found), getattr(found, "reflected_runs", None)
             good = has_value(found.status).reshape(-1, *[1] * (found.value.ndim - 1))
             values = np.where(good, found.value, np.nan)
         value = as_real(values, "values")
@@ -133,7 +137,8 @@ class City(Summary):
         for name, array in (("values", value), ("error", error)):
             if array.shape != (len(face),):
                 raise ValueError(f"{name}: got shape {array.shape}, want ({len(face)},), one for each point")
-        means = part_means(self.surface, self.mesh.face_areas, face, value, error, count=len(self.surfaces), least=least)
+        more: Any = {"count": len(self.surfaces), "least": least, "runs": runs}
+        means = part_means(self.surface, self.mesh.face_areas, face, value, error, **more)
         earth = self.surfaces.type == GROUND
         values, errors = (np.where(earth, np.nan, array) for array in (means.value, means.standard_error))
         return values, errors, self.surfaces.area.copy()

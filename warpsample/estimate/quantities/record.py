@@ -20,6 +20,9 @@ OPTIONS = {argument: option for option, argument in ARGUMENTS.items()}
 _LAST = ("rays", "status")  # last columns of a table
 _OF_INTERVALS = ("spread", "degrees_of_freedom")  # fields for `interval`, without a column
 
+OF_MEANS = ("reflected_runs",)
+"""Fields of some results for the errors of means over points, which no file holds."""
+
 _NO_UNITS = ("", "mesh units")
 """Units that column names leave out: no unit, and the unit of the mesh."""
 
@@ -91,8 +94,9 @@ class Quantity:
 
     @property
     def sometimes(self) -> list[str]:
-        """Names of the result arrays with one row per point that are None in some results."""
-        return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is None]
+        """Names of the result arrays with one row per point that are None in some results, for files."""
+        left_out = (*self.shared, *OF_MEANS)
+        return [item.name for item in fields(self.result) if item.name not in left_out and item.default is None]
 
     def arrays_of(self, found: Any) -> dict[str, np.ndarray]:
         """Return all arrays of a result with a row for each point, keyed by field name."""
@@ -136,7 +140,7 @@ class Quantity:
         Statistics of skipped work are added. All further shared fields are those of the first part.
         """
         first = parts[0]
-        names = self.arrays_of(first)
+        names = [*self.arrays_of(first), *(name for name in OF_MEANS if getattr(first, name, None) is not None)]
         joined = {name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
         if "skipped" in self.shared:
             names = [item.name for item in fields(first.skipped)]

@@ -40,6 +40,7 @@ _LEAST_RAYS, _MOST_PLACES = 8, 32  # per patch and run
 _TOGETHER = 256  # columns of light that are computed at a time
 _MANY = 4  # least number of columns for which summing the rays to the same patch saves time
 _BYTES_OF_RAY = 40  # per ray of a patch
+_COLOURS = 3  # most columns for which the numbers of each run are returned
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,11 +86,14 @@ class Reflected:
         value: (P, T) float64, irradiance.
         error: (P, T) float64, standard error of `value`.
         rays: Number of rays per point.
+        runs: (P, T, REPLICATES) float32, `value` of each run, for the errors of means over points, which share the light of
+            the patches. None for more than three columns.
     """
 
     value: np.ndarray
     error: np.ndarray
     rays: int
+    runs: np.ndarray | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,17 +117,21 @@ class Reflections:
         count = max(1, count // REPLICATES)
         shape = len(points), self.leaving[0].shape[1]
         mean, squares = np.zeros(shape), np.zeros(shape)
+        runs = np.zeros((*shape, REPLICATES), np.float32) if shape[1] <= _COLOURS else None
         drawn = {name: getattr(options, name) for name in ("first_point", "active", "workers")}
         for number, leaving in enumerate(self.leaving):
             seed = _derive_seed("lobes", number, options.seed)
             for rows, seen in trace_lobes(Targets(self.patches), points, count, seed=seed, **drawn):
-                apart = _merge_entries(seen.patches, shape[1]) @ leaving - mean[rows]
+                found = _merge_entries(seen.patches, shape[1]) @ leaving
+                if runs is not None:
+                    runs[rows, :, number] = found
+                apart = found - mean[rows]
                 mean[rows] += apart / (number + 1)
                 squares[rows] += np.square(apart) * (number / (number + 1))
         error = np.sqrt(squares) / sqrt(REPLICATES * (REPLICATES - 1))
         brightest = np.mean([np.abs(leaving).max(axis=0, initial=0.0) for leaving in self.leaving], axis=0)
         error = np.where((mean == 0.0) & (error == 0.0), brightest / (REPLICATES * count), error)
-        return Reflected(mean, error, REPLICATES * count)
+        return Reflected(mean, error, REPLICATES * count, runs)
 
 
 def cached_reflections(mesh: Mesh, key: Hashable, find: Callable[[], Reflections]) -> Reflections:

@@ -37,10 +37,13 @@ class Irradiance(Estimate):
         reflected: Part of `value` from faces, by all orders of reflection, in the same shape and unit; None if all
             faces are black.
         reflected_error: Standard error of `reflected`; None if all faces are black.
+        reflected_runs: (P, 1 or 3, 8) float32, `reflected` of each of its eight runs, for errors of means over points; None
+            if all faces are black.
     """
 
     reflected: NDArray[np.float32] | None = None
     reflected_error: NDArray[np.float32] | None = None
+    reflected_runs: NDArray[np.float32] | None = None
 
 
 @with_options(RayKeywords)
@@ -155,4 +158,5 @@ def _add_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
         "reflected_error": error,
     }
     rays = found.rays + np.where(good, reflected.rays, 0).astype(np.int32)
-    return replace(found, rays=rays, **{name: array.astype(np.float32) for name, array in numbers.items()})
+    singles = {name: array.astype(np.float32) for name, array in numbers.items()}
+    return replace(found, rays=rays, reflected_runs=reflected.runs, **singles)

@@ -45,6 +45,8 @@ class Irradiation(PointResult):
         reflected: Part from faces, by all orders of reflection, in the shape and unit of `value`; None if all faces
             are black.
         reflected_error: Standard error of `reflected`; None if all faces are black.
+        reflected_runs: (P, 1, 8) float32, `reflected` of each of its eight runs, for errors of means over points; None if
+            all faces are black, or in each of T hours.
     """
 
     value: NDArray[np.float32]
@@ -58,6 +60,7 @@ class Irradiation(PointResult):
     skipped: SkySkipped
     reflected: np.ndarray | None = None
     reflected_error: np.ndarray | None = None
+    reflected_runs: np.ndarray | None = None
 
     _axes: ClassVar[tuple[str, ...]] = ("hour",)
 
@@ -188,6 +191,7 @@ def _add_reflected(found: Irradiation, reflected: Reflected, light: Light) -> Ir
         rays=found.rays + np.where(good, reflected.rays, 0).astype(np.int32),
         reflected=value,
         reflected_error=error,
+        reflected_runs=reflected.runs if found.value.ndim == 1 else None,
     )
 
 
