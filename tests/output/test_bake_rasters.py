@@ -104,7 +104,10 @@ def test_of_two_runs_that_start_together_one_keeps_its_folder(tmp_path):
 def test_a_file_in_the_place_of_the_tiles_is_kept(tmp_path, resume):
     store = tile_files.TileFiles(tmp_path / "sky.tif", resume)
     store.path.write_text("thesis")
-    with pytest.raises(ValueError, match=r"--output: got '.*\.sky\.tif\.tiles', which is a file, want another"), store.locked():
+    with (
+        pytest.raises(ValueError, match=r"--output: got '.*\.sky\.tif\.tiles', which is a file, want another"),
+        store.locked(),
+    ):
         pass
     assert store.path.read_text() == "thesis"
 
