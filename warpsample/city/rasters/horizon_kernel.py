@@ -7,6 +7,7 @@ azimuth's sky above an elevation, weighted as the quantity requires.
 import numpy as np
 import warp as wp
 
+from warpsample.city.rasters.horizon_errors import SEEN, Sums, add_azimuth, own_plane_error, seen_above, variance_of
 from warpsample.host.locks import once
 from warpsample.maths.memory import float_at, set_byte, set_float, set_int
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
@@ -25,27 +26,6 @@ _FLOATS = workspace_floats(_OWN, packets=True)
 _LEAST = wp.constant(wp.float64(1e-30))
 _TURN = wp.constant(wp.float32(2.0 * np.pi))
 _prepare, _blocked = prepare_rays(), rays_blocked()
-
-_Sums = wp.types.vector(length=10, dtype=wp.float64)
-"""Sums over the azimuths of a point, and three values of the latest azimuth that are compared with the next azimuth."""
-_SEEN, _JUMPS, _SPIKES, _WIDTHS = (wp.constant(wp.int32(row)) for row in range(4))
-_MIDDLE, _JUMP, _RUN = (wp.constant(wp.int32(row)) for row in range(4, 7))  # sine, last jump, azimuths of equal intervals
-_RANGE = wp.constant(wp.int32(7))  # sum of the widths of the final intervals, for the term of few open azimuths
-_SQUARES = wp.constant(wp.int32(8))  # sum of the squares of the azimuths' values, for the same term
-_DEEPEST = wp.constant(wp.int32(9))  # largest visible fraction that a hit has taken from an azimuth
-
-# Factors of the terms of the variance, see README.md. Theory gives 1/12 for a jump at a random place in a stratum. The
-# others are fitted to towns, terrain and yards (`tests/city/test_horizon_errors.py` checks the fit on other scenes).
-_OF_JUMP = wp.constant(wp.float64(1.0 / 16.0))
-_OF_SPIKE = wp.constant(wp.float64(0.35))
-_OF_WIDTH = wp.constant(wp.float64(0.1))
-_OF_WIDTH_BY_FEW = wp.constant(wp.float64(0.5))
-_OF_UNSEEN = wp.constant(wp.float64(0.6))
-_OF_FEW = wp.constant(wp.float64(0.3))
-_OF_MISSED = wp.constant(wp.float64(0.5))
-_KNOWN = wp.constant(wp.float64(4.0))  # depths of hits, within which the bound of an unseen depth does not count
-_OF_OWN_PLANE = wp.constant(wp.float64(0.95))
-_ROUNDING = wp.constant(wp.float64(2.0**-23))
 
 
 @wp.struct
@@ -86,24 +66,10 @@ def _plane_of(along: wp.float32, up: wp.float32) -> wp.float32:
 
 
 @wp.func
-def _seen_above(sine: wp.float64, along: wp.float64, up: wp.float64, cosine: wp.int32) -> wp.float64:
-    """Return the fraction of the sky that is visible in one azimuth above a horizon with the given sine of elevation.
-
-    cosine = 0: 1 - s with the sine s of the horizon. Else up (1 - s^2) + along (acos(s) - s sqrt(1 - s^2)).
-    """
-    if cosine == 0:
-        return ONE - sine
-    seen = up * (ONE - sine * sine)
-    if along != ZERO:
-        seen += along * (wp.acos(sine) - sine * wp.sqrt(ONE - sine * sine))
-    return seen
-
-
-@wp.func
 def _density(sine: wp.float64, along: wp.float64, up: wp.float64) -> wp.float64:
     """Return how fast the visible fraction of an azimuth's sky decreases with the sine of the horizon, at least 0.
 
-    It is minus the derivative of `_seen_above`.
+    It is minus the derivative of `seen_above`.
     """
     return wp.max(TWO * (up * sine + along * wp.sqrt(wp.max(ONE - sine * sine, ZERO))), ZERO)
 
@@ -119,10 +85,10 @@ def _as_dense(low: wp.float64, high: wp.float64, u: wp.float64, along: wp.float6
     whole = u * (start + end)
     share = whole / wp.max(start + wp.sqrt(start * start + (end - start) * whole), _LEAST)
     sine = low + wp.min(share, ONE) * (high - low)
-    top = _seen_above(low, along, up, 1)
-    wanted = top - u * (top - _seen_above(high, along, up, 1))
+    top = seen_above(low, along, up, 1)
+    wanted = top - u * (top - seen_above(high, along, up, 1))
     for _ in range(2):
-        step = (_seen_above(sine, along, up, 1) - wanted) / wp.max(_density(sine, along, up), _LEAST)
+        step = (seen_above(sine, along, up, 1) - wanted) / wp.max(_density(sine, along, up), _LEAST)
         sine = wp.min(wp.max(sine + step, low), high)
     return sine
 
@@ -193,46 +159,7 @@ def _narrow(point: ShadingPoint, length: wp.int32, blocked: wp.uint64):
 
 
 @wp.func
-def _add_azimuth(
-    sums: _Sums, low: wp.float64, high: wp.float64, free: wp.bool, along: wp.float64, up: wp.float64, cosine: wp.int32
-) -> _Sums:
-    """Return the sums for value and variance with one more azimuth, whose horizon is between `low` and `high`.
-
-    Args:
-        sums: Sums over the preceding azimuths, in their order around the point.
-        low, high: Sines of elevation.
-        free: Whether the last ray hit nothing.
-        along, up: Components of the normal along the azimuth and upwards.
-        cosine: 1 for weights by the cosine to the normal, 0 for weights by solid angle.
-    """
-    middle = HALF * (low + high)
-    above_low = _seen_above(low, along, up, cosine)
-    above_high = _seen_above(high, along, up, cosine)
-    seen = wp.where(free, above_low, above_high)
-    sums[_SEEN] += seen
-    sums[_SQUARES] += seen * seen
-    run = sums[_RUN]
-    jump = ZERO
-    if run > ZERO and (sums[_MIDDLE] < low or sums[_MIDDLE] >= high):
-        jump = _seen_above(sums[_MIDDLE], along, up, cosine) - _seen_above(middle, along, up, cosine)
-        run = ZERO
-        if jump * sums[_JUMP] < ZERO:
-            back = wp.min(wp.abs(jump), wp.abs(sums[_JUMP]))
-            sums[_SPIKES] += back * back
-    plane = wp.where(cosine == 0, ZERO, wp.float64(_plane_of(wp.float32(along), wp.float32(up))))
-    sums[_DEEPEST] = wp.max(sums[_DEEPEST], _seen_above(plane, along, up, cosine) - above_low)
-    width = above_low - above_high
-    sums[_RANGE] += width
-    sums[_WIDTHS] += width * width * (wp.sqrt(run + ONE) - wp.sqrt(run))
-    sums[_JUMPS] += jump * jump
-    sums[_MIDDLE] = middle
-    sums[_JUMP] = jump
-    sums[_RUN] = run + ONE
-    return sums
-
-
-@wp.func
-def _add_chunk(rows: HorizonRows, point: ShadingPoint, sums: _Sums, length: wp.int32, blocked: wp.uint64) -> _Sums:
+def _add_chunk(rows: HorizonRows, point: ShadingPoint, sums: Sums, length: wp.int32, blocked: wp.uint64) -> Sums:
     """Return the sums for value and variance with `length` more azimuths, after all their rays."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     for k in range(length):
@@ -240,14 +167,14 @@ def _add_chunk(rows: HorizonRows, point: ShadingPoint, sums: _Sums, length: wp.i
         free = (blocked & ray_set(k)) == NO_RAYS
         low = wp.float64(own[_LOW + k])
         high = wp.float64(own[_HIGH + k])
-        sums = _add_azimuth(sums, low, high, free, along, wp.float64(point.n[2]), rows.cosine)
+        sums = add_azimuth(sums, low, high, free, along, wp.float64(point.n[2]), rows.cosine)
     return sums
 
 
 @wp.func
 def _look_around(
-    rows: HorizonRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, at: wp.int32, sums: _Sums
-) -> _Sums:
+    rows: HorizonRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, at: wp.int32, sums: Sums
+) -> Sums:
     """Search for the horizon in several azimuths, starting with number `at`, and add the results to the sums."""
     length = wp.min(CHUNK, rows.azimuths - at)
     tilted = rows.cosine != 0 and (point.n[0] != 0.0 or point.n[1] != 0.0)
@@ -265,35 +192,6 @@ def _look_around(
     return _add_chunk(rows, point, sums, length, blocked)
 
 
-@wp.func
-def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.float64) -> wp.float64:
-    """Return the variance of a point's visible sky fraction, estimated from how its horizons vary between azimuths.
-
-    whole: value of the receiver under an unobstructed sky. depth: bound of what one azimuth may lose, from `bound_depths`.
-    """
-    gaps = azimuths / (azimuths - ONE)  # the last azimuth is not compared with the first
-    jumps = gaps * (_OF_JUMP * sums[_JUMPS] + _OF_SPIKE * sums[_SPIKES])
-    widths = (_OF_WIDTH + _OF_WIDTH_BY_FEW / azimuths) * sums[_WIDTHS]
-    value = sums[_SEEN] / azimuths
-    unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
-    few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * wp.max(ONE - sums[_SEEN], ZERO)
-    missed = _OF_MISSED * wp.max(depth - _KNOWN * sums[_DEEPEST], ZERO)
-    return wp.max(wp.max(jumps + widths + unseen, few), missed * missed) / (azimuths * azimuths)
-
-
-@wp.func
-def _own_plane_error(n: wp.vec3, azimuths: wp.float64) -> wp.float64:
-    """Return the standard error due to the edge of a tilted receiver's own plane with evenly spaced azimuths, plus rounding.
-
-    The second derivative with respect to the azimuth jumps twice, by 2 sin(slope)^2 / cos(slope). The error is B3(x) / 6
-    times that jump, where B3 is the Bernoulli polynomial.
-    """
-    level = wp.float64(n[0] * n[0] + n[1] * n[1])
-    if level == ZERO:
-        return ZERO
-    return _OF_OWN_PLANE * level / (wp.float64(n[2]) * azimuths * azimuths * azimuths) + _ROUNDING
-
-
 @once
 def horizon_kernel() -> wp.Kernel:
     """Build the kernel that computes the visible sky fraction of each point and its standard error."""
@@ -305,7 +203,7 @@ def horizon_kernel() -> wp.Kernel:
         point = orient_point(point_in(memory.ptr, _OWN, CHUNK_FLOATS), rows.placement, rows.normals, wp.uint64(0), visit)
         point = place_point(point, rows.placement, 1)
         point.key = point_key(rows.seed, id_of(rows.placement, wp.uint64(0), point.index))
-        sums = _Sums()
+        sums = Sums()
         variance = ZERO
         cast = wp.int32(0)
         azimuths = wp.float64(rows.azimuths)
@@ -321,11 +219,11 @@ def horizon_kernel() -> wp.Kernel:
             cast = wp.where(seen.starts != 0 or local != 0, rows.azimuths * rows.per_azimuth, 0)
             if near.starts != 0 or around != 0:
                 whole = wp.where(rows.cosine != 0, HALF + HALF * wp.float64(point.n[2]), ONE)
-                variance = _variance(sums, azimuths, whole, wp.float64(float_at(rows.depths, point.index)))
+                variance = variance_of(sums, azimuths, whole, wp.float64(float_at(rows.depths, point.index)))
             if rows.cosine != 0:
-                own = _own_plane_error(point.n, azimuths)
+                own = own_plane_error(point.n, azimuths)
                 variance += own * own
-        set_float(rows.value, point.index, wp.float32(sums[_SEEN] / azimuths))
+        set_float(rows.value, point.index, wp.float32(sums[SEEN] / azimuths))
         error = wp.min(wp.sqrt(variance), HALF)  # no value between 0 and 1 has a larger standard deviation
         set_float(rows.standard_error, point.index, wp.float32(error))
         set_int(rows.rays, point.index, cast)

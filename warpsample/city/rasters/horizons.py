@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.city.rasters.horizon_kernel import HorizonRowsArgs, horizon_kernel
+from warpsample.city.rasters.narrow_objects import bound_depths
 from warpsample.city.rasters.scenery import Seen
 from warpsample.estimate.intervals import half_width_of_normal
 from warpsample.estimate.plan import Plan, reach_of
@@ -20,7 +21,6 @@ from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.estimate.visibility import sky_view_factor
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
-from warpsample.host.locks import imported
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -31,8 +31,6 @@ from warpsample.tracing.rays import RAY_WORK
 
 _MOST_RAYS, _MOST_OF_MANY, _MANY = 4, 5, 512  # rays per azimuth, at most; the second number for _MANY rays and more
 _ARRAYS = {"value": np.float32, "standard_error": np.float32, "rays": np.int32, "status": np.uint8}
-_MOST_TOPS = 2048  # cells of the grid of highest vertices along a side
-_SHORTEST = 1e-30  # length of a normal, so that 0 / 0 gives 0
 _OPTIONS = ("count", "max_distance", "seed", "skip", "workers", "progress")
 
 
@@ -75,7 +73,7 @@ def _search_horizons(plan: Plan, reach: float, cosine: bool) -> Seen:
     order = plan.at.order(placement, plan.count, options.workers)
     placement.order = 0 if order is None else order.ctypes.data
     azimuths, rays = azimuths_and_rays(plan.count)
-    depths = _bound_depths(plan.at, azimuths, cosine, reach)
+    depths = bound_depths(plan.at, azimuths, cosine, reach)
     rows = HorizonRowsArgs(
         placement=placement,
         seed=seed_for("horizons", options.seed),
@@ -91,47 +89,6 @@ def _search_horizons(plan: Plan, reach: float, cosine: bool) -> Seen:
         work = RAY_WORK * points * plan.count
         run(horizon_kernel(), points, [rows, accelerator], cpu(), workers=options.workers, work=work)
     return _collect_results(found)
-
-
-def _bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) -> np.ndarray:
-    """Bound how much of the sky of one azimuth an object hides that no azimuth has hit, (P,) float32.
-
-    Objects are at least as wide as a cell. So an azimuth hits all objects that are closer than the distance at which a cell
-    spans the angle between two azimuths. For rings beyond it, each twice as wide as the one before, the elevation of the
-    highest object is at most that of the highest vertex within the ring's outer radius, at its inner radius. In a large
-    scene the rings begin farther away, at 1/512 of its extent.
-    """
-    assert at.mesh is not None
-    vertices, points = at.mesh.vertices, np.asarray(at.points.position, np.float64)
-    low, size = vertices[:, :2].min(axis=0), np.ptp(vertices[:, :2], axis=0)
-    nearest = _cell_width(at.mesh) * azimuths / (2.0 * np.pi)
-    cell = max(nearest / 4.0, size.max() / _MOST_TOPS)
-    where = [np.nan_to_num((each[:, :2] - low) / cell).clip(0, size / cell).astype(np.int64) for each in (vertices, points)]
-    tops = np.full(np.int64(size / cell) + 1, -np.inf)
-    np.maximum.at(tops, tuple(where[0].T), vertices[:, 2])
-    find_highest = imported("scipy.ndimage").maximum_filter
-    slope, radius, level = np.zeros(len(points)), 4.0 * cell, 0
-    while radius < min(np.hypot(*size), reach):
-        highest = find_highest(tops, 17, mode="constant", cval=-np.inf)  # within 8 cells of the grid: the outer radius
-        slope = np.fmax(slope, (highest[tuple(where[1].T >> level)] - points[:, 2]) / radius)
-        tops = np.pad(tops, [(0, length % 2) for length in tops.shape], constant_values=-np.inf)
-        tops = tops.reshape(len(tops) // 2, 2, -1, 2).max(axis=(1, 3))
-        radius, level = 2.0 * radius, level + 1
-    if not cosine:
-        return (slope / np.hypot(1.0, slope)).astype(np.float32)
-    # What is as steep as a tilted receiver is hidden by its plane, or is terrain that its azimuths hit.
-    up = (at.normal[:, 2] / np.maximum(np.linalg.norm(at.normal, axis=1), _SHORTEST)).clip(_SHORTEST, 1.0)
-    tilt = np.sqrt(1.0 - up**2)
-    slope = np.maximum(slope - 2.0 * tilt / up, 0.0)
-    sine = slope / np.hypot(1.0, slope)
-    return (up * sine**2 + tilt * sine).astype(np.float32)
-
-
-def _cell_width(mesh: Mesh) -> float:
-    """Return the width of the cells of a field of heights: the shortest side of its first triangle, seen from above."""
-    corners = mesh.vertices[mesh.faces[0], :2]
-    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1)
-    return float(min(sides[sides > 0.0], default=np.inf))
 
 
 def _collect_results(found: dict[str, np.ndarray]) -> Seen:

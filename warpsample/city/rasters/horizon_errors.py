@@ -1,0 +1,115 @@
+"""Standard errors of horizons: sums over the azimuths of a point, and the variance that follows from them.
+
+The terms of the variance are explained in README.md.
+"""
+
+import warp as wp
+
+from warpsample.maths.numerics import HALF, ONE, ZERO
+
+Sums = wp.types.vector(length=11, dtype=wp.float64)
+"""Sums over the azimuths of a point, and values of the latest azimuth that are compared with the next azimuth."""
+SEEN, _JUMPS, _SPIKES, _WIDTHS = (wp.constant(wp.int32(row)) for row in range(4))
+_LOW, _HIGH, _JUMP, _RUN = (wp.constant(wp.int32(row)) for row in range(4, 8))  # sines, jump, azimuths of equal intervals
+_RANGE = wp.constant(wp.int32(8))  # sum of the widths of the final intervals, for the term of few open azimuths
+_SQUARES = wp.constant(wp.int32(9))  # sum of the squares of the azimuths' values, for the same term
+_CHANGE = wp.constant(wp.int32(10))  # largest change of the visible fraction from an azimuth to the next, at least
+
+# Factors of the terms of the variance, see README.md. Theory gives 1/12 for a jump at a random place in a stratum. The
+# others are fitted to towns, terrain and yards (`tests/city/test_horizon_errors.py` checks the fit on other scenes).
+_OF_JUMP = wp.constant(wp.float64(1.0 / 16.0))
+_OF_SPIKE = wp.constant(wp.float64(0.35))
+_OF_WIDTH = wp.constant(wp.float64(0.1))
+_OF_WIDTH_BY_FEW = wp.constant(wp.float64(0.5))
+_OF_UNSEEN = wp.constant(wp.float64(0.6))
+_OF_FEW = wp.constant(wp.float64(0.3))
+_OF_MISSED = wp.constant(wp.float64(0.5))
+_KNOWN = wp.constant(wp.float64(4.0))  # changes, within which the bound of an unseen depth does not count
+_OF_OWN_PLANE = wp.constant(wp.float64(0.95))
+_ROUNDING = wp.constant(wp.float64(2.0**-23))
+
+
+@wp.func
+def seen_above(sine: wp.float64, along: wp.float64, up: wp.float64, cosine: wp.int32) -> wp.float64:
+    """Return the fraction of the sky that is visible in one azimuth above a horizon with the given sine of elevation.
+
+    cosine = 0: 1 - s with the sine s of the horizon. Else up (1 - s^2) + along (acos(s) - s sqrt(1 - s^2)).
+    """
+    if cosine == 0:
+        return ONE - sine
+    seen = up * (ONE - sine * sine)
+    if along != ZERO:
+        seen += along * (wp.acos(sine) - sine * wp.sqrt(ONE - sine * sine))
+    return seen
+
+
+@wp.func
+def add_azimuth(
+    sums: Sums, low: wp.float64, high: wp.float64, free: wp.bool, along: wp.float64, up: wp.float64, cosine: wp.int32
+) -> Sums:
+    """Return the sums for value and variance with one more azimuth, whose horizon is between `low` and `high`.
+
+    Args:
+        sums: Sums over the preceding azimuths, in their order around the point.
+        low, high: Sines of elevation.
+        free: Whether the last ray hit nothing.
+        along, up: Components of the normal along the azimuth and upwards.
+        cosine: 1 for weights by the cosine to the normal, 0 for weights by solid angle.
+    """
+    middle = HALF * (low + high)
+    above_low = seen_above(low, along, up, cosine)
+    above_high = seen_above(high, along, up, cosine)
+    seen = wp.where(free, above_low, above_high)
+    sums[SEEN] += seen
+    sums[_SQUARES] += seen * seen
+    run = sums[_RUN]
+    jump = ZERO
+    before = HALF * (sums[_LOW] + sums[_HIGH])
+    if run > ZERO and (before < low or before >= high):
+        jump = seen_above(before, along, up, cosine) - seen_above(middle, along, up, cosine)
+        run = ZERO
+        if jump * sums[_JUMP] < ZERO:
+            back = wp.min(wp.abs(jump), wp.abs(sums[_JUMP]))
+            sums[_SPIKES] += back * back
+        if low > sums[_HIGH]:
+            sums[_CHANGE] = wp.max(sums[_CHANGE], seen_above(sums[_HIGH], along, up, cosine) - above_low)
+        elif high < sums[_LOW]:
+            sums[_CHANGE] = wp.max(sums[_CHANGE], above_high - seen_above(sums[_LOW], along, up, cosine))
+    width = above_low - above_high
+    sums[_RANGE] += width
+    sums[_WIDTHS] += width * width * (wp.sqrt(run + ONE) - wp.sqrt(run))
+    sums[_JUMPS] += jump * jump
+    sums[_LOW] = low
+    sums[_HIGH] = high
+    sums[_JUMP] = jump
+    sums[_RUN] = run + ONE
+    return sums
+
+
+@wp.func
+def variance_of(sums: Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.float64) -> wp.float64:
+    """Return the variance of a point's visible sky fraction, estimated from how its horizons vary between azimuths.
+
+    whole: value of the receiver under an unobstructed sky. depth: bound of what one azimuth may lose, from `bound_depths`.
+    """
+    gaps = azimuths / (azimuths - ONE)  # the last azimuth is not compared with the first
+    jumps = gaps * (_OF_JUMP * sums[_JUMPS] + _OF_SPIKE * sums[_SPIKES])
+    widths = (_OF_WIDTH + _OF_WIDTH_BY_FEW / azimuths) * sums[_WIDTHS]
+    value = sums[SEEN] / azimuths
+    unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
+    few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * wp.max(ONE - sums[SEEN], ZERO)
+    missed = _OF_MISSED * wp.max(depth - _KNOWN * sums[_CHANGE], ZERO)
+    return wp.max(wp.max(jumps + widths + unseen, few), missed * missed) / (azimuths * azimuths)
+
+
+@wp.func
+def own_plane_error(n: wp.vec3, azimuths: wp.float64) -> wp.float64:
+    """Return the standard error due to the edge of a tilted receiver's own plane with evenly spaced azimuths, plus rounding.
+
+    The second derivative with respect to the azimuth jumps twice, by 2 sin(slope)^2 / cos(slope). The error is B3(x) / 6
+    times that jump, where B3 is the Bernoulli polynomial.
+    """
+    level = wp.float64(n[0] * n[0] + n[1] * n[1])
+    if level == ZERO:
+        return ZERO
+    return _OF_OWN_PLANE * level / (wp.float64(n[2]) * azimuths * azimuths * azimuths) + _ROUNDING
