@@ -21,6 +21,7 @@ from warpsample.city.rasters.sources.reading import reader_of
 from warpsample.city.rasters.tiles import RasterRun
 from warpsample.estimate.quantities.ambient_occlusion import RECORD as OCCLUSION
 from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY
+from warpsample.estimate.quantities.visible_sky import RECORD as VISIBLE_SKY
 
 OPTIONS = {"model": "joined", "receiver": "horizontal", "canopy": None, "trunk": 0.25, "relative": True}
 OPTIONS |= {"transmittance": 0.03, "tile": None, "margin": None, "far": None}
@@ -446,3 +447,25 @@ def test_sun_hours_and_irradiation_through_crowns():
         without_crowns = call(flat, "athens", **given).value
         assert (one.value <= without_crowns).all()
         assert one.value[2, 2] < 0.9 * without_crowns[2, 2]  # below a crown
+
+
+@pytest.mark.parametrize(("tile", "canopy"), [(None, True), (8, False)])
+def test_a_missed_tolerance_is_reported_once(tile, canopy):
+    """A tile is computed twice, with too high and too low terrain; a raster with crowns is traced with and without them."""
+    heights = np.zeros((20, 20))
+    heights[3, 3] = 9.0
+    options = {"tile": tile, "margin": tile and 2, "canopy": (np.eye(20) * 5.0, NORTH_UP, None) if canopy else None}
+    with pytest.warns(UserWarning, match="tolerance: got 0.001, which is not reached with 64 rays per point") as heard:
+        found = ws.rasters.visible_sky((heights, NORTH_UP, None), 64, tolerance=0.001, **options)
+    assert len(heard) == 1
+    assert heard[0].filename == __file__
+    assert found.standard_error.max() > 0.001
+
+
+def test_a_check_does_not_warn_of_a_missed_tolerance():
+    """The check computes four cells of level ground, not the raster."""
+    level = run(np.zeros((20, 20)), VISIBLE_SKY, tile=8, margin=2)
+    level.options["tolerance"] = 1e-6
+    level.check()
+    with pytest.warns(UserWarning, match="tolerance: got 1e-06"):
+        whole(level)

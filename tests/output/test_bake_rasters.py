@@ -100,10 +100,21 @@ def test_of_two_runs_that_start_together_one_keeps_its_folder(tmp_path):
     assert first.path.is_dir()  # the folder of yet another run
 
 
-@pytest.mark.skipif(tile_files.fcntl is None, reason="Windows does not lock folders")
-def test_a_file_in_the_place_of_the_tiles_is_kept(tmp_path):
-    store = tile_files.TileFiles(tmp_path / "sky.tif", resume=False)
+@pytest.mark.parametrize("resume", [False, True])
+def test_a_file_in_the_place_of_the_tiles_is_kept(tmp_path, resume):
+    store = tile_files.TileFiles(tmp_path / "sky.tif", resume)
     store.path.write_text("thesis")
-    with pytest.raises(tile_files.WriteError, match=r"sky.tif.tiles cannot be written: Not a directory"), store.locked():
+    with (
+        pytest.raises(ValueError, match=r"--output: got '.*\.sky\.tif\.tiles', which is a file, want another"),
+        store.locked(),
+    ):
         pass
     assert store.path.read_text() == "thesis"
+
+
+def test_a_link_to_nowhere_in_the_place_of_the_tiles_is_kept(tmp_path):
+    store = tile_files.TileFiles(tmp_path / "sky.tif", resume=False)
+    store.path.symlink_to(tmp_path / "nowhere")
+    with pytest.raises(ValueError, match="which is a file, want another"), store.locked():
+        pass
+    assert store.path.is_symlink()

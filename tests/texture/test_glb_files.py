@@ -6,7 +6,7 @@ import struct
 from base64 import b64decode
 
 import pytest
-from textured_scenes import RAYS, baked, changed, floor_and_glass, opened, rich, with_data_outside
+from textured_scenes import RAYS, array_of, baked, changed, floor_and_glass, opened, rich, with_data_outside
 
 import warpsample as ws
 
@@ -191,3 +191,57 @@ def test_data_that_the_old_file_names_stay(call, tmp_path):
     other.write_text(json.dumps(tree))
     assert call("bake", path, "-o", output, "--texture", 32, "--samples", 2)[0] == 0
     assert (data.read_bytes(), sorted(tmp_path.iterdir())) == (held, [path, data, output])
+
+
+def test_extensions_that_number_vertices_are_left_out_with_new_coordinates(call, tmp_path):
+    """Before, they kept the old numbers, so that outlines joined other vertices. Unknown ones are named."""
+    outline = {"indices": 3}
+
+    def extend(tree):
+        for mesh in tree["meshes"]:
+            mesh["extensions"] = {"EXT_mesh_manifold": {"mergeIndices": 3}}
+            more = {"CESIUM_primitive_outline": outline, "EXT_nobody_knows": {}}
+            mesh["primitives"][0]["extensions"] = mesh["primitives"][0].get("extensions", {}) | more
+
+    (tmp_path / "in.glb").write_bytes(changed(rich(), extend))
+    command = ("bake", tmp_path / "in.glb", "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 4)
+    status, out, err = call(*command, "--uv", "new")
+    assert (status, err) == (0, "")
+    start = "new coordinates renumber the vertices of 'floor', 'Wånd'"
+    for name in ("CESIUM_primitive_outline", "EXT_mesh_manifold"):
+        assert out.count(f"{start}, and so {name} is left out\n") == 1
+    assert out.count(f"{start}; EXT_nobody_knows is kept, and may have old numbers\n") == 1
+    floor, wall, spare = opened(tmp_path / "out.glb")[0]["meshes"]
+    assert "extensions" not in {**floor, **wall}
+    assert floor["primitives"][0]["extensions"] == {"EXT_nobody_knows": {}}
+    assert wall["primitives"][0]["extensions"].keys() == {"KHR_materials_variants", "EXT_nobody_knows"}
+    assert spare["primitives"][0]["extensions"]["CESIUM_primitive_outline"] == outline  # outside the scene
+
+    (tmp_path / "in.glb").write_bytes(changed(rich(), extend))
+    assert "new coordinates" not in call(*command, "--uv", "0")[1]
+    assert opened(tmp_path / "out.glb")[0]["meshes"][0]["primitives"][0]["extensions"]["CESIUM_primitive_outline"] == outline
+
+
+@pytest.mark.parametrize("uv", ["0", "new"])
+def test_an_accessor_without_a_view_is_of_zeros(call, tmp_path, uv):
+    """Before, the message named sparse accessors, which the file does not have."""
+
+    def of_zeros(tree):
+        tree["accessors"][9] = {"componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [0, 0, 0]}
+
+    (tmp_path / "in.glb").write_bytes(changed(rich(), of_zeros))
+    command = ("bake", tmp_path / "in.glb", "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 4)
+    assert call(*command, "--uv", uv)[::2] == (0, "")
+    tree, data, _ = opened(tmp_path / "out.glb")
+    number = tree["meshes"][1]["primitives"][0]["targets"][0]["POSITION"]
+    assert (number == 9) == (uv == "0")
+    assert uv == "0" or not array_of(tree, data, number).any()
+
+
+def test_an_accessor_of_more_zeros_than_memory_is_refused(call, tmp_path):
+    def of_zeros(tree):
+        tree["accessors"][0] = {"componentType": 5126, "count": 10**15, "type": "VEC3"}
+
+    (tmp_path / "in.glb").write_bytes(changed(rich(), of_zeros))
+    status, _, err = call("bake", tmp_path / "in.glb", "-o", tmp_path / "out.glb", "--texture", 32)
+    assert (status, "accessors[0], 1,000,000,000,000,000 VEC3 of zeros, need" in err) == (2, True)

@@ -131,8 +131,8 @@ def test_a_tangent_that_is_none_is_computed_as_a_whole(tmp_path, row):
     """Also its sign, here -1 for the mirrored coordinates of both quads, and not the sign of the file."""
     paths = [two_quads(tmp_path)]
     mesh, uv = ws.load_mesh(paths[0]), ws.load_uv(paths[0])
-    found = [Frames.of(paths[0], mesh, uv, [slice(None)]).tangents]
-    found.append(Frames.of(two_quads(tmp_path, TANGENT=np.tile(np.float32(row), (4, 1))), mesh, uv, [slice(None)]).tangents)
+    found = [Frames.of(paths[0], mesh, uv).tangents]
+    found.append(Frames.of(two_quads(tmp_path, TANGENT=np.tile(np.float32(row), (4, 1))), mesh, uv).tangents)
     assert np.array_equal(*found)
     assert (found[0][..., 3] == -1).all()
 

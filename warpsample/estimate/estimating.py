@@ -1,6 +1,9 @@
 """Computation of an estimate, with a fixed number of rays per point or with as many as a tolerance requires."""
 
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +17,21 @@ from warpsample.estimate.tolerance import error_of, find_count
 from warpsample.host.progress import bar, log
 
 _MISSED = 1.1  # times the tolerance: the error's own error is a few percent
+_messages: ContextVar[list[str] | None] = ContextVar("messages", default=None)
+
+
+@contextmanager
+def collect_missed_tolerances() -> Iterator[list[str]]:
+    """Collect the warnings of tolerances that are not reached within a `with` statement, in place of showing them.
+
+    A call that consists of several estimates uses this function to warn once.
+    """
+    messages: list[str] = []
+    token = _messages.set(messages)
+    try:
+        yield messages
+    finally:
+        _messages.reset(token)
 
 
 def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
@@ -31,11 +49,14 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
         main = runner.result(options.seed, count)
         missed = error_of(main, has_value(main.status)) > _MISSED * plan.tolerance
         if count == plan.count and missed and main.rays.any():  # without rays, each value is proven
-            warnings.warn(
+            message = (
                 f"tolerance: got {plan.tolerance:g}, which is not reached with {count:,} rays per point; "
-                "allow more rays with a larger count (--samples)",
-                stacklevel=4,
+                "allow more rays with a larger count (--samples)"
             )
+            if (messages := _messages.get()) is None:
+                warnings.warn(message, stacklevel=4)
+            else:
+                messages.append(message)
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
     unneeded = saved * np.count_nonzero(has_value(main.status)) - int(trial.sum(dtype=np.int64))
     return replace(main, rays=main.rays + trial, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))

@@ -62,11 +62,6 @@ class TextureJob:
             assert self.remake is not None
             yield replace(self, name=f"{self.name}, place {place + 2}", points=self.remake(group), group=group)
 
-    @property
-    def rows(self) -> list[slice]:
-        """Ranges of the mesh's faces that show the image, one for each glTF primitive."""
-        return [one.faces for one in self.group] or [slice(len(self.points.mesh.faces))]
-
     def convert_lengths(
         self, lengths: np.ndarray, directions: np.ndarray, face: np.ndarray, weights: np.ndarray
     ) -> np.ndarray:

@@ -15,6 +15,8 @@ from warpsample.mesh.mesh import Mesh
 _VARIANTS = "KHR_materials_variants"
 _ROUNDING = 1e-6
 """Largest relative difference between scales that counts as rounding of float32 normals and matrices."""
+_FLAT = 1e-9  # of the volume for equal scales: a matrix with less has rounding errors in place of one direction
+_UNEVEN = 1e-5  # largest relative difference of squared scales that turns tangents by less than a picture's rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +36,7 @@ class Primitive:
         matrix: matrix from vectors in the mesh to those in the scene, vector @ matrix; (3, 3), or (V, 3, 3) with a skin.
         materials: numbers of the primitive's material and of its material variants.
         node: number of the node that places the primitive.
+        points: (V, 3) positions of the vertices in the mesh, before the node or the joints place them.
         others: the same primitive at its other places; `visible_primitives` leaves out places without an area.
     """
 
@@ -49,12 +52,24 @@ class Primitive:
     matrix: np.ndarray
     materials: list[int]
     node: int
+    points: np.ndarray = field(default_factory=lambda: np.empty((0, 3)))
     others: list["Primitive"] = field(default_factory=list)
 
     @cached_property
     def inverse(self) -> np.ndarray:
         """Inverse of `matrix`; a direction that the matrix flattens to 0 stays 0."""
         return np.linalg.pinv(self.matrix)
+
+    @property
+    def is_distorted(self) -> bool:
+        """Whether the place changes angles, but flattens nothing: by scales that differ by axis, or by several joints."""
+        rows = self.matrix.reshape(-1, 3, 3)
+        squares = rows @ rows.transpose(0, 2, 1)
+        size = np.trace(squares, axis1=1, axis2=2) / 3.0
+        if (np.abs(np.linalg.det(rows)) <= _FLAT * size**1.5).any():
+            return False
+        is_uniform = np.abs(squares - size[:, None, None] * np.eye(3)).max(axis=(1, 2)) <= _UNEVEN * size
+        return not is_uniform.all() or float(np.abs(rows - rows[:1]).max(initial=0.0)) > 0.0
 
     def convert_lengths(
         self, lengths: np.ndarray, directions: np.ndarray, face: np.ndarray, weights: np.ndarray
@@ -99,7 +114,7 @@ def list_primitives(tree: Part, data: Data) -> list[Primitive]:
         materials = [part.index("material", known) for part in list_material_references(one.primitive)]
         poses = one.skin and one.skin.poses(one.primitive, data)  # joints place a skin, and its node does not
         scale, moves = (np.cbrt(abs(volume)), one.matrix) if poses is None else (1.0, poses)
-        place = {"mirrored": volume < 0.0, "scale": scale, "matrix": moves[..., :3, :3].copy()}
+        place = {"mirrored": volume < 0.0, "scale": scale, "matrix": moves[..., :3, :3].copy(), "points": points}
         node = int(one.node.path[len("nodes[") : -1])
         made = Primitive(one.mesh, one.number, one.primitive, name, *rows, own, materials=materials, node=node, **place)
         first = found.setdefault((one.mesh, one.number), made)

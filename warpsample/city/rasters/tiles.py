@@ -4,8 +4,9 @@ Random numbers of a cell depend on its number in the whole raster, row * columns
 except for the pooled terrain and for float32 rounding in another mesh.
 """
 
+import warnings
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -21,6 +22,7 @@ from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, build_surf
 from warpsample.city.rasters.scenery import Foreground, Part, Scenery, Seen, join_triangles
 from warpsample.city.rasters.sources.reader import RasterReader
 from warpsample.city.rasters.sources.reading import ground_of, reader_of
+from warpsample.estimate.estimating import collect_missed_tolerances
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import has_value
 from warpsample.host.arguments import check_choice, check_integer, quote
@@ -48,6 +50,7 @@ class RasterRun:
         tile: Number of cells along the sides of a tile; None for a single tile.
         margin: Number of full-resolution cells around a tile.
         other: Reader of the terrain beyond the edges, or None.
+        warned: Whether a tile has already warned that it does not reach the tolerance.
     """
 
     reader: RasterReader
@@ -60,6 +63,7 @@ class RasterRun:
     tile: int | None
     margin: int
     other: RasterReader | None
+    warned: bool = field(default=False, init=False)
 
     @classmethod
     def of(
@@ -117,7 +121,9 @@ class RasterRun:
             TypeError, ValueError: An option that cannot be used, or a raster without heights; the message names it.
         """
         flat = replace(self.reader, shape=(2, 2), coordinates={}, heights=lambda *_: np.zeros((2, 2)))
-        replace(self, reader=flat, canopy=None, tile=None, other=None).numbers((slice(0, 2), slice(0, 2)))
+        trial = replace(self, reader=flat, canopy=None, tile=None, other=None)
+        trial.warned = True  # the raster's own tiles warn of a missed tolerance
+        trial.numbers((slice(0, 2), slice(0, 2)))
         self.reader.check_heights(self.model)
 
     @property
@@ -194,10 +200,14 @@ class RasterRun:
         foreground = self._build_foreground(ground, grid, window)
         del ground  # whose arrays are in it
         scenes = self._build_scenes(foreground, span, near)
-        found = [self._compute_values(points, scenery) for scenery in scenes]
+        with collect_missed_tolerances() as missed:
+            found = [self._compute_values(points, scenery) for scenery in scenes]
         for name, values in _average_bounds(found).items():
             if name in laid:
                 laid[name][i, j] = values
+        if missed and not self.warned:
+            self.warned = True
+            warnings.warn(missed[0], stacklevel=5)
         return laid
 
     def _build_ground(self, grid: Grid, window: Span, span: Span) -> tuple[SurfacePoints, np.ndarray, Part]:

@@ -10,11 +10,13 @@ from urllib.parse import unquote
 import numpy as np
 
 from warpsample.host.arguments import check_file, quote
+from warpsample.host.engine import check_memory
 from warpsample.host.json_tree import Part, parsed
 
 _WHOLE = {5121: "<u1", 5123: "<u2", 5125: "<u4"}
 _KINDS = {**_WHOLE, 5120: "<i1", 5122: "<i2", 5126: "<f4"}
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+_COPIES = 8  # memory for an array of zeros and what a reader computes from it, in sizes of the array
 _SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]+:")  # scheme of a URI; one letter is a drive of Windows
 
 
@@ -70,7 +72,7 @@ class Data:
     def _numbers(self, by: Part, key: str, *, shape: str, width: int, kinds: Mapping[int, str]) -> tuple[Part, np.ndarray]:
         """Return a glTF accessor and its array, (V, width), after checks of type and bounds."""
         accessor = self.accessors[by.index(key, self.accessors)]
-        if "sparse" in accessor or "bufferView" not in accessor:
+        if "sparse" in accessor:
             raise ValueError(
                 "the file has sparse accessors, want a file that stores all numbers; export it without sparse accessors"
             )
@@ -80,6 +82,9 @@ class Data:
             raise ValueError(f"{by.at(key)}: got an accessor of type {quote(found)} with componentType {code}, want {wants}")
         kind, begin = np.dtype(kinds[code]), accessor.whole("byteOffset", 0)
         size = width * kind.itemsize
+        if "bufferView" not in accessor:  # all numbers are zero
+            check_memory(_COPIES * size * count, f"{accessor.path}, {count:,} {shape} of zeros,", "leave it out")
+            return accessor, np.zeros((count, width), kind)
         view = self.views[accessor.index("bufferView", self.views)]
         data, stride = self._view(view), view.whole("byteStride", size)
         if stride < size:

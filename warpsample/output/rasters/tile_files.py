@@ -47,9 +47,14 @@ class TileFiles:
         """Create and lock the folder of tiles within a `with` statement; remove the folder at the end if it is empty.
 
         Raises:
-            ValueError: the folder exists and is not to be resumed, or holds other files.
+            ValueError: the folder exists and is not to be resumed, or holds other files, or a file has its name.
             WriteError: another process is writing the tiles, or the folder cannot be created.
         """
+        if os.path.lexists(self.path) and not self.path.is_dir():
+            raise ValueError(
+                f"--output: got {str(self.path)!r}, which is a file, want another output name, because a folder of this "
+                "name holds the tiles of the run"
+            )
         try:
             with suppress(FileExistsError):
                 self.path.mkdir()

@@ -174,7 +174,7 @@ def _converter(
     Its arguments are the values, the normals along which they are computed, the faces, and the barycentric weights.
     """
     if slot_for_quantity(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
-        frames = Frames.of(run.mesh, job.points.mesh, job.points.corners, job.rows)
+        frames = Frames.of(run.mesh, job.points.mesh, job.points.corners, job.group)
         return lambda value, _, face, weights: frames.to_components(value, face, weights)
     if quantity.result is Thickness and job.group:
         return job.convert_lengths

@@ -28,6 +28,7 @@ from warpsample.texture.notes import (
 from warpsample.texture.pictures import check_library
 from warpsample.texture.primitives import group_by_material, is_flat, list_primitives, visible_primitives
 from warpsample.texture.sets import TextureOptions
+from warpsample.texture.uv.new_uv import describe_extensions
 
 _WITHOUT_LIGHT = ("normals", "position", "thickness")  # quantities that do not depend on light
 
@@ -98,6 +99,8 @@ def _check_scene(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[Te
         if how.high is None and run.quantity not in _WITHOUT_LIGHT:  # a finer mesh has none of these materials
             notes += describe_light(file.part, placed, mesh)
         groups = group_by_material(placed)
+        new = [one for job in jobs for one in job.group if f"TEXCOORD_{job.set}" not in one.part.part("attributes")]
+        notes += describe_extensions(file.part, new)
         several = join_names(one.name for job in jobs for one in job.group if one.others)
         faceted = join_names(one.name for one in group if slot.directed and "NORMAL" not in one.part.part("attributes"))
         flat = join_names(one.name for group in groups if is_flat(mesh, group) for one in group)

@@ -1,5 +1,6 @@
 """New texture coordinates for primitives of a .glb: vertices at chart borders are split, with all their attributes."""
 
+from collections.abc import Iterator
 from itertools import count as count_up
 from typing import Any
 
@@ -8,8 +9,14 @@ import numpy as np
 from warpsample.host.json_tree import Part
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile
+from warpsample.texture.notes import join_names
 from warpsample.texture.primitives import Primitive
 from warpsample.texture.uv.unwrapping import PADDING, MeshCharts, unwrap_meshes
+
+_BY_VERTEX = ("CESIUM_primitive_outline", "EXT_mesh_manifold")
+"""Extensions of primitives and meshes that refer to vertices by number."""
+_WITHOUT_VERTICES = ("KHR_materials_variants", "KHR_xmp_json_ld", "EXT_mesh_features", "EXT_structural_metadata")
+_WITHOUT_VERTICES += ("EXT_feature_metadata", "KHR_xmp")
 
 
 def charts_for(group: list[Primitive], mesh: Mesh, size: int) -> list[MeshCharts]:
@@ -41,10 +48,30 @@ def add_uv(file: GlbFile, group: list[Primitive], charts: list[MeshCharts], coun
     return number, uv.astype(np.float32).astype(np.float64)
 
 
+def describe_extensions(tree: Part, group: list[Primitive]) -> Iterator[str]:
+    """Yield sentences on extensions that refer, or may refer, to the vertices of primitives with new coordinates by number.
+
+    Args:
+        tree: JSON of the file as it was read.
+        group: primitives with new coordinates.
+    """
+    found: dict[str, list[str]] = {}
+    for one in group:
+        for holder in (one.part, tree.parts("meshes")[one.mesh]):
+            for name in holder.part("extensions").content if "extensions" in holder else ():
+                found.setdefault(name, []).append(one.name)
+    for name, meshes in found.items():
+        if name in _BY_VERTEX:
+            yield f"new coordinates renumber the vertices of {join_names(meshes)}, and so {name} is left out"
+        elif name not in _WITHOUT_VERTICES:
+            yield f"new coordinates renumber the vertices of {join_names(meshes)}; {name} is kept, and may have old numbers"
+
+
 def _split_vertices(file: GlbFile, one: Primitive, charts: MeshCharts, number: int) -> None:
     """Rewrite a primitive with new texture coordinates as set `number`; vertices at chart borders are split.
 
     The sets below `number` that the primitive lacks get the new coordinates, too, since glTF numbers sets without gaps.
+    Extensions that refer to vertices by number are removed.
     """
     primitive: dict[str, Any] = file.tree["meshes"][one.mesh]["primitives"][one.number]
     vertex, faces, uv = charts
@@ -56,6 +83,11 @@ def _split_vertices(file: GlbFile, one: Primitive, charts: MeshCharts, number: i
         primitive["targets"] = [_gather_attributes(file, target, vertex) for target in targets]
     primitive["indices"] = file.add_indices((faces[:, ::-1] if one.mirrored else faces).ravel())
     primitive.pop("mode", None)
+    for holder in (primitive, file.tree["meshes"][one.mesh]):
+        for name in holder.get("extensions", {}).keys() & set(_BY_VERTEX):
+            del holder["extensions"][name]
+            if not holder["extensions"]:
+                del holder["extensions"]
 
 
 def _gather_attributes(file: GlbFile, attributes: Part, vertex: np.ndarray) -> dict[str, int]:
