@@ -115,7 +115,7 @@ def test_usd_sets_and_interpolations(tmp_path):
 def test_other_files_are_refused(tmp_path):
     path = tmp_path / "a.stl"
     path.write_text("solid")
-    with pytest.raises(ValueError, match=r"^path: got 'a.stl', want a file that ends in one of .obj .glb"):
+    with pytest.raises(ValueError, match=r"^path: got 'a.stl', want a file that ends in one of .obj .ply .glb"):
         ws.load_uv(path)
 
 

@@ -215,7 +215,7 @@ class Texels:
     def _find_named(self, number: int) -> np.ndarray:
         """Return the (F,) bool mask of the faces for which the file has the set `number`, perhaps with NaN.
 
-        These are all faces for an .obj or .ply with any texture coordinates, and for a set of a USD file that cannot be read.
+        These are all faces for an .obj or .ply with texture coordinates, and for a set of a USD file that cannot be read.
         """
         if number not in self._named:
             self._named[number] = self._read_named(number)
