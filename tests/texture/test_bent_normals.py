@@ -90,8 +90,8 @@ def test_the_set_of_the_occlusion_serves(call, tmp_path):
     status, out, _ = call("bake", tmp_path / "in.glb", "-o", tmp_path / "out.glb", *BENT[:4], "--samples", 2)
     assert (status, "'ground', set 1" in out) == (0, True)
     materials = opened(tmp_path / "out.glb")[0]["materials"]
-    assert materials[3]["extras"] == {"bentNormalTexture": {"index": 1, "texCoord": 1}}
-    assert materials[3]["occlusionTexture"]["index"] == 0
+    assert materials[0]["extras"] == {"bentNormalTexture": {"index": 1, "texCoord": 1}}
+    assert materials[0]["occlusionTexture"]["index"] == 0
 
 
 @pytest.mark.parametrize(

@@ -241,3 +241,20 @@ def test_a_chart_that_is_mostly_inside_a_body_at_one_place_is_reported(call, tmp
     assert warning in out
     status, _, err = call(*command, "--strict")
     assert (status, err.startswith("error: --strict: got"), warning in err) == (2, True, instances == "split")
+
+
+def test_the_first_picture_stays_with_the_material_that_animations_name(call, tmp_path):
+    """KHR_animation_pointer names materials by number: copies go to other places, and to a mesh outside the scene."""
+    path, output = rooms(tmp_path / "in.glb", 2), tmp_path / "out.glb"
+
+    def share_materials(tree):
+        tree["meshes"].append({"primitives": tree["meshes"][0]["primitives"]})
+
+    path.write_bytes(changed(path.read_bytes(), share_materials))
+    assert call("bake", path, "-o", output, *RAYS, "--strict")[::2] == (0, "")
+    tree = opened(output)[0]
+    used = [[one["material"] for one in mesh["primitives"]] for mesh in tree["meshes"]]
+    assert (used[0], [mesh for mesh in range(4) if 0 in used[mesh]]) == ([0, 1], [0])
+    assert ["occlusionTexture" in tree["materials"][number] for number in used[2]] == [False, False]  # outside the scene
+    assert ["occlusionTexture" in tree["materials"][number] for number in used[3]] == [True, True]  # the other place
+    assert tree["nodes"][1]["mesh"] == 3

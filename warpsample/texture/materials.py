@@ -1,7 +1,7 @@
 """Adding computed pictures to the materials of a .glb as textures."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -63,18 +63,27 @@ def slot_for_quantity(quantity: str) -> Slot:
 
 
 def add_texture(
-    file: GlbFile, group: list[Primitive], png: bytes, slot: Slot, *, info: dict[str, Any], more: dict[str, Any]
+    file: GlbFile,
+    group: list[Primitive],
+    png: bytes,
+    slot: Slot,
+    *,
+    is_first: bool,
+    info: dict[str, Any],
+    more: dict[str, Any],
 ) -> Iterator[str]:
     """Add a picture to the materials of a group of primitives, and yield a sentence for each picture it replaces.
 
-    A material that primitives outside the scene use as well is copied first. A group without a material gets a new one. The
-    picture is read without KHR_texture_transform.
+    The first picture of a material goes to the material itself, to which animations may point (KHR_animation_pointer).
+    Primitives outside the group get an unchanged copy. Any other picture goes to a copy, so add the first picture last. A
+    group without a material gets a new one. The picture is read without KHR_texture_transform.
 
     Args:
         file: file to edit.
         group: primitives that share materials.
         png: content of the picture.
         slot: place of the picture in the materials.
+        is_first: whether the picture is the first of those for the materials.
         info: further members of the texture info.
         more: further members of the object that contains the texture info.
     """
@@ -88,8 +97,8 @@ def add_texture(
         numbers = [number]
     else:
         for number in numbers:
-            if _is_used_elsewhere(file, group, number):
-                _copy_material(file, group, number)
+            others = _find_others(file, group) if is_first else [Part(_primitive_json(file, one)) for one in group]
+            _copy_material(file, others, number)
         numbers = sorted(
             {
                 part.content["material"]
@@ -119,25 +128,18 @@ def _primitive_json(file: GlbFile, one: Primitive) -> dict[str, Any]:
     return found
 
 
-def _is_used_elsewhere(file: GlbFile, group: list[Primitive], number: int) -> bool:
-    """Return whether a primitive outside the group uses material `number`.
-
-    The group has all primitives in the scene with the material, so that other primitives are not in the scene.
-    """
+def _find_others(file: GlbFile, group: list[Primitive]) -> Iterator[Part]:
+    """Yield the JSON of all primitives of a file, those of copied meshes included, that are not in a group."""
     own = {(one.mesh, one.number) for one in group}
-    for mesh, part in enumerate(file.part.parts("meshes")):
-        for i, primitive in enumerate(part.parts("primitives")):
-            if (mesh, i) not in own and any(
-                named.content["material"] == number for named in list_material_references(primitive)
-            ):
-                return True
-    return False
+    for mesh, part in enumerate(Part(file.tree).parts("meshes")):
+        yield from (primitive for i, primitive in enumerate(part.parts("primitives")) if (mesh, i) not in own)
 
 
-def _copy_material(file: GlbFile, group: list[Primitive], number: int) -> None:
-    """Copy a material and assign the copy to the primitives of a group."""
-    made = file.add_material(json.loads(json.dumps(file.tree["materials"][number])))
-    for one in group:
-        for named in list_material_references(Part(_primitive_json(file, one))):
-            if named.content["material"] == number:
-                named.content["material"] = made
+def _copy_material(file: GlbFile, primitives: Iterable[Part], number: int) -> None:
+    """Copy a material and assign the copy to the primitives that use the material; without such primitives, do nothing."""
+    references = [named for primitive in primitives for named in list_material_references(primitive)]
+    used = [named.content for named in references if named.content["material"] == number]
+    if used:
+        made = file.add_material(json.loads(json.dumps(file.tree["materials"][number])))
+        for content in used:
+            content["material"] = made

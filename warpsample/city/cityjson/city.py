@@ -15,7 +15,7 @@ from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
 from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks
 from warpsample.city.cityjson.writing import ERROR, MEMBERS, PER_AREA, Editor
-from warpsample.estimate.intervals import raised_errors
+from warpsample.estimate.intervals import errors_for_means
 from warpsample.estimate.result import PointResult, has_value
 from warpsample.host.arguments import check_seed, quote
 from warpsample.host.arrays import as_real
@@ -93,6 +93,9 @@ class City(Summary):
         without `points`, only the noise of rays is included. Errors of the weather, the sky model and the mesh are not
         included; they are common to all surfaces.
 
+        A few points may all miss the same shadow. So the variance of each surface is combined with the pooled variance of
+        all surfaces of its type. The errors of simple surfaces among varied ones are larger than they need to be.
+
         All points share the light that faces reflect. For a result with a `reflected` part, the differences between its
         eight runs add the shared error. The error is then up to 1.4 times too large.
 
@@ -129,7 +132,7 @@ class City(Summary):
             if error is not None:
                 raise TypeError("error: got errors for a result as values, want None, because the result has errors")
             found: Any = values
-            error, least, runs = found.standard_error, raised_errors(found), getattr(found, "reflected_runs", None)
+            error, least, runs = found.standard_error, errors_for_means(found), getattr(found, "reflected_runs", None)
             good = has_value(found.status).reshape(-1, *[1] * (found.value.ndim - 1))
             values = np.where(good, found.value, np.nan)
         value = as_real(values, "values")
@@ -137,7 +140,7 @@ class City(Summary):
         for name, array in (("values", value), ("error", error)):
             if array.shape != (len(face),):
                 raise ValueError(f"{name}: got shape {array.shape}, want ({len(face)},), one for each point")
-        more: Any = {"count": len(self.surfaces), "least": least, "runs": runs}
+        more: Any = {"count": len(self.surfaces), "least": least, "runs": runs, "kind": self.surfaces.type}
         means = part_means(self.surface, self.mesh.face_areas, face, value, error, **more)
         earth = self.surfaces.type == GROUND
         values, errors = (np.where(earth, np.nan, array) for array in (means.value, means.standard_error))

@@ -106,15 +106,17 @@ def _write_scene(file: GlbFile, source: TextureSource, found: list[list[PlacedTe
     run, notes = source.run, list[str]()
     slot = slot_for_quantity(run.quantity)
     for row, groups in zip(found, place_pictures(file, found), strict=True):
-        for picture, group in reversed(list(zip(row, groups, strict=True))):  # copies are of unchanged materials
-            notes += _add_picture(file, picture.filled, group, slot, source.how)
+        for number, (picture, group) in reversed(list(enumerate(zip(row, groups, strict=True)))):
+            notes += _add_picture(file, picture.filled, group, slot, source.how, is_first=number == 0)
     notes = list(dict.fromkeys(notes))
     with complete_or_absent(run.output) as stream:
         (file.write if run.output.suffix == ".glb" else file.write_text)(stream)
     return notes
 
 
-def _add_picture(file: GlbFile, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions) -> Iterator[str]:
+def _add_picture(
+    file: GlbFile, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions, *, is_first: bool
+) -> Iterator[str]:
     """Store a computed image in a glTF file as a texture, and return sentences on textures that it replaces.
 
     Lengths become fractions of the longest length, in units of the primitives.
@@ -124,7 +126,7 @@ def _add_picture(file: GlbFile, one: Filled, group: list[Primitive], slot: Slot,
     longest = float(one.value.max()) if slot is THICKNESS else 1.0
     more = {"thicknessFactor": longest} if slot is THICKNESS else {}
     png = encode_png(one.value / (longest or 1.0), how.depth)
-    return add_texture(file, group, png, slot, info=info, more=more)
+    return add_texture(file, group, png, slot, is_first=is_first, info=info, more=more)
 
 
 def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Filled) -> None:
