@@ -114,7 +114,7 @@ class City(Summary):
             for a GroundSurface and for a surface without points.
 
         Raises:
-            TypeError, ValueError: an array has another shape, or the points have no faces.
+            TypeError, ValueError: an array has another shape, or no point has a face of the city's surfaces.
 
         Example:
             >>> city = ws.load_city("courtyard")
@@ -126,7 +126,7 @@ class City(Summary):
         """
         if not isinstance(points, SurfacePoints | None):
             raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
-        face = np.arange(len(self.surface)) if points is None else points.face
+        face = np.arange(len(self.surface)) if points is None else self._faces_of(points)
         least = runs = None
         if isinstance(values, PointResult):
             if error is not None:
@@ -146,17 +146,31 @@ class City(Summary):
         values, errors = (np.where(earth, np.nan, array) for array in (means.value, means.standard_error))
         return values, errors, self.surfaces.area.copy()
 
+    def _faces_of(self, points: SurfacePoints) -> np.ndarray:
+        """Return the triangle of each point, after checking that points are on surfaces of the city."""
+        wants = "points on the city's surfaces, with their faces, as from City.points"
+        face = points.face
+        if not (face >= 0).any():
+            raise ValueError(f"points: got {len(face):,} points without faces, want {wants}")
+        if face.max() >= len(self.surface):
+            raise ValueError(f"points: got the face {face.max()} for {len(self.surface):,} triangles, want {wants}")
+        if not (self.surface[face[face >= 0]] >= 0).any():
+            raise ValueError(f"points: got {len(face):,} points on the context alone, want {wants}")
+        return face
+
     def write(self, path: str | PathLike[str], results: Mapping[str, Any]) -> None:
         """Write a copy of the file with results as attributes of semantic surfaces and of city objects.
 
-        The rest of the JSON keeps its order, integers and spelling of numbers; a sequence stays a sequence. Results of
-        surfaces without a semantic object, and of templates, are written only into their city object.
+        The rest of the JSON keeps its order, texts, integers and spelling of numbers, but escapes in texts may be spelled in
+        another way; a sequence stays a sequence. Results of surfaces without a semantic object, and of templates, are
+        written only into their city object.
 
         A city object gets area-weighted means over its own surfaces and those of its children:
 
         - of roofs, under the name with "_roof", with the area in m2 as "ws_area_m2_roof";
         - of walls, likewise with "_wall";
-        - of surfaces without a type, such as roads, under the plain name.
+        - of surfaces without a type and of types of roads and water ("TrafficArea", "AuxiliaryTrafficArea", "WaterSurface"),
+          under the plain name. Surfaces of other types, such as "OuterCeilingSurface", are not in these means.
 
         A name that ends in "_m2" is a value per m2. Its integral over the area is written as well, under the name without
         "_m2".
