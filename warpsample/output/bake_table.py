@@ -232,7 +232,7 @@ OPTIONS: dict[str, Option] = {
         Literal["face", "smooth", "lifted"],
         _TEXTURE_PANEL,
         "Normals at texels: face, smooth (interpolated), or lifted (smooth, with the points moved to the smooth surface). "
-        "Default: face, or smooth for --quantity normals.",
+        "Default: face, or for --quantity normals those that viewers use: smooth, but flat for a .glb without NORMAL.",
         _on(TEXTURE),
     ),
     "gutter": Option(
