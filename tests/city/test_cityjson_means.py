@@ -163,6 +163,10 @@ def test_the_error_bars_of_a_real_city_hold(repository):
     assert (squares <= 4.0 * bars).mean() > 0.9
 
 
+def on_faces(faces):
+    return ws.SurfacePoints(np.zeros((len(faces), 3)), np.ones((len(faces), 3)), np.array(faces, np.int32))
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
@@ -177,6 +181,20 @@ def test_the_error_bars_of_a_real_city_hold(repository):
             r"values: got shape \(\d+, 3\), want \(\d+,\), one for each point",
         ),
         (lambda city: city.surface_means("x"), "values: got 'x', want real numbers"),
+        (
+            lambda city: city.surface_means(np.ones(2), points=ws.SurfacePoints(np.zeros((2, 3)), np.ones((2, 3)))),
+            "points: got 2 points without faces, want points on the city's surfaces, with their faces, as from City.points",
+        ),
+        (
+            lambda city: city.surface_means(np.ones(2), points=on_faces([3, 99])),
+            r"points: got the face 99 for \d+ triangles, want points on the city's surfaces",
+        ),
+        (
+            lambda city: (around := ws.load_city(city.path, context="ground")).surface_means(
+                np.ones(2), points=on_faces(np.flatnonzero(around.surface < 0)[[0, -1]])
+            ),
+            "points: got 2 points on the context alone, want points on the city's surfaces",
+        ),
         (lambda city: city.points(0), "count: got 0, want a whole number from 1"),
         (lambda city: city.points(seed=-1), "seed: got -1, want"),
         (

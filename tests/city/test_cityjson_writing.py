@@ -84,8 +84,34 @@ def test_what_has_no_number_gets_none(tmp_path):
     assert "semantics" not in json.loads(text)["CityObjects"]["house"]["geometry"][0]
 
 
+def test_roads_and_water_get_means_of_their_surfaces(tmp_path):
+    """CityJSON 2.0 has types of surfaces for both. The bottom of water is not in its mean."""
+    document = cases.house()
+    types = {"a": ["TrafficArea", "AuxiliaryTrafficArea"], "b": ["WaterSurface", "WaterGroundSurface"]}
+    document["CityObjects"] = {}
+    for name, kind in (("a", "Road"), ("b", "WaterBody")):
+        semantics = {"surfaces": [{"type": each} for each in types[name]], "values": [0, 1]}
+        shape = cases.surfaces(boundaries=[cases.FACES[2], cases.FACES[6]], semantics=semantics)  # of 50 and 10 m2
+        document["CityObjects"][name] = {"type": kind, "geometry": [shape]}
+    _, text = rewritten(tmp_path, document, lambda _: {"ws_height": np.arange(1.0, 5.0)})
+    road, water = (json.loads(text)["CityObjects"][name]["attributes"] for name in "ab")
+    assert road == {"ws_height": pytest.approx((50 * 1.0 + 10 * 2.0) / 60, rel=1e-6), "ws_area_m2": 60.0}
+    assert water == {"ws_height": 3.0, "ws_area_m2": 50.0}
+
+
+def test_an_index_of_minus_zero_is_an_index(tmp_path):
+    document = cases.house()
+    document["CityObjects"]["house"]["geometry"][0]["semantics"]["surfaces"][1]["parent"] = 7777
+    path = tmp_path / "a.json"
+    path.write_text(json.dumps(document).replace("7777", "-0"))
+    city = ws.load_city(path, split=True)
+    city.write(tmp_path / "b.json", {"ws_height": np.ones(len(city.surfaces))})
+    surfaces = json.loads((tmp_path / "b.json").read_text())["CityObjects"]["house"]["geometry"][0]["semantics"]["surfaces"]
+    assert [surface["parent"] for surface in surfaces if surface["type"] == "RoofSurface"] == [0]
+
+
 ODD = (
-    '{"z":1.50,"type":"CityJSON","version":"1.1","é\\u00e9":["\\ud83d\\ude00","\\ud800","a\\"\\\\b",-0.0,1E5,1e-7,'
+    '{"z":1.50,"type":"CityJSON","version":"1.1","é\\u00e9":["\\ud83d\\ude00","\\ud800","a\\"\\\\b",-0,-0.0,1E5,1e-7,'
     '123456789012345678901234567890,0.1000000000000000055511151231257827,1e999],"transform":{"scale":[1e-3,0.0010,1.0e-3],'
     '"translate":[0.0,0,-0.5]},"CityObjects":{"a":{"attributes":{"k":null,"t":true,"x":[{}]},"type":"Building","geometry":'
     '[{"type":"MultiSurface","lod":2.20,"boundaries":[[[0,1,2]]]}]}},"vertices":[[0,0,0],[1000,0,0],[0,1000,0]],"last":{}}'

@@ -20,7 +20,7 @@ def test_a_point_on_each_face_counts_by_area_and_has_its_rays_error():
 def test_several_points_on_a_face_have_the_error_of_how_they_vary():
     face = np.array([0, 0, 0, 1, 2, 2, -1, 4])
     value = np.array([1.0, 2.0, 6.0, 5.0, 2.0, 2.0, 100.0, 100.0])
-    found = part_means(PART, AREAS, face, value, np.full(8, 0.5), count=3)
+    found = part_means(PART, AREAS, face, value, np.full(8, 0.5), count=3, kind=np.arange(3))
     assert found.value[:2] == pytest.approx([(3 * 3 + 1 * 5) / 4, 2.0])
     variance = ((1 - 3) ** 2 + (2 - 3) ** 2 + (6 - 3) ** 2) / 2 / 3
     assert found.standard_error[:2] == pytest.approx([np.sqrt(9 * variance + 1 * 0.25) / 4, 0.25])  # 0.5 / 2 of equal values
@@ -50,30 +50,52 @@ def test_the_error_bars_are_as_wide_as_the_errors():
 
 @pytest.mark.parametrize("each", [2, 3, 10])
 @pytest.mark.parametrize("areas", [[1.0], [1.0, 1.0, 1.0, 1.0]])
-def test_two_widened_errors_of_few_points_contain_the_mean(areas, each):
-    """Normal values at the points of 20,000 parts. Without `widen` it is 71 to 95 % of the parts."""
+def test_two_errors_of_few_points_contain_the_mean(areas, each):
+    """Normal values at the points of 20,000 parts. Without pooled variances it is 71 to 95 % of the parts."""
     count, faces = 20_000, len(areas)
     value = np.random.default_rng(3).normal(size=count * faces * each)
     part, face = np.repeat(np.arange(count), faces), np.repeat(np.arange(count * faces), each)
-    given = (part, np.tile(areas, count), face, value, np.zeros(len(value)))
-    shares = [
-        np.mean(np.abs(found.value) <= 2.0 * found.standard_error)
-        for found in (part_means(*given, count=count, widen=widen) for widen in (False, True))
-    ]
-    # Of 20,000 parts, the share is known to 0.15 %, four of which are 0.6 %. For several faces, the degrees of freedom are
-    # estimates themselves, at which the share is up to 1 % larger (20,000 parts, four faces with two points: 96.4 %).
-    assert -0.006 < shares[1] - 0.9545 < (0.006 if faces == 1 else 0.016)
-    assert shares[0] < (0.9 if each == 2 else 0.952)
+    found = part_means(part, np.tile(areas, count), face, value, np.zeros(len(value)), count=count)
+    # Of 20,000 parts, the share is known to 0.15 %, four of which are 0.6 %. Few degrees of freedom cost less than 1 %.
+    assert -0.016 < np.mean(np.abs(found.value) <= 2.0 * found.standard_error) - 0.9545 < 0.006
+    # Sums over parts keep their error: the squares add up to the variance, known to sqrt(2 / 20,000) = 1 %, three of it.
+    variance = np.square(areas).sum() / np.square(np.sum(areas)) / each
+    assert np.square(found.standard_error).mean() == pytest.approx(variance, rel=0.03)
 
 
-def test_errors_of_many_points_and_of_single_points_are_not_widened():
+def test_variances_are_pooled_over_parts_of_one_kind():
+    """A part of equal values, one whose values vary, and one of another kind: 2 + 8 degrees of freedom, pooled of 4."""
+    face = np.repeat([0, 1, 2], 3)
+    value = np.array([1.0, 1.0, 1.0, 0.0, 1.0, 2.0, 7.0, 7.0, 7.0])
+    given = (np.arange(3), np.ones(3), face, value, np.zeros(9))
+    some = part_means(*given, count=3, least=np.full(9, 0.03), kind=np.array(["roof", "roof", "wall"]))
+    pooled = (0.0 + 2.0) / (2 + 2)
+    shrunk = [(2 * variance + 8 * pooled) / (2 + 8) / 3 for variance in (0.0, 1.0)]
+    assert some.standard_error == pytest.approx([*np.sqrt(shrunk), 0.03 / 3])
+    free = part_means(*given, count=3, kind=np.array(["roof", "roof", "wall"]))  # no point needs a ray
+    assert free.standard_error == pytest.approx([0.0, np.sqrt(shrunk[1]), 0.0])
+
+
+def test_rare_large_deviations_count_for_less_than_the_pooled_variance():
+    """Of 40 parts with 10 values each, one value in 50 is 1: two errors contain 0.02, also of parts without such a value."""
+    value, face = np.zeros(400), np.repeat(np.arange(40), 10)
+    value[25::50] = 1.0
+    found = part_means(np.arange(40), np.ones(40), face, value, np.zeros(400), count=40, least=np.full(400, 1e-6))
+    assert (np.abs(found.value - 0.02) <= 2.0 * found.standard_error)[found.value == 0.0].all()
+    fourth, second = 8 * (0.9**4 + 9 * 0.1**4), 8 * (0.9**2 + 9 * 0.1**2)
+    worth = 400 * fourth / second**2 - 1.0
+    assert worth > 39.0
+    pooled = second / 360
+    assert found.standard_error[0] == pytest.approx(np.sqrt(worth * pooled / 10 / (9 + worth)))
+
+
+def test_errors_of_single_points_are_not_pooled():
     rng, part = np.random.default_rng(4), np.repeat([0, 1], [300, 3])
     face = np.append(np.repeat(np.arange(300), 4), [300, 301, 302])
-    given = (part, rng.uniform(1.0, 2.0, 303), face, rng.normal(size=len(face)), np.full(len(face), 0.1))
-    plain, widened = (part_means(*given, count=2, widen=widen) for widen in (False, True))
-    assert np.array_equal(plain.value, widened.value)
-    assert widened.standard_error[1] == plain.standard_error[1]
-    assert 1.0 < widened.standard_error[0] / plain.standard_error[0] < 1.01  # 900 degrees of freedom at most: 1.0014
+    areas = rng.uniform(1.0, 2.0, 303)
+    found = part_means(part, areas, face, rng.normal(size=len(face)), np.full(len(face), 0.1), count=2)
+    share = areas[300:] / areas[300:].sum()
+    assert found.standard_error[1] == pytest.approx(0.1 * np.sqrt(np.square(share).sum()))
 
 
 def test_errors_that_points_share_do_not_average_out():

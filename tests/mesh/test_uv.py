@@ -113,9 +113,9 @@ def test_usd_sets_and_interpolations(tmp_path):
 
 
 def test_other_files_are_refused(tmp_path):
-    path = tmp_path / "a.ply"
-    path.write_text("ply")
-    with pytest.raises(ValueError, match=r"^path: got 'a.ply', want a file that ends in one of .obj .glb"):
+    path = tmp_path / "a.stl"
+    path.write_text("solid")
+    with pytest.raises(ValueError, match=r"^path: got 'a.stl', want a file that ends in one of .obj .ply .glb"):
         ws.load_uv(path)
 
 
@@ -123,3 +123,39 @@ def test_the_header_of_the_files_of_these_tests(tmp_path):
     made = glb({"meshes": [], "nodes": []}, [QUAD])
     assert struct.unpack("<I", made[8:12])[0] == len(made)
     assert json.loads(made[20 : 20 + struct.unpack("<I", made[12:16])[0]])["accessors"][0]["count"] == 4
+
+
+def ply(path, names, values):
+    """The quad as a text .ply, one polygon, with two further properties of its vertices."""
+    properties = "".join(f"property float {name}\n" for name in ("x", "y", "z", *names))
+    head = f"ply\nformat ascii 1.0\nelement vertex 4\n{properties}"
+    rows = "".join(" ".join(map(str, row)) + "\n" for row in np.hstack([QUAD, values]).tolist())
+    path.write_text(f"{head}element face 1\nproperty list uchar int vertex_indices\nend_header\n{rows}4 0 1 2 3\n")
+    return path
+
+
+@pytest.mark.parametrize("names", [("s", "t"), ("u", "v"), ("texture_u", "texture_v")])
+def test_coordinates_of_the_vertices_of_a_ply(names, call, tmp_path):
+    """Before, `--uv 0` stated that all faces lack coordinates."""
+    path = ply(tmp_path / "a.ply", names, QUAD[:, :2] / (2, 1))
+    assert at_positions(ws.load_mesh(path), ws.load_uv(path))
+    with pytest.raises(ValueError, match="no vertex of the file has set 1 of texture coordinates, such as s and t$"):
+        ws.load_uv(path, set=1)
+    status, out, err = call("bake", path, "-o", tmp_path / "a.png", "--texture", 8, "--samples", 4, "--uv", 0)
+    assert (status, err, "'a.ply', set 0: 64 texels" in out) == (0, "", True)
+
+
+def test_a_ply_without_coordinates_gets_new_ones(call, tmp_path):
+    path = ply(tmp_path / "a.ply", ("s", "r"), QUAD[:, :2])
+    with pytest.raises(ValueError, match="no vertex of the file has set 0 of texture coordinates, such as s and t$"):
+        ws.load_uv(path)
+    command = ("bake", path, "-o", tmp_path / "a.npz", "--texture", 16, "--samples", 4)
+    assert "'a.ply', new coordinates: " in call(*command)[1]
+    assert "want a set of texture coordinates for all faces of 'a.ply', but 2 of 2 lack it" in call(*command, "--uv", 0)[2]
+
+
+def test_coordinates_of_a_ply_that_are_no_numbers_are_named(call, tmp_path):
+    path = ply(tmp_path / "a.ply", ("s", "t"), np.full((4, 2), np.nan))
+    status, out, err = call("bake", path, "-o", tmp_path / "a.npz", "--texture", 16, "--samples", 4)
+    why = "(set 0 is passed over: 2 of 2 faces lack it or have no finite numbers in it)"
+    assert (status, err, f", new coordinates {why}: " in out) == (0, "", True)

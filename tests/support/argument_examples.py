@@ -19,6 +19,7 @@ VERTICES = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.
 FACES = np.array([[0, 1, 2], [0, 2, 3]])
 MESH = ws.Mesh(VERTICES, FACES)
 POINTS = ws.vertex_points(MESH)
+ON_A_FACE = ws.SurfacePoints(POINTS.position, POINTS.normal, np.zeros(len(POINTS), np.int32))
 UNIT = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.6, 0.0, 0.8], [0.0, 0.6, 0.8]], np.float32)
 COUNT = 16
 FACES_OF_COURTYARD = 2080
@@ -188,7 +189,7 @@ KINDS = {
     "City.points.count": kind(100, WHOLE, wrong=(0, np.float64(2.0))),
     "City.surface_means.values": kind(np.ones(FACES_OF_COURTYARD)),
     "error": kind(np.ones(FACES_OF_COURTYARD)),
-    "City.surface_means.points": kind(POINTS, said=("values",), wrong=(MESH, UNIT)),
+    "City.surface_means.points": kind(ON_A_FACE, said=("values",), wrong=(MESH, UNIT, POINTS)),
     "City.write.path": kind(Path(tempfile.mkdtemp(), "out.city.json")),
     "results": kind(
         {"a": np.ones(3)}, "{}", said=("results['a']",), wrong=({"": np.ones(3)}, {"a": UNIT}, {"a_error": np.ones(3)})

@@ -100,6 +100,19 @@ def raised_errors(found: Any) -> np.ndarray:
     return np.where(has_rays, np.where(error > 0.0, np.maximum(error, _LEAST * least), least), error)
 
 
+def errors_for_means(found: Any) -> np.ndarray:
+    """Return the least errors of points for means over surfaces, on which rays may have missed geometry.
+
+    Args:
+        found: Result with `standard_error`.
+
+    Returns:
+        float32 errors, (P,) or (P, 3): `raised_errors`, or the field `unseen_error` of an exact result.
+    """
+    unseen = getattr(found, "unseen_error", None)
+    return raised_errors(found) if unseen is None else unseen
+
+
 @wp.struct
 class Prior:
     """Prior assumptions on the variance of a sum over rays, with which few rays still give a valid confidence interval.

@@ -14,18 +14,21 @@ If all values are equal, their spread is 0, but all rays may have missed the sam
 least the largest product of a point's weight and its least error. With k equal weights this is a k-th of the least error, as
 for a single point with all rays.
 
-The variance of two or three values is itself uncertain, and two errors then contain the true mean too rarely. `widen`
-multiplies the spread by half the quantile of Student's t distribution, so that two errors contain 95.45 % as for a normal
-distribution. The degrees of freedom of a sum over faces are those of Welch and Satterthwaite.
+The variance of a few values is itself uncertain: two of them may agree by chance, and all points of a roof may miss the
+shadow of its chimney. So the variance of a part is combined with the pooled variance of all parts of its kind (empirical
+Bayes). The pooled variance counts as 8 values, or as k - 1 values if this is more, where k is the deviations' kurtosis. The
+variance of n values has 2 n / (k - 1) degrees of freedom: if deviations are rare and large, a part's own values say
+little. The two numbers are chosen from ten scenes of houses, with and without chimneys and towers, and of a real city. Two
+errors then contain sky view, irradiation and sun hours of at least 90 % of large roofs; without pooling it was 27 %. Sums
+over all parts keep their error. A part without any variation keeps the variance 0 if its least errors are 0, because then no
+point needs a ray.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from warpsample.host.locks import imported
-
-_UPPER = 0.9772498680518208  # probability below two standard deviations of a normal distribution
+_WORTH = 8.0  # number of values for which the pooled variance counts at least
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +56,7 @@ def part_means(
     count: int,
     least: np.ndarray | None = None,
     runs: np.ndarray | None = None,
-    widen: bool = False,
+    kind: np.ndarray | None = None,
 ) -> PartMeans:
     """Compute the area-weighted mean over each part of a mesh, with its standard error.
 
@@ -67,7 +70,7 @@ def part_means(
         least: Standard errors of `value` that account for geometry without a hit, of the same shape. Default: `error`.
         runs: (P, k, R) part of `value` in each of R independent runs, whose errors points share. k is 1 for (P,) values.
             Default: no part with shared errors.
-        widen: Whether to widen errors of few points, so that two standard errors contain the true mean in 95 % of the runs.
+        kind: (count,) kind of each part. The variances of parts of one kind are pooled. Default: one kind.
     """
     inside = (face >= 0) & (part[face] >= 0) & np.isfinite(value.reshape(len(value), -1)).all(axis=1)
     face, value, error, least = (array[inside] for array in (face, value, error, error if least is None else least))
@@ -77,12 +80,14 @@ def part_means(
     total = np.bincount(owner, weights, count)
     components = [np.atleast_2d(array.T) for array in (value, error, least)]
     found = [_means(face, points, *component) for component in zip(*components[:2], strict=True)]
-    weight = weights[face] / points[face]
+    kinds = np.zeros(count, np.int64) if kind is None else np.unique(kind, return_inverse=True)[1]
+    faces = _Faces(owner, weights, points, kinds)
     with np.errstate(invalid="ignore", divide="ignore"):
-        means = [np.bincount(owner, weights * mean, count) / total for mean, _ in found]
-        spreads = [_combine_variances(owner, weights**2 * variance, points, count, widen) / total for _, variance in found]
-        share = weight / total[owner[face]]
-        floors = [_largest(owner[face], weight * errors, count) / total for errors in components[2]]
+        share = weights[face] / points[face] / total[owner[face]]
+        means = [np.bincount(owner, weights * mean, count) / total for mean, *_ in found]
+        floors = np.array([_largest(owner[face], share * errors, count) for errors in components[2]])
+        variances = [faces.combine(*sums, floor > 0.0) for (_, *sums), floor in zip(found, floors, strict=True)]
+        spreads = np.sqrt(variances) / total
     if runs is not None:
         spreads = np.hypot(spreads, np.sqrt(_shared_variances(owner[face], share, runs[inside], count)))
     errors = np.maximum(spreads, floors)
@@ -91,10 +96,49 @@ def part_means(
     return PartMeans(np.stack(means, axis=1).reshape(shape), errors.T.reshape(shape), used)
 
 
-def _combine_variances(owner: np.ndarray, variance: np.ndarray, points: np.ndarray, count: int, widen: bool) -> np.ndarray:
-    """Return the root of the sum of the variances of each owner's faces, (count,) float64; widened by `_t_ratio`."""
-    total = np.bincount(owner, variance, count)
-    return np.sqrt(total) * (_t_ratio(owner, variance, points, total) if widen else 1.0)
+@dataclass(frozen=True, eq=False)
+class _Faces:
+    """F faces of N parts, with their numbers of points.
+
+    Attributes:
+        owner: (F,) part of each face.
+        weights: (F,) area of each face; 0 for a face without points or without a part.
+        points: (F,) number of points on each face.
+        kind: (N,) kind of each part, from 0.
+    """
+
+    owner: np.ndarray
+    weights: np.ndarray
+    points: np.ndarray
+    kind: np.ndarray
+
+    def combine(self, squares: np.ndarray, fourth: np.ndarray, may_vary: np.ndarray) -> np.ndarray:
+        """Return the variance of each part's weighted sum of face means, (N,) float64, with pooled variances.
+
+        Args:
+            squares: (F,) sum of the squared deviations of a face's values from their mean. For a face with one point, the
+                squared error of this point.
+            fourth: (F,) sum of the fourth powers of these deviations.
+            may_vary: (N,) bool, whether parts without any variation may have missed geometry.
+        """
+        many = (self.points > 1) & (self.weights > 0.0)
+        per_value = np.square(self.weights) / np.maximum(self.points, 1)
+        own = self._add(per_value * squares / np.maximum(self.points - 1, 1), many)
+        degrees, pooled, worth = self._add(self.points - 1, many), *self._pool(squares, fourth, many)
+        shrunk = (degrees * own + worth * pooled * self._add(per_value, many)) / (degrees + worth)
+        return self._add(per_value * squares, ~many) + np.where((own > 0.0) | may_vary, shrunk, own)
+
+    def _pool(self, squares: np.ndarray, fourth: np.ndarray, many: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the pooled variance of each part's kind, and the number of values for which it counts, (N,) each."""
+        degrees, values, second, kurtosis = (
+            np.bincount(self.kind, self._add(terms, many)) for terms in (self.points - 1, self.points, squares, fourth)
+        )
+        kurtosis *= values / np.square(second)
+        return (second / np.maximum(degrees, 1.0))[self.kind], np.fmax(_WORTH, kurtosis - 1.0)[self.kind]
+
+    def _add(self, terms: np.ndarray, where: np.ndarray) -> np.ndarray:
+        """Return the sum over the chosen faces of each part, (N,) float64."""
+        return np.bincount(self.owner[where], terms[where], len(self.kind))
 
 
 def _shared_variances(owner: np.ndarray, share: np.ndarray, runs: np.ndarray, count: int) -> np.ndarray:
@@ -104,22 +148,6 @@ def _shared_variances(owner: np.ndarray, share: np.ndarray, runs: np.ndarray, co
     return np.var(means, axis=1, ddof=1) / number
 
 
-def _t_ratio(owner: np.ndarray, variance: np.ndarray, points: np.ndarray, total: np.ndarray) -> np.ndarray:
-    """Return Student's t quantile at 95.45 %, divided by 2, for each owner; 1 where no face has two points.
-
-    For a variance v estimated with n degrees of freedom, v^2 n / (n + 2) estimates the square of the true variance without
-    bias. Hence n + 2 in the sum, and 2 less in the result.
-    """
-    own = np.where((variance > 0.0) & (points > 1), points - 1, 0)
-    fourth = np.bincount(owner, np.where(own > 0, np.square(variance), 0.0) / (own + 2), len(total))
-    known = fourth > 0.0
-    degrees = np.square(total[known]) / fourth[known] - 2.0
-    ratio = np.ones(len(total))
-    degrees = np.clip(degrees, 1.0, np.bincount(owner, own, len(total))[known])
-    ratio[known] = 0.5 * imported("scipy.special").stdtrit(degrees, _UPPER)
-    return ratio
-
-
 def _largest(owner: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
     """Return the largest of the values of each owner, (count,) float64; 0 without values."""
     found = np.zeros(count)
@@ -127,9 +155,11 @@ def _largest(owner: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
     return found
 
 
-def _means(face: np.ndarray, points: np.ndarray, value: np.ndarray, error: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the mean of the values on each face, and the variance of this mean; 0 for faces without points."""
-    many = np.maximum(points, 1)
-    mean = np.bincount(face, value, len(points)) / many
-    spread = np.bincount(face, np.square(value - mean[face]), len(points)) / (np.maximum(points - 1, 1) * many)
-    return mean, np.where(points == 1, np.bincount(face, np.square(error, dtype=np.float64), len(points)), spread)
+def _means(face: np.ndarray, points: np.ndarray, value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
+    """Return the mean of the values on each face, and the sums of the second and fourth powers of their deviations.
+
+    For a face with one point, the deviation is the error of this point.
+    """
+    mean = np.bincount(face, value, len(points)) / np.maximum(points, 1)
+    away = np.where(points[face] == 1, error, value - mean[face])
+    return [mean, *(np.bincount(face, away**power, len(points)) for power in (2, 4))]

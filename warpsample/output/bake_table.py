@@ -157,7 +157,8 @@ OPTIONS: dict[str, Option] = {
         float,
         LIGHT,
         "Longest edge of the parts into which faces are divided for reflected light, in units of the mesh. Default: the "
-        "longest edges are cut, into 8,192 more parts",
+        "longest edges are cut, into 8,192 more parts. Needs --reflectance",
+        *_MESHES,
     ),
     "transmittance": Option(
         str,
@@ -231,7 +232,7 @@ OPTIONS: dict[str, Option] = {
         Literal["face", "smooth", "lifted"],
         _TEXTURE_PANEL,
         "Normals at texels: face, smooth (interpolated), or lifted (smooth, with the points moved to the smooth surface). "
-        "Default: face, or smooth for --quantity normals.",
+        "Default: face, or for --quantity normals those that viewers use: smooth, but flat for a .glb without NORMAL.",
         _on(TEXTURE),
     ),
     "gutter": Option(

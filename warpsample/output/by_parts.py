@@ -6,7 +6,7 @@ import numpy as np
 
 from warpsample.city.cityjson.city import City
 from warpsample.city.cityjson.writing import add_totals
-from warpsample.estimate.intervals import raised_errors
+from warpsample.estimate.intervals import errors_for_means
 from warpsample.host.files import complete_or_absent
 from warpsample.host.tables import write_csv
 from warpsample.mesh.mesh import Mesh
@@ -69,9 +69,9 @@ def _means(baked: Baked, city: City | None) -> Iterator[tuple[str, np.ndarray]]:
         value,
         found.standard_error,
         count=len(mesh.parts),
-        least=raised_errors(found),
+        least=errors_for_means(found),
         runs=getattr(found, "reflected_runs", None),
-        widen=city is None,  # errors of surfaces add up to those of city objects, so they remain root mean squares
+        kind=None if city is None else city.surfaces.type,
     )
     for name in ("value", "standard_error"):
         array, header = getattr(means, name), baked.quantity.header

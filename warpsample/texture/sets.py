@@ -8,7 +8,7 @@ import numpy as np
 
 from warpsample.mesh.files import gltf, usd
 from warpsample.mesh.files.text import has_obj_lines
-from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, MissingSetError, load_uv
+from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, MissingSetError, find_ply_names, load_uv
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.report import find_face_flaws
 from warpsample.texture.texture_points import TexturePoints, texture_points
@@ -215,7 +215,7 @@ class Texels:
     def _find_named(self, number: int) -> np.ndarray:
         """Return the (F,) bool mask of the faces for which the file has the set `number`, perhaps with NaN.
 
-        For an .obj with any texture coordinates, and for a set of a USD file that cannot be read, these are all faces.
+        These are all faces for an .obj or .ply with texture coordinates, and for a set of a USD file that cannot be read.
         """
         if number not in self._named:
             self._named[number] = self._read_named(number)
@@ -228,6 +228,8 @@ class Texels:
         if suffix == ".obj":
             is_named = number == 0 and has_obj_lines(self.path, "vt")
             return np.full(len(self.mesh.faces), is_named)
+        if suffix == ".ply":
+            return np.full(len(self.mesh.faces), find_ply_names(self.path, number) is not None)
         if number in self._unreadable:
             return np.ones(len(self.mesh.faces), np.bool_)
         return usd.find_faces_with(self.path, number)

@@ -15,7 +15,7 @@ from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
 from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks
 from warpsample.city.cityjson.writing import ERROR, MEMBERS, PER_AREA, Editor
-from warpsample.estimate.intervals import raised_errors
+from warpsample.estimate.intervals import errors_for_means
 from warpsample.estimate.result import PointResult, has_value
 from warpsample.host.arguments import check_seed, quote
 from warpsample.host.arrays import as_real
@@ -93,6 +93,9 @@ class City(Summary):
         without `points`, only the noise of rays is included. Errors of the weather, the sky model and the mesh are not
         included; they are common to all surfaces.
 
+        A few points may all miss the same shadow. So the variance of each surface is combined with the pooled variance of
+        all surfaces of its type. The errors of simple surfaces among varied ones are larger than they need to be.
+
         All points share the light that faces reflect. For a result with a `reflected` part, the differences between its
         eight runs add the shared error. The error is then up to 1.4 times too large.
 
@@ -111,7 +114,7 @@ class City(Summary):
             for a GroundSurface and for a surface without points.
 
         Raises:
-            TypeError, ValueError: an array has another shape, or the points have no faces.
+            TypeError, ValueError: an array has another shape, or no point has a face of the city's surfaces.
 
         Example:
             >>> city = ws.load_city("courtyard")
@@ -123,13 +126,13 @@ class City(Summary):
         """
         if not isinstance(points, SurfacePoints | None):
             raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
-        face = np.arange(len(self.surface)) if points is None else points.face
+        face = np.arange(len(self.surface)) if points is None else self._faces_of(points)
         least = runs = None
         if isinstance(values, PointResult):
             if error is not None:
                 raise TypeError("error: got errors for a result as values, want None, because the result has errors")
             found: Any = values
-            error, least, runs = found.standard_error, raised_errors(found), getattr(found, "reflected_runs", None)
+            error, least, runs = found.standard_error, errors_for_means(found), getattr(found, "reflected_runs", None)
             good = has_value(found.status).reshape(-1, *[1] * (found.value.ndim - 1))
             values = np.where(good, found.value, np.nan)
         value = as_real(values, "values")
@@ -137,23 +140,37 @@ class City(Summary):
         for name, array in (("values", value), ("error", error)):
             if array.shape != (len(face),):
                 raise ValueError(f"{name}: got shape {array.shape}, want ({len(face)},), one for each point")
-        more: Any = {"count": len(self.surfaces), "least": least, "runs": runs}
+        more: Any = {"count": len(self.surfaces), "least": least, "runs": runs, "kind": self.surfaces.type}
         means = part_means(self.surface, self.mesh.face_areas, face, value, error, **more)
         earth = self.surfaces.type == GROUND
         values, errors = (np.where(earth, np.nan, array) for array in (means.value, means.standard_error))
         return values, errors, self.surfaces.area.copy()
 
+    def _faces_of(self, points: SurfacePoints) -> np.ndarray:
+        """Return the triangle of each point, after checking that points are on surfaces of the city."""
+        wants = "points on the city's surfaces, with their faces, as from City.points"
+        face = points.face
+        if not (face >= 0).any():
+            raise ValueError(f"points: got {len(face):,} points without faces, want {wants}")
+        if face.max() >= len(self.surface):
+            raise ValueError(f"points: got the face {face.max()} for {len(self.surface):,} triangles, want {wants}")
+        if not (self.surface[face[face >= 0]] >= 0).any():
+            raise ValueError(f"points: got {len(face):,} points on the context alone, want {wants}")
+        return face
+
     def write(self, path: str | PathLike[str], results: Mapping[str, Any]) -> None:
         """Write a copy of the file with results as attributes of semantic surfaces and of city objects.
 
-        The rest of the JSON keeps its order, integers and spelling of numbers; a sequence stays a sequence. Results of
-        surfaces without a semantic object, and of templates, are written only into their city object.
+        The rest of the JSON keeps its order, texts, integers and spelling of numbers, but escapes in texts may be spelled in
+        another way; a sequence stays a sequence. Results of surfaces without a semantic object, and of templates, are
+        written only into their city object.
 
         A city object gets area-weighted means over its own surfaces and those of its children:
 
         - of roofs, under the name with "_roof", with the area in m2 as "ws_area_m2_roof";
         - of walls, likewise with "_wall";
-        - of surfaces without a type, such as roads, under the plain name.
+        - of surfaces without a type and of types of roads and water ("TrafficArea", "AuxiliaryTrafficArea", "WaterSurface"),
+          under the plain name. Surfaces of other types, such as "OuterCeilingSurface", are not in these means.
 
         A name that ends in "_m2" is a value per m2. Its integral over the area is written as well, under the name without
         "_m2".

@@ -71,10 +71,16 @@ def _check_header(tree: Part, kind: str) -> Part:
 
 
 class _SpelledNumber:
-    """Float read from JSON that is written back with its original digits."""
+    """Number read from JSON that is written back with its original digits; equal to the number."""
 
     def __init__(self, text: str) -> None:
         self.text = text
+
+    def __eq__(self, other: object) -> bool:
+        return float(self.text) == other
+
+    def __hash__(self) -> int:
+        return hash(float(self.text))
 
 
 def _parse_float(text: str) -> float | _SpelledNumber:
@@ -82,8 +88,12 @@ def _parse_float(text: str) -> float | _SpelledNumber:
     return number if repr(number) == text else _SpelledNumber(text)
 
 
+def _parse_int(text: str) -> int | _SpelledNumber:
+    return int(text) if text != "-0" else _SpelledNumber(text)
+
+
 def _edit_text(text: bytes, edit: Callable[[dict[str, Any]], None]) -> bytes:
-    found = json.loads(text, parse_float=_parse_float)
+    found = json.loads(text, parse_float=_parse_float, parse_int=_parse_int)
     edit(found)
     mark = secrets.token_hex(16)  # marks numbers in the output, since the JSON encoder cannot write raw text
     options = {"separators": (",", ":"), "ensure_ascii": text.isascii()}

@@ -6,6 +6,9 @@ ROOF, WALL, GROUND = "RoofSurface", "WallSurface", "GroundSurface"
 BY_NORMAL = (ROOF, WALL, GROUND)
 """Types of upward, upright and downward surfaces."""
 
+PLAIN = ("", "TrafficArea", "AuxiliaryTrafficArea", "WaterSurface")
+"""Types of the surfaces of roads, water and plants that get results without an ending on their city object."""
+
 _STEEP = 0.5  # cosine of 60 degrees: steeper surfaces are walls
 _NOT_BUILT = {"Road", "Railway", "Waterway", "TransportSquare", "WaterBody", "LandUse", "PlantCover", "TINRelief"}
 _NOT_BUILT |= {"SolitaryVegetationObject", "CityFurniture", "CityObjectGroup", "GenericCityObject"}

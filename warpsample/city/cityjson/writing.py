@@ -9,11 +9,11 @@ import numpy as np
 
 from warpsample.city.cityjson.boundaries import DEPTHS, nest_values
 from warpsample.city.cityjson.gathering import Geometry
-from warpsample.city.cityjson.kinds import ROOF, WALL
+from warpsample.city.cityjson.kinds import PLAIN, ROOF, WALL
 from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks
 
-_SUFFIXES = {ROOF: "_roof", WALL: "_wall", "": ""}
-"""Suffixes of the results of city objects, by type of surface. Surfaces of other types are not summarized on objects."""
+_SUFFIXES = {"_roof": (ROOF,), "_wall": (WALL,), "": PLAIN}
+"""Types of surfaces, by suffix of the results of city objects. Surfaces of other types are not summarized on objects."""
 _DIGITS = 7  # significant digits of a float32
 
 PER_AREA = "_m2"
@@ -77,9 +77,10 @@ class Editor:
     def _object_attributes(self, held: np.ndarray) -> Iterator[tuple[str, float]]:
         """Yield the attributes of a city object: means and areas over the surfaces of the object and its descendants."""
         kinds = self.surfaces.type[held]
-        for kind, end in _SUFFIXES.items():
+        for end, types in _SUFFIXES.items():
+            chosen = np.isin(kinds, np.array(types, object))
             for name, column in self.results.items():
-                has = (kinds == kind) & np.isfinite(self.results[name.removesuffix(ERROR)][held])
+                has = chosen & np.isfinite(self.results[name.removesuffix(ERROR)][held])
                 areas = self.surfaces.area[held[has]]
                 if areas.sum() > 0.0:
                     weights = np.ones(len(areas)) if self._is_total(name) else areas / areas.sum()

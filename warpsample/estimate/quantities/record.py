@@ -20,7 +20,7 @@ OPTIONS = {argument: option for option, argument in ARGUMENTS.items()}
 _LAST = ("rays", "status")  # last columns of a table
 _OF_INTERVALS = ("spread", "degrees_of_freedom")  # fields for `interval`, without a column
 
-OF_MEANS = ("reflected_runs",)
+OF_MEANS = ("reflected_runs", "unseen_error")
 """Fields of some results for the errors of means over points, which no file holds."""
 
 _NO_UNITS = ("", "mesh units")

@@ -11,7 +11,7 @@ from warpsample.mesh.mesh import Mesh
 _SCENES = (".glb", ".gltf")
 _READERS: dict[str, Callable[[Path], np.ndarray | None]] = {
     ".obj": text.read_obj_normals,
-    ".ply": ply.read_normals,
+    ".ply": lambda path: ply.read_corners(path, ("nx", "ny", "nz")),
     **dict.fromkeys(_SCENES, lambda path: gltf.read_corners(path, "NORMAL")),
     **dict.fromkeys((".usd", ".usda", ".usdc", ".usdz"), usd.read_normals),
 }

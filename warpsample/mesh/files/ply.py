@@ -8,7 +8,7 @@ file crashes VTK.
 """
 
 from array import array
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from io import SEEK_CUR, SEEK_END
 from itertools import islice
@@ -69,19 +69,22 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     return _mesh(read_elements(path))
 
 
-def read_normals(path: Path) -> np.ndarray | None:
-    """Read the normals nx, ny, nz of a .ply file's vertices at all face corners, (F, 3, 3); None for a file without normals.
+def read_corners(path: Path, names: Sequence[str]) -> np.ndarray | None:
+    """Read properties of a .ply file's vertices at all face corners, (F, 3, k) float64; None if one is missing.
 
     Raises:
         ValueError: As for `read`.
     """
-    with path.open("rb") as file:
-        names = {p.name for element in _header(file)[1] if element.name == "vertex" for p in element.properties}
-    if not {"nx", "ny", "nz"} <= names:
+    if not set(names) <= read_names(path):
         return None
     found = read_elements(path)
-    normals = np.stack([found["vertex"][f"n{axis}"] for axis in "xyz"], axis=1, dtype=np.float64)
-    return normals[_mesh(found)[1]]
+    return np.stack([found["vertex"][name] for name in names], axis=1, dtype=np.float64)[_mesh(found)[1]]
+
+
+def read_names(path: Path) -> set[str]:
+    """Read the names of the vertex properties that the header of a .ply file declares."""
+    with path.open("rb") as file:
+        return {p.name for element in _header(file)[1] if element.name == "vertex" for p in element.properties}
 
 
 def read_elements(path: Path) -> dict[str, dict[str, Any]]:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.host.arguments import check_file, check_integer, naming_file
-from warpsample.mesh.files import gltf, text, usd
+from warpsample.mesh.files import gltf, ply, text, usd
 
 LAST_SET = 255
 """Largest index of a set of texture coordinates."""
@@ -32,6 +32,21 @@ def _obj(path: Path, number: int) -> np.ndarray:
     return _downward(text.read_obj_uv(path))
 
 
+def _ply(path: Path, number: int) -> np.ndarray:
+    """Read the texture coordinates of a .ply's vertices, with v downward."""
+    names = find_ply_names(path, number)
+    found = None if names is None else ply.read_corners(path, names)
+    if found is None:
+        raise MissingSetError(f"no vertex of the file has set {number} of texture coordinates, such as s and t")
+    return _downward(found)
+
+
+def find_ply_names(path: Path, number: int) -> tuple[str, str] | None:
+    """Return the names of the vertex properties of a .ply file that hold set `number`, or None without the set."""
+    known = set() if number else ply.read_names(path)
+    return next((names for names in (("s", "t"), ("u", "v"), ("texture_u", "texture_v")) if set(names) <= known), None)
+
+
 def _usd(path: Path, number: int) -> np.ndarray:
     """Read a set of texture coordinates of a USD file, with v downward."""
     return _downward(usd.read_corners(path, number))
@@ -45,6 +60,7 @@ def _downward(uv: np.ndarray) -> np.ndarray:
 
 _READERS: dict[str, Callable[[Path, int], np.ndarray]] = {
     ".obj": _obj,
+    ".ply": _ply,
     **dict.fromkeys((".glb", ".gltf"), _gltf),
     **dict.fromkeys((".usd", ".usda", ".usdc", ".usdz"), _usd),
 }
@@ -56,13 +72,14 @@ SUFFIXES = tuple(_READERS)
 def load_uv(path: str | PathLike[str], *, set: int = 0) -> np.ndarray:
     r"""Read the texture coordinates of the faces that `load_mesh` reads from the same file.
 
-    (0, 0) is the upper left corner of a picture and v points down, as in glTF, for all formats: v of .obj and USD files,
-    which points up, becomes 1 - v. Coordinates may be outside 0 to 1. KHR_texture_transform is not applied.
+    (0, 0) is the upper left corner of a picture and v points down, as in glTF, for all formats: v of .obj, .ply and USD
+    files, which points up, becomes 1 - v. Coordinates may be outside 0 to 1. KHR_texture_transform is not applied.
 
     Args:
-        path: Path of a .glb, .gltf or .obj or, with usd-core, a .usd, .usda, .usdc or .usdz.
-        set: Index of the set of coordinates, an integer from 0: TEXCOORD_0, TEXCOORD_1 ... in glTF; an .obj has only set 0;
-            in USD, set 0 is the primvar "st" and the others follow by name. Default: 0.
+        path: Path of a .glb, .gltf, .obj or .ply or, with usd-core, a .usd, .usda, .usdc or .usdz.
+        set: Index of the set of coordinates, an integer from 0: TEXCOORD_0, TEXCOORD_1 ... in glTF; an .obj or .ply has only
+            set 0; in USD, set 0 is the primvar "st" and the others follow by name. In a .ply, set 0 consists of the vertex
+            properties s and t, u and v, or texture_u and texture_v. Default: 0.
 
     Returns:
         (F, 3, 2) float64, u and v at the corners of each face; NaN for faces without the set.

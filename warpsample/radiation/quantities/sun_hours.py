@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.estimate.quantities.record import Numbers, Quantity
 from warpsample.estimate.result import ExactResult, status_of
@@ -12,10 +13,13 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.quantities.irradiation import WEATHER
 from warpsample.radiation.sky.patches import sky_patches
-from warpsample.radiation.sun.direct_sun import direct_sun
+from warpsample.radiation.sun.direct_sun import SunCall
 from warpsample.radiation.weather.light import sun_directions
 from warpsample.radiation.weather.weather import read_weather
+from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
+
+_UNSEEN = np.float32(0.5)  # hours: half a ray, as for estimates whose rays disagree
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -24,7 +28,13 @@ class SunHours(ExactResult):
 
     These are `value` (P,), zeros (P,) as `standard_error` and `rays`, and `status` (P,). An hour counts if in its middle the
     sun's centre is above the horizon, in front of the point and not hidden by the mesh.
+
+    Attributes:
+        unseen_error: (P,) float32, least error of a point in a mean over a surface, because shadows may fall between points:
+            half an hour, or 0 where no hour needs a ray.
     """
+
+    unseen_error: NDArray[np.float32] | None = None
 
 
 def sun_hours(
@@ -80,10 +90,13 @@ def _prepare(
 
     def numbers(points: SurfacePoints, first: int) -> SunHours:
         hours = none = np.zeros(len(points), np.float32)
+        tally = np.zeros((len(points), 3), np.int32)
         if len(suns):
-            given = {"weights": np.ones(len(suns)), "seed": seed, "first_point": first, "workers": workers}
-            hours = direct_sun(mesh, points, suns, **given)
-        return SunHours(hours.astype(np.float32), none, none.astype(np.int32), status_of(points))
+            at = PlacedPoints.of(mesh, points)
+            options = RayOptions.of(len(at), ids=at.id, tracer="wide", seed=seed, first_point=first, workers=workers)
+            hours = SunCall(at, suns, np.ones(len(suns)), options).answer(tally)
+        unseen = np.where(tally[:, 1:].any(axis=1), _UNSEEN, np.float32(0.0))  # rays blocked and cast
+        return SunHours(hours.astype(np.float32), none, none.astype(np.int32), status_of(points), unseen)
 
     return numbers
 
