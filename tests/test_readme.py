@@ -126,7 +126,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample directions courtyard -o directions.npz --points 10000 --samples 64",
         "warpsample bake courtyard -o sky.ply --quantity sky --samples 256",
         "warpsample bake courtyard -o year.vtp --quantity irradiation --weather athens --at faces",
-        "warpsample view courtyard --up z --screenshot clouds.html",
+        "warpsample view courtyard --screenshot clouds.html",
         # these: tests/cluster/test_raster_command.py
         "warpsample bake dsm.tif -o svf.tif --quantity sky --tile 1024 --margin 256 --far alps_25m.tif --processes 2",
         "warpsample bake dsm.tif -o svf.tif --quantity sky --tile 1024 --margin 256 --far alps_25m.tif --resume",

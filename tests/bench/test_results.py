@@ -12,6 +12,7 @@ from PIL import Image
 from warpsample.bench import benchmarks
 from warpsample.bench.reporting import readme
 from warpsample.bench.result import RESULTS, load_results, save_repeats, save_summary
+from warpsample.bench.rows import format_figure
 
 NAMES = sorted(benchmarks())
 
@@ -192,3 +193,8 @@ def test_every_figure_of_the_first_page_follows_its_result(copied):
 def test_results_are_shown(results, name, capsys):
     """All lines fit; `lines_of` looks."""
     assert len(lines_of(name, results[name].settings, results[name].rows, capsys)) > 10
+
+
+def test_small_figures_are_not_rounded_to_0():
+    assert format_figure(0.00123) == "0.0012"
+    assert [format_figure(x) for x in (0.0, 0.0051, 1.234, 12.34, 1234.5)] == ["0.00", "0.01", "1.23", "12.3", "1,234"]

@@ -78,6 +78,7 @@ def array_of(values=HEIGHTS, **coordinates):
         ((HEIGHTS, (1.0, 0.0, 0.0), None), TypeError, r"source: got \(1\.0, 0\.0, 0\.0\) for its transform"),
         ((HEIGHTS, Affine(1.0, 2.0, 0.0, 2.0, 4.0, 0.0), None), ValueError, "want a transform whose cells have an area"),
         ((HEIGHTS, Affine(np.nan, 0.0, 0.0, 0.0, -1.0, 0.0), None), ValueError, "want a transform whose cells have an area"),
+        ((HEIGHTS, Affine(0.0, 0.0, 5.0, 0.0, 0.0, 7.0), None), ValueError, "an area; for a raster turned by 90 degrees"),
         ((HEIGHTS, (1.0, 0.0, "x", 0.0, 1.0, 0.0), None), TypeError, r"source: got \(1\.0, 0\.0, 'x', .* for its transform"),
         (
             (HEIGHTS, Affine(1.0, 0.0, 2e15, 0.0, -1.0, 0.0), None),

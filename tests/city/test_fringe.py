@@ -37,7 +37,7 @@ def surface_of(heights, far, model):
     window = slice(0, 16), slice(0, 16)
     grid, wide = add_fringe(reader.grid(), window, reader.shape, field.fringe, model)
     assert wide == (slice(-1, 17), slice(-1, 17))
-    found = ws.Mesh(*cut_fringe(build_surface(grid, model), wide, reader.shape))
+    found = ws.Mesh(*cut_fringe(build_surface(grid, model), wide, tuple(slice(0, size) for size in reader.shape)))
     return found, ws.rasters.surface((heights, NORTH_UP, None), model=model)
 
 

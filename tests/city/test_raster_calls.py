@@ -143,6 +143,12 @@ def test_wrong_options_are_named_before_anything_is_read():
             TypeError,
             "receiver: got an argument that visible_sky does not take, want one of",
         ),
+        (
+            rasters.irradiation,
+            {"weather": "athens", "refine": 1.0},  # cells reflect nothing
+            TypeError,
+            "refine: got an argument that irradiation does not take, want one of",
+        ),
         (rasters.sky_view_factor, {"model": "mesh"}, ValueError, "model: got 'mesh', want one of joined, block, tin"),
         (rasters.sky_view_factor, {"receiver": "tilted"}, ValueError, "receiver: got 'tilted', want one of horizontal"),
     ):

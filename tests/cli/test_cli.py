@@ -178,3 +178,15 @@ def test_without_them_points_are_where_they_were(call, cube, tmp_path, command, 
     assert call(command, cube, "-o", tmp_path / "d.npz", "--samples", 2)[0] == 0
     with np.load(tmp_path / "d.npz") as file:
         assert len(file["status"]) == rows
+
+
+def test_the_courtyard_stands_upright_in_the_viewer(call, cube, tmp_path, monkeypatch, can_render):
+    pytest.importorskip("pyvista")
+    from warpsample.viewer import start
+
+    ups = []
+    monkeypatch.setattr(start, "save", lambda *_, up, **__: ups.append(up) or "drawn")
+    for mesh, *options in (("courtyard",), ("courtyard", "--up", "x"), (cube,)):
+        status, _, _ = call("view", mesh, *options, "--screenshot", tmp_path / "picture.png")
+        assert status == 0
+    assert ups == ["z", "x", "y"]

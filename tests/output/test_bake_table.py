@@ -36,7 +36,8 @@ VALUES = {
     "instances": "mean", "chunk": "9", "cluster": "nowhere", "processes": "1", "resume": True, "workers": "1",
     "device": "cpu", "report": "report.html",
 }  # fmt: skip
-WITH = {"falloff": ["max_distance"], "margin": ["tile"], "trunk": ["canopy"], "high": ["cage"], "cage": ["high"]}
+WITH = {"falloff": ["max_distance"], "margin": ["tile"], "trunk": ["canopy"], "high": ["cage"], "cage": ["high"],
+        "refine": ["reflectance"]}  # fmt: skip
 """Further options that an option needs."""
 
 QUANTITIES = {"weather": "sun-hours", "period": "sun-hours", "environment": "irradiance", "reflectance": "irradiance",

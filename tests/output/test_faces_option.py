@@ -75,6 +75,16 @@ def test_bake_writes_what_gets_through(call, tmp_path):
 
 
 @pytest.mark.slow
+def test_refine_needs_a_reflectance(call, tmp_path):
+    given = ["--quantity", "irradiation", "--weather", "athens", "--refine", "2"]
+    status, _, err = call("bake", sheets(tmp_path), "-o", tmp_path / "out.csv", *given)
+    assert status == 2
+    assert err.startswith("error: --refine: got 2.0 without --reflectance, want both; ")
+    status, _, err = call("bake", tmp_path / "no.tif", "-o", tmp_path / "out.tif", *given)
+    assert status == 2
+    assert err.startswith("error: --refine: got 2.0 for no.tif; the option applies only to meshes, CityJSON and textures")
+
+
 def test_bake_writes_what_faces_send_back(call, tmp_path):
     path, output, picture = sheets(tmp_path), tmp_path / "out.npz", tmp_path / "even.npy"
     np.save(picture, np.ones((4, 8)))

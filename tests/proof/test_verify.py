@@ -99,3 +99,15 @@ def test_tasks_run_in_processes_and_an_error_reaches_the_caller():
 
 def test_every_defect_can_be_planted():
     assert [task.key for task in run.defect_tasks()] == defects.names()
+
+
+def test_the_summary_counts_in_words():
+    exact, statistical = (verify.Verdict("law", "made up", 1.0, 1.0, whether) for whether in (False, True))
+    assert report.summarize([exact]) == "1 verdict, 0 broken."
+    assert "2 verdicts, 0 broken. 1 is a statistical test that fails below" in report.summarize([exact, statistical])
+    assert "2 are statistical tests that fail below" in report.summarize([statistical] * 2)
+
+
+def test_only_samplers_are_swept():
+    assert run.describe_sweep([TrialPart("meshes"), TrialPart("sequence", "sobol")], thorough=False) == ""
+    assert run.describe_sweep([TrialPart("case", ws.OffsetDisk())], thorough=True).startswith("The sweep takes each")

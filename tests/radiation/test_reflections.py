@@ -190,6 +190,15 @@ def test_a_tolerance_is_refused_where_faces_reflect():
         ws.irradiance(known.pit(0.5), known.points_inside(2), known.SKY, tolerance=0.01)
 
 
+def test_a_message_says_that_the_parts_are_more_than_the_number():
+    """An edge has at most 1,024 parts, and 1e-9 would need more."""
+    many = ws.as_mesh((np.tile(np.eye(3), (40_000, 1)), np.arange(120_000).reshape(-1, 3)), reflectance=0.5)
+    with pytest.raises(MemoryError, match=r"^refine: more than [\d,]+ parts of faces that reflect"):
+        patches.patches_of(many, 1e-9)
+    with pytest.raises(MemoryError, match=r"^refine: [\d,]+ parts of faces that reflect"):
+        patches.patches_of(many, 2e-3)
+
+
 @pytest.mark.parametrize("refine", [None, np.inf, 0.3])
 def test_rays_meet_the_patches_that_places_are_on(refine):
     mesh = known.pit(np.where(np.arange(10) == 4, 0.0, 0.5))

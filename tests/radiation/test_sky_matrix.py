@@ -225,9 +225,13 @@ def test_points_far_off_and_nowhere():
     [
         ({"patches": "klems"}, r"patches: got 'klems', want one of tregenza, reinhart2, reinhart4"),
         ({"north": (0, 0, 2)}, r"north: got \(0, 0, 2\), which is along up"),
-        ({"fold": np.ones(146)}, r"fold: got shape \(146,\), want finite numbers of shape \(145,\) or \(145, T\)"),
+        (
+            {"fold": np.ones(146)},
+            r"fold: got shape \(146,\), want numbers from -1e37 to 1e37 of shape \(145,\) or \(145, T\)",
+        ),
         ({"fold": np.ones((145, 2, 2))}, r"fold: got shape \(145, 2, 2\), want"),
-        ({"fold": np.full(145, np.nan)}, r"fold: got NaN or infinity, want"),
+        ({"fold": np.full(145, np.nan)}, r"fold: got NaN or a number beyond 1e\+37, want"),
+        ({"fold": np.full(145, 1e300)}, r"fold: got NaN or a number beyond 1e\+37, want"),  # infinite in float32
         ({"count": 1}, r"count: got 1, want"),
     ],
 )

@@ -101,7 +101,9 @@ def format_value(value: Any, show: Show = None) -> str:
 
 
 def format_figure(x: float) -> str:
-    """Return a number with three digits and at most two decimal places."""
+    """Return a number with three digits and at most two decimal places; two digits of numbers that would round to 0."""
+    if 0.0 < x < 0.005:
+        return f"{x:.2g}"
     return f"{x:,.{0 if x >= 100 else 1 if x >= 10 else 2}f}"
 
 

@@ -41,8 +41,6 @@ class IrradiationKeywords(SunHoursKeywords, CastKeywords, total=False):
     """Patches of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305). Default: "reinhart2"."""
     count: int
     """Number of rays per cell to the sky, and the same number to the ground, 2 to 2^24. Default: 1024."""
-    refine: float | None
-    """Longest edge of the parts of faces that each reflect evenly, a float in map units. Default: None."""
 
 
 class SkyKeywords(TerrainKeywords, EstimateKeywords, total=False):

@@ -25,6 +25,7 @@ from warpsample.cli.terminal import (
     working,
 )
 from warpsample.cli.verify import verify_command
+from warpsample.mesh.examples import example
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.uv import find_uv
 from warpsample.mesh.points.arrays import read_array
@@ -166,7 +167,10 @@ def view(
     arrays: Annotated[Path | None, option(f"{ARRAYS_HELP} vertex or face. {ARRAYS_DEFAULT}")] = None,
     sequence: _Sequence = "independent",
     seed: _Seed = 0,
-    up: Annotated[Literal["x", "y", "z"], typer.Option(help="Axis of the mesh that points up in the picture.")] = "y",
+    up: Annotated[
+        Literal["x", "y", "z"] | None,
+        option("Axis of the mesh that points up in the picture. Default: z for the courtyard, y for other meshes."),
+    ] = None,
     screenshot: Annotated[
         Path | None, option("File to write instead of opening a window: .png, or .html to turn in a browser.")
     ] = None,
@@ -174,11 +178,13 @@ def view(
 ) -> None:
     """Show clouds of directions at points of a mesh, and compare the directions with a density.
 
-    The window starts with directions normalize(n + rho s), for the normal n and random points s of the unit sphere, and
-    compares them with the cosine lobe. They agree for rho = 1. Change rho, and the charts report that they do not agree.
+    The window starts with directions normalize(n + rho s), for the normal n and
+    random points s of the unit sphere, and compares them with the cosine lobe.
+    They agree for rho = 1. Change rho, and the charts report that they do not
+    agree.
 
-    For a .glb or .gltf with baked occlusion the window shows the occlusion instead, unless --points, --distribution or
-    --density is given.
+    For a .glb or .gltf with baked occlusion the window shows the occlusion
+    instead, unless --points, --distribution or --density is given.
     """
     from warpsample.mesh.files.linked_files import list_linked_files
     from warpsample.plotting import rendering
@@ -201,6 +207,7 @@ def view(
         rendering.check_rendering()
     with working(f"reading {path}"):
         surface, occlusion, uv = load_mesh(path), read_occlusion(path), find_uv(path)
+    up = up or ("y" if example(path) is None else "z")
     if occlusion is not None and not chosen:
         with signals.at_once() if screenshot is None else working(f"drawing {screenshot}"):
             summary = show_occlusion(surface, occlusion, up=up, size=size, path=screenshot)

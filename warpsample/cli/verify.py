@@ -84,7 +84,8 @@ def _print_report(verdicts: list[Any], tasks: Iterable[Any], thorough: bool, *, 
 
     tables = console()
     (report.show_one if single else report.show)(verdicts, tables)
-    tables.print(run.describe_sweep(thorough))
+    if sweep := run.describe_sweep(tasks, thorough):
+        tables.print(sweep)
     for sentence in advice.advise(verdicts, run.subjects(tasks)):
         tables.print(f"\n{sentence}", markup=False, highlight=False)
 

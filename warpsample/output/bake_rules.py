@@ -117,6 +117,13 @@ def _other_city(run: BakeRun) -> bool:
 
 _PAIRS: tuple[tuple[Callable[[BakeRun, Quantity], bool], Callable[[BakeRun, Quantity], str]], ...] = (
     (
+        lambda run, _: "refine" in run.arguments and run.reflectance is None,
+        lambda run, _: (
+            f"--refine: got {run.arguments['refine']} without --reflectance, want both; only light that faces reflect needs "
+            "parts of faces"
+        ),
+    ),
+    (
         lambda run, _: run.points is not None and run.at is not None,
         lambda run, _: f"--points: got {run.points} together with --at {run.at}, want only one of the two",
     ),

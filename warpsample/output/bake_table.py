@@ -157,7 +157,8 @@ OPTIONS: dict[str, Option] = {
         float,
         LIGHT,
         "Longest edge of the parts into which faces are divided for reflected light, in units of the mesh. Default: the "
-        "longest edges are cut, into 8,192 more parts",
+        "longest edges are cut, into 8,192 more parts. Needs --reflectance",
+        *_MESHES,
     ),
     "transmittance": Option(
         str,

@@ -87,10 +87,12 @@ def summarize(verdicts: list[Verdict]) -> str:
     """Return sentences with the numbers of tests, of failed tests, and of statistical tests."""
     failed = sum(not v.passed for v in verdicts)
     statistics = sum(v.statistical for v in verdicts)
-    return (
-        f"{len(verdicts):,} verdicts, {failed} broken. {statistics} are statistical tests that fail below p = {LEVEL:g}, "
-        f"so a correct build fails by chance in at most {FAMILY_WISE:g} of all runs."
-    )
+    counts = f"{len(verdicts):,} {'verdict' if len(verdicts) == 1 else 'verdicts'}, {failed} broken."
+    if not statistics:
+        return counts
+    which = "1 is a statistical test that fails" if statistics == 1 else f"{statistics} are statistical tests that fail"
+    chance = f"so a correct build fails by chance in at most {FAMILY_WISE:g} of all runs."
+    return f"{counts} {which} below p = {LEVEL:g}, {chance}"
 
 
 def _make_table(title: str | None = None) -> Any:

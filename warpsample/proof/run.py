@@ -79,8 +79,10 @@ def _kinds_of_parts() -> dict[str, str]:
     return parts | {kind: kind for kind in ("meshes", "rays", "routes")}
 
 
-def describe_sweep(thorough: bool) -> str:
-    """Return a sentence on how many different random numbers are tested."""
+def describe_sweep(tasks: Iterable[TrialPart], thorough: bool) -> str:
+    """Return a sentence on how many different random numbers are tested; "" for tasks without distributions."""
+    if not subjects(tasks):
+        return ""
     if thorough:
         return "The sweep takes each of the 2^24 values of both coordinates."
     slow = " and ".join(_SLOW_TWINS)

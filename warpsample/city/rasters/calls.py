@@ -140,7 +140,6 @@ def irradiation(
             year.
         patches: Patches of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305). Default: "reinhart2".
         count: Number of rays per cell to the sky, and the same number to the ground, 2 to 2^24. Default: 1024.
-        refine: Longest edge of the parts of faces that each reflect evenly, a float in map units. Default: None.
         seed: Random seed, an integer of 64 bits. Default: 0.
         skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
         workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.

@@ -15,8 +15,8 @@ from warpsample.city.rasters.raster_surface import on_map
 from warpsample.city.rasters.tiles import RasterRun
 from warpsample.estimate.quantities.record import Quantity
 
-_SET_HERE = ("up", "north", "first_point", "active", "series")
-"""Options of the underlying calls that the raster determines, or whose results are not rasters."""
+_SET_HERE = ("up", "north", "first_point", "active", "series", "refine")
+"""Options of the underlying calls that the raster determines, whose results are not rasters, or for reflected light."""
 
 _NOT_STORED = ("first_point", "active", "series", "workers", "progress")
 """Options that are not stored as attributes, because they change no number or do not apply to rasters."""

@@ -66,7 +66,8 @@ class FarField:
             heights = other.read(slice(None), slice(None))
             beyond = Bounds(*_bounds_of_surface(heights, heights, grow), ~reader.transform @ other.transform)
             fringe = fringe_bounds(heights, beyond) if grow else None
-        return cls(_pool_raster(reader, canopy, size, grow), beyond, size, reader.outline, fringe)
+        own = _pool_raster(reader, canopy, size, model, joined=other is not None)
+        return cls(own, beyond, size, reader.outline, fringe)
 
     def columns(self, tile: Window, near: Window, lowest: float) -> list[Columns]:
         """Return two functions that build a tile's distant terrain as triangles: with too high and with too low columns.
@@ -220,12 +221,15 @@ def _mask_ring(near: Window, size: int, outer: Window, inner: Window) -> np.ndar
     return masks[0] & ~masks[1]
 
 
-def _pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, grow: int) -> Bounds:
+def _pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, model: str, *, joined: bool) -> Bounds:
     """Compute the highest and lowest height in each block of `size` x `size` cells of a raster.
 
-    The lower height is NaN for a block with cells without data, and for a block that the raster's edge cuts.
+    The lower height is NaN for a block with cells without data, and for a block that the raster's edge cuts. With "tin" it
+    is also NaN for a block next to a cell without data, because triangles do not cover the whole block. The same holds for
+    a block at the raster's edge, unless the surface is `joined` with terrain beyond.
     """
     rows, columns = reader.shape
+    grow = int(model != "block")
     step = max(1, _BAND // max(columns, 1) // size) * size
     uppers, lowers = [], []
     for first in range(0, rows, step):
@@ -235,6 +239,8 @@ def _pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, grow: i
         grid = replace(reader.outline, height=heights)
         tops = heights if canopy is None else np.fmax(heights, canopy.crowns(grid, *band).top)
         highest, lowest = _bounds_of_surface(tops, heights, grow)
+        if model == "tin":
+            lowest[_mask_uncovered(heights, (begin == 0, end == rows), joined=joined)] = np.nan
         kept = slice(first - begin, min(first + step, rows) - begin)
         for made, heights, pick in ((uppers, highest, np.fmax), (lowers, lowest, np.minimum)):
             part = heights[kept]
@@ -252,6 +258,21 @@ def _bounds_of_surface(tops: np.ndarray, heights: np.ndarray, grow: int) -> tupl
     """
     lowest = np.where(np.isnan(heights), np.nan, _widen_extremes(heights, grow, np.fmin))
     return _widen_extremes(tops, grow, np.fmax), lowest
+
+
+def _mask_uncovered(heights: np.ndarray, at_edge: tuple[bool, bool], *, joined: bool) -> np.ndarray:
+    """Return the mask of the cells that triangles between centres do not cover: one of their eight neighbours has no data.
+
+    Args:
+        heights: Heights of a band of rows.
+        at_edge: Whether the first and the last row are at the raster's edge. Outside the band, neighbours count as data.
+        joined: Whether neighbours beyond the raster's edge have data.
+    """
+    beyond = not joined
+    padded = np.pad(np.isnan(heights), 1, constant_values=beyond)
+    padded[0, 1:-1], padded[-1, 1:-1] = (beyond and edge for edge in at_edge)
+    along = padded[:-2] | padded[1:-1] | padded[2:]
+    return along[:, :-2] | along[:, 1:-1] | along[:, 2:]
 
 
 def _widen_extremes(heights: np.ndarray, grow: int, pick: np.ufunc) -> np.ndarray:

@@ -57,14 +57,17 @@ def add_fringe(grid: Grid, window: Window, shape: tuple[int, int], bounds: Bound
     return replace(grid, height=np.where(inner, own, ring), transform=transform, coordinates={}), (rows, columns)
 
 
-def cut_fringe(surface: RasterSurface, window: Window, shape: tuple[int, int]) -> Part:
-    """Return the triangles of a part of a raster without the tops and walls of the ring's cells.
+def cut_fringe(surface: RasterSurface, window: Window, kept: Window) -> Part:
+    """Return the triangles of a part of a raster, its window, without the tops and walls of cells outside a smaller window.
 
-    Their outer corners are not joined with the cells beyond the ring. Triangles of "tin" reach to the ring's centres.
+    The outer corners of these cells are not joined with the cells beyond. Triangles of "tin" reach to the ring's centres.
     """
     if surface.model == "tin":
         return surface.mesh.vertices, surface.mesh.faces
-    row, column = np.divmod(surface.cell, surface.grid.height.shape[1])
-    row, column = row + window[0].start, column + window[1].start
-    kept = (row >= 0) & (row < shape[0]) & (column >= 0) & (column < shape[1])
-    return surface.mesh.vertices, surface.mesh.faces if kept.all() else surface.mesh.faces[kept]
+    place = np.divmod(surface.cell, surface.grid.height.shape[1])
+    rows, columns = (
+        (at + part.start >= inner.start) & (at + part.start < inner.stop)
+        for at, part, inner in zip(place, window, kept, strict=True)
+    )
+    inside = rows & columns
+    return surface.mesh.vertices, surface.mesh.faces if inside.all() else surface.mesh.faces[inside]

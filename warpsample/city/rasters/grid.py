@@ -1,7 +1,7 @@
 """Checked raster of heights, the triangles of its surface, and bounds of heights in the cells of another grid."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -75,6 +75,11 @@ class Grid:
         rows, columns = self.height.shape
         middle = self.places(np.array([0.5 * columns]), np.array([0.5 * rows]), np.zeros(1))[0]
         return true_north(self.crs, float(middle[0]), float(middle[1]))
+
+    def crop(self, rows: slice, columns: slice) -> "Grid":
+        """Return the given rows and columns as a Grid, without coordinates for xarray."""
+        transform = self.transform @ Affine.translation(columns.start, rows.start)
+        return replace(self, height=self.height[rows, columns], transform=transform, coordinates={})
 
     def places(self, column: np.ndarray, row: np.ndarray, height: np.ndarray) -> np.ndarray:
         """Convert column, row and height of points to map positions, (N, 3) float64.

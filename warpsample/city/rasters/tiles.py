@@ -192,12 +192,16 @@ class RasterRun:
         laid = {name: np.full(shape, np.nan, np.float32) for name in self.names}
         near = span if self.far_field is None else self.far_field.window_of(span, self.margin)
         window = tuple(slice(max(0, n.start), min(n.stop, size)) for n, size in zip(near, self.reader.shape, strict=True))
-        grid = self.reader.grid(*window)
-        row, column = (first.start - part.start for first, part in zip(span, window, strict=True))
+        wide = self._widen(window)
+        grid = self.reader.grid(*wide)
+        row, column = (first.start - part.start for first, part in zip(span, wide, strict=True))
         if not grid.valid[row : row + shape[0], column : column + shape[1]].any():
             return laid
-        points, (i, j), ground = self._build_ground(grid, window, span)
-        foreground = self._build_foreground(ground, grid, window)
+        points, (i, j), ground = self._build_ground(grid, wide, window, span)
+        rows, columns = (
+            slice(part.start - whole.start, part.stop - whole.start) for part, whole in zip(window, wide, strict=True)
+        )
+        foreground = self._build_foreground(ground, grid.crop(rows, columns), window)
         del ground  # whose arrays are in it
         scenes = self._build_scenes(foreground, span, near)
         with collect_missed_tolerances() as missed:
@@ -210,8 +214,20 @@ class RasterRun:
             warnings.warn(missed[0], stacklevel=5)
         return laid
 
-    def _build_ground(self, grid: Grid, window: Span, span: Span) -> tuple[SurfacePoints, np.ndarray, Part]:
-        """Return the points of a tile, their rows and columns in the tile, (2, P), and the triangles of the ground."""
+    def _widen(self, window: Span) -> Span:
+        """Return the rows and columns of a tile and its margin with one more ring of cells, which shapes their surface."""
+        ring = int(self.model != "block")
+        rows, columns = (
+            slice(max(0, part.start - ring), min(part.stop + ring, size))
+            for part, size in zip(window, self.reader.shape, strict=True)
+        )
+        return rows, columns
+
+    def _build_ground(self, grid: Grid, window: Span, kept: Span, span: Span) -> tuple[SurfacePoints, np.ndarray, Part]:
+        """Return the points of a tile, their rows and columns in the tile, (2, P), and the triangles of the ground.
+
+        The triangles are those of the cells in `kept`, the tile and its margin.
+        """
         shape = self.reader.shape
         if self.far_field is not None and self.far_field.fringe is not None:
             grid, window = add_fringe(grid, window, shape, self.far_field.fringe, self.model)
@@ -221,7 +237,7 @@ class RasterRun:
         inside = np.all([(at >= part.start) & (at < part.stop) for at, part in zip(place, span, strict=True)], axis=0)
         place = place[:, inside]
         points = replace(points.take(inside), id=place[0] * shape[1] + place[1])
-        return points, place - [[part.start] for part in span], cut_fringe(surface, window, shape)
+        return points, place - [[part.start] for part in span], cut_fringe(surface, window, kept)
 
     def _build_foreground(self, ground: Part, grid: Grid, window: Span) -> Foreground:
         """Build the triangles of a tile and its margin at full resolution: ground first, then tree crowns."""

@@ -112,7 +112,8 @@ def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
     cuts = _count_cuts(edges, _choose_longest_edge(edges) if longest is None else longest)
     parts = np.square(cuts)
     total = 2 * int(parts.sum())
-    check_memory(_BYTES * total, f"refine: {total:,} parts of faces that reflect", "pass a larger refine=")
+    more = "more than " if longest is not None and edges.max(initial=0.0) > _MOST_CUTS * longest else ""
+    check_memory(_BYTES * total, f"refine: {more}{total:,} parts of faces that reflect", "pass a larger refine=")
     face = np.repeat(np.arange(len(cuts)), 2 * parts)
     rank = np.arange(total) - np.repeat(np.cumsum(2 * parts) - 2 * parts, 2 * parts)
     back = rank >= parts[face]

@@ -23,6 +23,7 @@ from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.rays import RAY_WORK
 
+_LARGEST = 1e37  # of a number of a sky: results are float32
 _BLOCK_BYTES = 1 << 25  # of the rows in memory at a time while the matrix is folded
 _BYTES_OF_NUMBER = 8  # per value and error
 
@@ -107,14 +108,14 @@ def _check_fold(fold: Any, patches: int) -> np.ndarray:
     """Check the argument `fold`, and return it as a (K,) or (K, T) array of float32 or float64.
 
     Raises:
-        TypeError, ValueError: not numbers, another shape, or a number that is not finite.
+        TypeError, ValueError: not numbers, another shape, NaN, or a number beyond 1e37.
     """
-    wants = f"finite numbers of shape ({patches},) or ({patches}, T), one for each patch"
+    wants = f"numbers from -1e37 to 1e37 of shape ({patches},) or ({patches}, T), one for each patch"
     array = as_real(fold, "fold", wants)
     if array.ndim not in (1, 2) or array.shape[0] != patches or array.size == 0:
         raise ValueError(f"fold: got shape {array.shape}, want {wants}")
-    if not np.isfinite(array).all():
-        raise ValueError(f"fold: got NaN or infinity, want {wants}")
+    if not (np.abs(array) <= _LARGEST).all():
+        raise ValueError(f"fold: got NaN or a number beyond {_LARGEST:g}, want {wants}")
     return array
 
 

@@ -50,7 +50,9 @@ def check_cells(transform: Affine, shape: tuple[int, int]) -> None:
     numbers = np.array(transform[:6])
     size = max(np.abs(numbers[[0, 1, 3, 4]]).max(), 1e-300)
     if not np.isfinite(numbers).all() or abs(transform.determinant) <= 1e-12 * size**2:
-        raise ValueError(f"source: got the transform {tuple(numbers.tolist())}, want a transform whose cells have an area")
+        hint = "" if size > 1e-300 else "; for a raster turned by 90 degrees, which rioxarray misreads, pass its path"
+        wants = f"want a transform whose cells have an area{hint}"
+        raise ValueError(f"source: got the transform {tuple(numbers.tolist())}, {wants}")
     corners = [transform @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), shape[::-1])]
     farthest, side = np.abs(corners).max(), np.hypot(numbers[[0, 1]], numbers[[3, 4]]).min()
     if not np.spacing(farthest) <= _APART * side:
