@@ -145,3 +145,12 @@ def test_what_cannot_be_written_is_refused_before_any_work(measured, monkeypatch
     assert run_command(monkeypatch, "directions", "--plot", tmp_path) == 2
     assert "pip install '.[viz]'" in capsys.readouterr().err
     assert measured == {}
+
+
+def test_an_image_that_is_too_small_is_refused_by_the_name_of_the_option(monkeypatch, capsys):
+    def measure(track, **settings):
+        raise ValueError("size: got 128, want a larger image")
+
+    give(monkeypatch, "textures", measure=measure)
+    assert run_command(monkeypatch, "textures", "--side", 128) == 2
+    assert capsys.readouterr().err == "error: --side: got 128, want a larger image\n"

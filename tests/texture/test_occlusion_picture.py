@@ -50,7 +50,7 @@ def test_what_cannot_be_shown_is_white(baked, tmp_path):
 
     def transform(tree):
         change(tree)
-        tree["materials"][3]["occlusionTexture"]["extensions"] = {"KHR_texture_transform": {}}
+        tree["materials"][0]["occlusionTexture"]["extensions"] = {"KHR_texture_transform": {}}
 
     path.write_bytes(changed(baked.read_bytes(), transform))
     assert read_occlusion(path) is None

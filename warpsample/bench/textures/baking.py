@@ -161,7 +161,7 @@ def build_texture(tool: str, scene: Textured, known: Known, *, size: int, worker
 def measure(
     track: Track,
     *,
-    side: Annotated[int, typer.Option(help="Side of the square image in texels.", min=64)] = 512,
+    side: Annotated[int, typer.Option(help="Side of the square image in texels.", min=128)] = 512,
     asset: Annotated[
         Path | None, typer.Option(help="Path of a mesh with texture coordinates, for example in.glb. Default: the bunny.")
     ] = None,
