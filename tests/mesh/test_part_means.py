@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.stats import chi2
 
 from warpsample.mesh.part_means import part_means
 
@@ -57,23 +58,30 @@ def test_two_errors_of_few_points_contain_the_mean(areas, each):
     part, face = np.repeat(np.arange(count), faces), np.repeat(np.arange(count * faces), each)
     found = part_means(part, np.tile(areas, count), face, value, np.zeros(len(value)), count=count)
     # Of 20,000 parts, the share is known to 0.15 %, four of which are 0.6 %. Few degrees of freedom cost less than 1 %.
-    assert -0.016 < np.mean(np.abs(found.value) <= 2.0 * found.standard_error) - 0.9545 < 0.006
-    # Sums over parts keep their error: the squares add up to the variance, known to sqrt(2 / 20,000) = 1 %, three of it.
-    variance = np.square(areas).sum() / np.square(np.sum(areas)) / each
+    assert -0.016 < np.mean(np.abs(found.value) <= 2.0 * found.standard_error) - 0.9545 < 0.03
+    # The larger of a part's own variance s v, where s d is distributed as chi-squared with d degrees of freedom, and of the
+    # combined one, (s d + 8) v / (d + 8): E max(0, 1 - s) = F(d; d) - F(d; d + 2). Known to 1 %, three of it.
+    degrees = faces * (each - 1)
+    below = chi2.cdf(degrees, degrees) - chi2.cdf(degrees, degrees + 2)
+    variance = np.square(areas).sum() / np.square(np.sum(areas)) / each * (1.0 + 8.0 / (degrees + 8.0) * below)
     assert np.square(found.standard_error).mean() == pytest.approx(variance, rel=0.03)
 
 
 def test_variances_are_pooled_over_parts_of_one_kind():
-    """A part of equal values, one whose values vary, and one of another kind: 2 + 8 degrees of freedom, pooled of 4."""
+    """A part of equal values, one whose values vary, and one of another kind: 2 + 8 degrees of freedom, pooled of 4.
+
+    A part keeps its own variance if this is larger, and open parts say nothing of others.
+    """
     face = np.repeat([0, 1, 2], 3)
     value = np.array([1.0, 1.0, 1.0, 0.0, 1.0, 2.0, 7.0, 7.0, 7.0])
     given = (np.arange(3), np.ones(3), face, value, np.zeros(9))
     some = part_means(*given, count=3, least=np.full(9, 0.03), kind=np.array(["roof", "roof", "wall"]))
     pooled = (0.0 + 2.0) / (2 + 2)
-    shrunk = [(2 * variance + 8 * pooled) / (2 + 8) / 3 for variance in (0.0, 1.0)]
-    assert some.standard_error == pytest.approx([*np.sqrt(shrunk), 0.03 / 3])
+    assert some.standard_error == pytest.approx([np.sqrt((2 * 0.0 + 8 * pooled) / (2 + 8) / 3), np.sqrt(1 / 3), 0.03 / 3])
     free = part_means(*given, count=3, kind=np.array(["roof", "roof", "wall"]))  # no point needs a ray
-    assert free.standard_error == pytest.approx([0.0, np.sqrt(shrunk[1]), 0.0])
+    assert free.standard_error == pytest.approx([0.0, np.sqrt(1 / 3), 0.0])
+    value[:3] = [1.0, 1.0, 1.3]
+    assert part_means(*given, count=3).standard_error[0] == pytest.approx(np.sqrt((0.06 + 8 * (0.06 + 2.0) / 4) / 10 / 3))
 
 
 def test_rare_large_deviations_count_for_less_than_the_pooled_variance():

@@ -243,12 +243,18 @@ def test_a_chart_that_is_mostly_inside_a_body_at_one_place_is_reported(call, tmp
     assert (status, err.startswith("error: --strict: got"), warning in err) == (2, True, instances == "split")
 
 
-def test_the_first_picture_stays_with_the_material_that_animations_name(call, tmp_path):
+def test_animations_of_a_material_reach_its_copies(call, tmp_path):
     """KHR_animation_pointer names materials by number: copies go to other places, and to a mesh outside the scene."""
     path, output = rooms(tmp_path / "in.glb", 2), tmp_path / "out.glb"
 
+    def pointing(to):
+        return {"sampler": 0, "target": {"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": to}}}}
+
     def share_materials(tree):
         tree["meshes"].append({"primitives": tree["meshes"][0]["primitives"]})
+        named = "/materials/0/emissiveFactor", "/meshes/0/weights", "/materials/10/alphaCutoff"
+        nodes = {"sampler": 0, "target": {"node": 0, "path": "scale"}}
+        tree["animations"] = [{"channels": [*map(pointing, named), nodes], "samplers": [{"input": 0, "output": 0}]}]
 
     path.write_bytes(changed(path.read_bytes(), share_materials))
     assert call("bake", path, "-o", output, *RAYS, "--strict")[::2] == (0, "")
@@ -258,3 +264,7 @@ def test_the_first_picture_stays_with_the_material_that_animations_name(call, tm
     assert ["occlusionTexture" in tree["materials"][number] for number in used[2]] == [False, False]  # outside the scene
     assert ["occlusionTexture" in tree["materials"][number] for number in used[3]] == [True, True]  # the other place
     assert tree["nodes"][1]["mesh"] == 3
+    channels = tree["animations"][0]["channels"]
+    copies = [used[mesh][used[0].index(0)] for mesh in (2, 3)]
+    copied = ["/meshes/3/weights", *(f"/materials/{number}/emissiveFactor" for number in copies)]
+    assert sorted(map(str, channels[4:])) == sorted(str(pointing(to)) for to in copied)

@@ -34,6 +34,7 @@ _PICTURES = {
 """First bytes of a picture and its media type. WebP and KTX2 need a glTF extension."""
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
 _LISTS = ("accessors", "bufferViews", "images", "materials", "samplers", "textures")
+_POINTER = "KHR_animation_pointer"
 _CLAMP, _LINEAR, _LINEAR_MIPMAP = 33071, 9729, 9987
 
 
@@ -70,9 +71,10 @@ class GlbFile:
         self.data: Data = Data.of(self.part, path, chunk)
         for key in _LISTS:
             self.part.parts(key)  # checks the type of each list that may grow
+        for animation in self.part.parts("animations"):
+            animation.parts("channels")
         check_finite(self.part)
-        # a copy by text: the file was parsed, so that its nesting is not too deep
-        self.tree: dict[str, Any] = json.loads(json.dumps(self.part.content, allow_nan=False))
+        self.tree: dict[str, Any] = _copy_json(self.part.content)
         self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
         if is_binary:
             self._rest = _read_trailing_bytes(path, len(chunk))
@@ -114,9 +116,23 @@ class GlbFile:
         """Append a glTF material, given as JSON, and return its number."""
         return self._append("materials", material)
 
-    def copy_mesh(self, number: int) -> int:
-        """Append a copy of a mesh and return its number; both meshes use the same data."""
-        return self._append("meshes", json.loads(json.dumps(self.tree["meshes"][number])))
+    def copy_item(self, key: str, number: int) -> int:
+        """Append a copy of a mesh or material and return its number; both use the same data and the same animations.
+
+        Animations name meshes and materials by number (KHR_animation_pointer), so a copy needs channels of its own.
+
+        Args:
+            key: "meshes" or "materials".
+            number: number of the mesh or material.
+        """
+        made = self._append(key, _copy_json(self.tree[key][number]))
+        old, new = f"/{key}/{number}/", f"/{key}/{made}/"
+        for animation in self.tree.get("animations", []):
+            for channel in [each for each in animation.get("channels", []) if _find_pointer(each).startswith(old)]:
+                copy = _copy_json(channel)
+                copy["target"]["extensions"][_POINTER]["pointer"] = new + _find_pointer(channel).removeprefix(old)
+                animation["channels"].append(copy)
+        return made
 
     def write(self, file: BinaryIO) -> None:
         """Write the edited content to an open file as a .glb.
@@ -195,6 +211,19 @@ class GlbFile:
         items = self.tree.setdefault(key, [])
         items.append(item)
         return len(items) - 1
+
+
+def _copy_json(content: Any) -> Any:
+    """Return a copy by text: the file was parsed, so that its nesting is not too deep."""
+    return json.loads(json.dumps(content, allow_nan=False))
+
+
+def _find_pointer(channel: dict[str, Any]) -> str:
+    """Return the JSON pointer to what an animation channel changes, or "" for a channel that changes a node."""
+    try:
+        return Part(channel).part("target").part("extensions").part(_POINTER).text("pointer")
+    except (TypeError, ValueError):
+        return ""
 
 
 def _read_trailing_bytes(path: Path, chunk: int) -> bytes:

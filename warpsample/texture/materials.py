@@ -1,6 +1,5 @@
 """Adding computed pictures to the materials of a .glb as textures."""
 
-import json
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -74,9 +73,9 @@ def add_texture(
 ) -> Iterator[str]:
     """Add a picture to the materials of a group of primitives, and yield a sentence for each picture it replaces.
 
-    The first picture of a material goes to the material itself, to which animations may point (KHR_animation_pointer).
-    Primitives outside the group get an unchanged copy. Any other picture goes to a copy, so add the first picture last. A
-    group without a material gets a new one. The picture is read without KHR_texture_transform.
+    The first picture of a material goes to the material itself. Primitives outside the group get an unchanged copy. Any
+    other picture goes to a copy, so add the first picture last. A group without a
+    material gets a new one. The picture is read without KHR_texture_transform.
 
     Args:
         file: file to edit.
@@ -140,6 +139,6 @@ def _copy_material(file: GlbFile, primitives: Iterable[Part], number: int) -> No
     references = [named for primitive in primitives for named in list_material_references(primitive)]
     used = [named.content for named in references if named.content["material"] == number]
     if used:
-        made = file.add_material(json.loads(json.dumps(file.tree["materials"][number])))
+        made = file.copy_item("materials", number)
         for content in used:
             content["material"] = made

@@ -94,7 +94,8 @@ class City(Summary):
         included; they are common to all surfaces.
 
         A few points may all miss the same shadow. So the variance of each surface is combined with the pooled variance of
-        all surfaces of its type. The errors of simple surfaces among varied ones are larger than they need to be.
+        all surfaces of its type, unless its own is larger. The errors of simple surfaces among varied ones are larger than
+        they need to be.
 
         All points share the light that faces reflect. For a result with a `reflected` part, the differences between its
         eight runs add the shared error. The error is then up to 1.4 times too large.

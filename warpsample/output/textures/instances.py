@@ -116,7 +116,7 @@ def _mesh_for(file: GlbFile, one: Primitive, shown: dict[int, int], known: dict[
     """Assign a glTF node its mesh, or a copy if the node shows other pictures than the mesh; return the mesh's number."""
     key = one.mesh, tuple(sorted(shown.items()))
     if key not in known:
-        known[key] = file.copy_mesh(one.mesh) if any(shown.values()) else one.mesh
+        known[key] = file.copy_item("meshes", one.mesh) if any(shown.values()) else one.mesh
     file.tree["nodes"][one.node]["mesh"] = known[key]
     return known[key]
 
