@@ -132,7 +132,7 @@ def test_an_interrupt_prints_what_is_done(call, monkeypatch):
     assert status == 130
     assert err == "interrupted after 1 of 7 parts; the tables contain only these parts\n"
     assert re.search(r"finite +Done +1 +0 +≤ 0 +holds", out)
-    assert "1 verdicts, 0 broken" in out
+    assert "1 verdict, 0 broken" in out
 
 
 def test_what_is_imprecise_is_distinguished_from_what_is_wrong():

@@ -63,9 +63,9 @@ def test_a_turn_of_everything_changes_nothing(yard, athens):
 def test_every_field_has_a_row_for_each_point(yard, athens):
     mesh, where = yard
     found = ws.irradiation(mesh, where, athens, period=DAY, patches="tregenza", count=64)
-    of_no_point = ("skipped", "reflected", "reflected_error")
+    of_no_point = ("skipped", "reflected", "reflected_error", "reflected_runs")
     shapes = {item.name: getattr(found, item.name).shape for item in fields(found) if item.name not in of_no_point}
-    assert found.reflected is found.reflected_error is None  # the mesh is black
+    assert found.reflected is found.reflected_error is found.reflected_runs is None  # the mesh is black
     assert shapes.pop("hours") == (24,)
     assert set(shapes.values()) == {(60,)}
     assert found.value.dtype == np.float32

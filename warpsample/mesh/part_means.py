@@ -166,4 +166,5 @@ def _means(face: np.ndarray, points: np.ndarray, value: np.ndarray, error: np.nd
     """
     mean = np.bincount(face, value, len(points)) / np.maximum(points, 1)
     away = np.where(points[face] == 1, error, value - mean[face])
-    return [mean, *(np.bincount(face, away**power, len(points)) for power in (2, 4))]
+    squares = np.square(away, dtype=np.float64)
+    return [mean, *(np.bincount(face, terms, len(points)) for terms in (squares, np.square(squares)))]
