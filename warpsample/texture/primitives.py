@@ -66,7 +66,7 @@ class Primitive:
         rows = self.matrix.reshape(-1, 3, 3)
         squares = rows @ rows.transpose(0, 2, 1)
         size = np.trace(squares, axis1=1, axis2=2) / 3.0
-        if (np.abs(np.linalg.det(rows)) <= _FLAT * size**1.5).any():
+        if (np.abs(np.linalg.det(rows)) <= _FLAT * size * np.sqrt(size)).any():
             return False
         is_uniform = np.abs(squares - size[:, None, None] * np.eye(3)).max(axis=(1, 2)) <= _UNEVEN * size
         return not is_uniform.all() or float(np.abs(rows - rows[:1]).max(initial=0.0)) > 0.0
