@@ -138,7 +138,8 @@ def test_no_error_is_0_where_rays_may_have_missed_a_wall(tmp_path):
     assert (raised[:, 1][:, is_open] == 0.0).all()
     ordinary = plain[:, 1] > 0.0
     squares = [np.square(runs[:, 1][ordinary]).sum() for runs in (raised, plain)]
-    assert 1.0 <= squares[0] / squares[1] < 1.05
+    # Zero errors of values do not tell that a roof may vary, so the variances are pooled over other roofs: 5 % either way.
+    assert 0.95 < squares[0] / squares[1] < 1.05
 
 
 @pytest.mark.slow
