@@ -64,6 +64,13 @@ _Sequence = Annotated[
     str, typer.Option(help=f"Sequence of random or evenly spread sample points: {', '.join(sequences.names())}.")
 ]
 _Seed = Annotated[int, typer.Option(help="Seed of the random points and directions.")]
+_Up = Annotated[
+    Literal["x", "y", "z"] | None,
+    option("Axis of the mesh that points up in the picture. Default: z for the courtyard, y for other meshes."),
+]
+_Screenshot = Annotated[
+    Path | None, option("File to write instead of opening a window: .png, or .html to turn in a browser.")
+]
 
 
 def _print_version(is_requested: bool) -> None:
@@ -167,13 +174,8 @@ def view(
     arrays: Annotated[Path | None, option(f"{ARRAYS_HELP} vertex or face. {ARRAYS_DEFAULT}")] = None,
     sequence: _Sequence = "independent",
     seed: _Seed = 0,
-    up: Annotated[
-        Literal["x", "y", "z"] | None,
-        option("Axis of the mesh that points up in the picture. Default: z for the courtyard, y for other meshes."),
-    ] = None,
-    screenshot: Annotated[
-        Path | None, option("File to write instead of opening a window: .png, or .html to turn in a browser.")
-    ] = None,
+    up: _Up = None,
+    screenshot: _Screenshot = None,
     size: Size = (1600, 900),
 ) -> None:
     """Show clouds of directions at points of a mesh, and compare the directions with a density.

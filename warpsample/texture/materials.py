@@ -74,8 +74,8 @@ def add_texture(
     """Add a picture to the materials of a group of primitives, and yield a sentence for each picture it replaces.
 
     The first picture of a material goes to the material itself. Primitives outside the group get an unchanged copy. Any
-    other picture goes to a copy, so add the first picture last. A group without a
-    material gets a new one. The picture is read without KHR_texture_transform.
+    other picture goes to a copy, so add the first picture last. A group without a material gets a new one. The picture is
+    read without KHR_texture_transform.
 
     Args:
         file: file to edit.
