@@ -62,11 +62,11 @@ def test_parts_that_miss_the_tolerance_are_reported_once():
     record, part = run_record.RunRecord("ambient occlusion"), run_record.EMPTY.copy()
     record.add(part, 1)
     part["missed"] = "tolerance: got 1e-06"
-    with pytest.warns(UserWarning, match="^tolerance: got 1e-06$") as heard:
-        for _ in range(3):
-            record.add(part, 1)
+    with pytest.warns(UserWarning, match="^tolerance: got 1e-06$"):
+        record.add(part, 1)
+    record.add(part, 1)  # a second warning is an error
     record.add(run_record.EMPTY, 1)
-    assert (len(heard), record.done) == (1, 5)
+    assert record.done == 4
 
 
 @pytest.mark.slow
