@@ -57,7 +57,7 @@ class IrradianceTime(ToolRow):
 
     tool: str = column(
         "tool",
-        "picture: directions of rays drawn by the picture's brightness; cosine: by the cosine lobe; both: half of each",
+        "picture: directions of rays drawn by the picture's brightness; cosine: by the cosine lobe; both: rays of each",
         kw_only=True,
     )
     sun: float = column("sun", "angle from its centre to its edge", show=_format_sun, kw_only=True)
