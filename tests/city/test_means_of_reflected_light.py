@@ -1,12 +1,14 @@
 """Means over surfaces in light that faces reflect: errors that points share do not average out."""
 
 import csv
+import json
 
 import city_files as cases
 import numpy as np
 import pytest
 
 import warpsample as ws
+from warpsample.city.cityjson.city import write_columns
 from warpsample.output import bake
 
 pytest.importorskip("pvlib")
@@ -66,6 +68,60 @@ def test_a_table_has_the_same_errors(city, call, tmp_path, monkeypatch):
     with np.load(tmp_path / "b.npz") as arrays:
         assert "reflected" in arrays
         assert "reflected_runs" not in arrays
+
+
+def walls_of(path):
+    """Return the mean and the error of each building's walls in a CityJSON file."""
+    objects = json.loads(path.read_text(encoding="utf-8"))["CityObjects"].values()
+    names = ("ws_irradiation_kwh_m2_wall", "ws_irradiation_kwh_m2_error_wall")
+    return np.array([[thing["attributes"][name] for name in names] for thing in objects])
+
+
+def test_errors_of_objects_contain_the_light_that_their_surfaces_share(city, call, tmp_path):
+    """The variances of the runs' means over an object, and of the surfaces without the part that the runs explain."""
+    mesh, points = ws.as_mesh(city.mesh, reflectance=0.8), city.points(4000)
+    light = ws.irradiation(mesh, points, "athens", count=16, refine=5.0, **DAY)
+    city.write(tmp_path / "a.city.json", {"ws_irradiation_kwh_m2": light}, points=points)
+    found = walls_of(tmp_path / "a.city.json")
+    value, error, area = city.surface_means(light, points=points)
+    runs = np.array([city.surface_means(light.reflected_runs[:, 0, r], points=points)[0] for r in range(8)])
+    for row, name in enumerate("abcd"):
+        held = (city.surfaces.object == name) & (city.surfaces.type == "WallSurface")
+        share = area[held] / area[held].sum()
+        own = np.square(error[held]) - runs[:, held].var(axis=0, ddof=1) / 8
+        right = np.square(share) @ own + (runs[:, held] @ share).var(ddof=1) / 8
+        assert found[row] == pytest.approx([share @ value[held], np.sqrt(right)], rel=1e-5)
+    day = ["--weather", "athens", "--period", "06-21", "06-21", "--patches", "tregenza", "--refine", "5"]
+    given = ["--quantity", "irradiation", "--samples", 16, "--reflectance", "0.8", "--split", "--points", 4000, *day]
+    assert call("bake", city.path, "-o", tmp_path / "b.city.json", *given)[0] == 0
+    assert walls_of(tmp_path / "b.city.json") == pytest.approx(found, rel=1e-5)
+
+
+def test_an_error_that_all_surfaces_share_is_that_of_their_object(city, tmp_path):
+    """With independent surfaces it would be less: 0.6 times as much for walls whose areas are 1.5, 5, 1.5 and 5 parts."""
+    wave = np.arange(8.0) - 3.5
+    shared, own = np.sqrt(wave.var(ddof=1) / 8), 0.3
+    count = len(city.surfaces)
+    columns = {"a_m2": np.ones(count), "a_m2_error": np.full(count, np.hypot(shared, own))}
+    write_columns(city, tmp_path / "a.city.json", columns, {"a_m2": np.tile(1.0 + wave[:, None], count)})
+    attributes = json.loads((tmp_path / "a.city.json").read_text(encoding="utf-8"))["CityObjects"]["a"]["attributes"]
+    share = np.array([1.5, 5.0, 1.5, 5.0]) / 13.0
+    right = np.sqrt(shared**2 + own**2 * np.square(share).sum())
+    assert attributes["a_m2_error_wall"] == pytest.approx(right, rel=1e-6)
+    assert attributes["a_error_wall"] == pytest.approx(right * 2 * (6 + 20) * 15, rel=1e-6)
+
+
+def test_a_result_is_written_as_its_means(city, tmp_path):
+    points = city.points(4000)
+    sky = ws.sky_view_factor(city.mesh, points, 16)
+    mean, error, _ = city.surface_means(sky, points=points)
+    city.write(tmp_path / "a.city.json", {"sky": sky}, points=points)
+    city.write(tmp_path / "b.city.json", {"sky": mean, "sky_error": error})
+    assert (tmp_path / "a.city.json").read_bytes() == (tmp_path / "b.city.json").read_bytes()
+    with pytest.raises(ValueError, match="results: got 'sky_error' for a result, want 'sky' alone"):
+        city.write(tmp_path / "c.city.json", {"sky": sky, "sky_error": error}, points=points)
+    with pytest.raises(ValueError, match=r"results\['sky'\]: got shape \(3996,\), want \(40,\), one for each point"):
+        city.write(tmp_path / "c.city.json", {"sky": sky})
 
 
 @pytest.mark.thorough

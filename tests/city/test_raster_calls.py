@@ -114,6 +114,7 @@ def test_the_sun_stands_by_true_north():
         assert found.value.attrs["units"] == {"sun_hours": "h", "irradiation": "kWh m-2"}[call]
         assert found.attrs["north"] == " ".join(str(item) for item in made.north)
         assert found.attrs["period"] == "03-20 03-25"
+        assert "refine" not in found.attrs  # an option for reflected light, and cells reflect nothing
         assert ("the normal of the receiver is up" in found.attrs["definition"]) == (receiver == "horizontal")
 
 

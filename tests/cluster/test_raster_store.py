@@ -204,9 +204,11 @@ def test_a_killed_run_goes_on_to_the_same_bytes(dsm, folder, child_environment):
 
 
 @pytest.mark.thorough
-def test_processes_write_the_same_bytes(dsm, folder):
-    bake(dsm, folder / "right.zarr")
-    bake(dsm, folder / "sky.zarr", processes=2)
+def test_processes_write_the_same_bytes_and_warn_once(dsm, folder):
+    for name, processes in (("right.zarr", None), ("sky.zarr", 2)):
+        with pytest.warns(UserWarning, match="^tolerance: got 1e-06, which is not reached with 32 rays") as heard:
+            bake(dsm, folder / name, processes=processes, tolerance=1e-6)
+        assert len(heard) == 1
     assert contents(folder / "sky.zarr") == contents(folder / "right.zarr")
 
 

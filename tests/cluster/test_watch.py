@@ -39,7 +39,7 @@ def written(monkeypatch):
             with record.show("reading courtyard"), record.count(100, "it can be resumed"):
                 record.skip(30)
                 record._first = 0.0
-                record.add(np.array((50, 7000, 50, 0.5, 25.0, 0.0, 1.0), run_record.SUMMARY)[()])
+                record.add(np.array((50, 7000, 50, 0.5, 25.0, 0.0, 1.0, ""), run_record.SUMMARY)[()])
         return [stream.getvalue() for stream in streams]
 
     return watch
@@ -55,3 +55,23 @@ def test_on_a_terminal_a_bar_tells_speed_and_error(written):
 @pytest.mark.parametrize("out", [False, True])
 def test_elsewhere_nothing_is_written(written, out):
     assert written(out=out, err=False) == ["", ""]
+
+
+def test_parts_that_miss_the_tolerance_are_reported_once():
+    """Each process would warn once itself; so a part carries the message to the command."""
+    record, part = run_record.RunRecord("ambient occlusion"), run_record.EMPTY.copy()
+    record.add(part, 1)
+    part["missed"] = "tolerance: got 1e-06"
+    with pytest.warns(UserWarning, match="^tolerance: got 1e-06$"):
+        record.add(part, 1)
+    record.add(part, 1)  # a second warning is an error
+    record.add(run_record.EMPTY, 1)
+    assert record.done == 4
+
+
+@pytest.mark.slow
+def test_a_store_whose_chunks_miss_the_tolerance_warns_once(call, tmp_path):
+    command = ("bake", "courtyard", "-o", tmp_path / "out.zarr", "--points", 100, "--chunk", 40, "--samples", 16)
+    with pytest.warns(UserWarning, match="^tolerance: got 1e-06, which is not reached with 16 rays") as heard:
+        assert call(*command, "--tolerance", "1e-6")[0] == 0
+    assert len(heard) == 1

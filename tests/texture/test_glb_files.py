@@ -202,6 +202,7 @@ def test_extensions_that_number_vertices_are_left_out_with_new_coordinates(call,
             mesh["extensions"] = {"EXT_mesh_manifold": {"mergeIndices": 3}}
             more = {"CESIUM_primitive_outline": outline, "EXT_nobody_knows": {}}
             mesh["primitives"][0]["extensions"] = mesh["primitives"][0].get("extensions", {}) | more
+        tree["extensionsUsed"] += ["CESIUM_primitive_outline", "EXT_mesh_manifold", "KHR_mesh_quantization"]
 
     (tmp_path / "in.glb").write_bytes(changed(rich(), extend))
     command = ("bake", tmp_path / "in.glb", "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 4)
@@ -216,10 +217,33 @@ def test_extensions_that_number_vertices_are_left_out_with_new_coordinates(call,
     assert floor["primitives"][0]["extensions"] == {"EXT_nobody_knows": {}}
     assert wall["primitives"][0]["extensions"].keys() == {"KHR_materials_variants", "EXT_nobody_knows"}
     assert spare["primitives"][0]["extensions"]["CESIUM_primitive_outline"] == outline  # outside the scene
+    assert {"CESIUM_primitive_outline", "EXT_mesh_manifold"} <= set(opened(tmp_path / "out.glb")[0]["extensionsUsed"])
 
     (tmp_path / "in.glb").write_bytes(changed(rich(), extend))
     assert "new coordinates" not in call(*command, "--uv", "0")[1]
     assert opened(tmp_path / "out.glb")[0]["meshes"][0]["primitives"][0]["extensions"]["CESIUM_primitive_outline"] == outline
+
+
+def test_extensions_that_the_output_no_longer_has_are_not_listed_as_used(call, tmp_path):
+    """Outlines number vertices, and the picture replaces one with a transform. Names without an object are kept."""
+    others = ["KHR_materials_variants", "EXT_nobody_knows", "KHR_mesh_quantization"]
+
+    def extend(tree):
+        del tree["meshes"][2], tree["nodes"][3]  # the mesh outside the scene
+        tree["scenes"] = [{"nodes": [0, 1, 2, 3]}]
+        tree["skins"][0]["joints"] = [2, 3]
+        for mesh in tree["meshes"]:
+            mesh["primitives"][0].setdefault("extensions", {})["CESIUM_primitive_outline"] = {"indices": 3}
+        tree["extensionsUsed"] = [*others, "CESIUM_primitive_outline", "KHR_texture_transform"]
+        tree["extensionsRequired"] = ["CESIUM_primitive_outline"]
+
+    (tmp_path / "in.glb").write_bytes(changed(rich(), extend))
+    command = ("bake", tmp_path / "in.glb", "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 4, "--uv", "new")
+    assert call(*command)[::2] == (0, "")
+    tree = opened(tmp_path / "out.glb")[0]
+    assert "CESIUM_primitive_outline" not in json.dumps(tree)
+    assert tree["extensionsUsed"] == others
+    assert "extensionsRequired" not in tree
 
 
 @pytest.mark.parametrize("uv", ["0", "new"])

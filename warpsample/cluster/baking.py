@@ -23,8 +23,9 @@ from warpsample.cluster.lock import locked
 from warpsample.cluster.sending import current_client, shared_by_key
 from warpsample.cluster.store import begin, check_store
 from warpsample.cluster.writing import at_work, write_chunk, writing
+from warpsample.estimate.estimating import collect_missed_tolerances
 from warpsample.host.arguments import check_choice, check_flag
-from warpsample.output.run_record import SUMMARY, RunRecord, summarize
+from warpsample.output.run_record import EMPTY, SUMMARY, RunRecord, summarize
 
 
 def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool = False, **options: Any) -> xr.Dataset:
@@ -147,14 +148,19 @@ def bake_chunk(
     given, rows = blocks
     with at_work(folder):
         points = points_in(call, span, shared, given)
-        found = numbers(call, span.start, points, shared, rows)
+        with collect_missed_tolerances() as missed:
+            found = numbers(call, span.start, points, shared, rows)
         arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
         where = {name: array for name in GIVEN_ARRAYS if (array := getattr(points, name, None)) is not None}
         index = span.start // chunk
         write_chunk(folder, index, (index,), (chunk,), where | arrays)
     rays = int(found["rays"].sum(dtype=np.int64)) if "rays" in found else 0
-    if "value" not in found or "standard_error" not in found:
-        return np.array([(len(span), rays, 0, 0.0, 0.0, np.inf, -np.inf)], SUMMARY)
-    known = found["status"] == 0 if "status" in found else None
-    vectors = call.name in CALLS and CALLS[call.name].is_vector
-    return np.array([summarize(found["value"], found["standard_error"], rays, known, vectors=vectors)], SUMMARY)
+    if "value" in found and "standard_error" in found:
+        known = found["status"] == 0 if "status" in found else None
+        vectors = call.name in CALLS and CALLS[call.name].is_vector
+        summary = summarize(found["value"], found["standard_error"], rays, known, vectors=vectors)
+    else:
+        summary = EMPTY.copy()
+        summary["points"], summary["rays"] = len(span), rays
+    summary["missed"] = max(missed, default="")
+    return np.array([summary], SUMMARY)

@@ -21,6 +21,7 @@ from warpsample.cluster.raster_store import begin_raster, tiles_in, write_tile
 from warpsample.cluster.sending import current_client
 from warpsample.cluster.store import check_new, check_store
 from warpsample.cluster.writing import at_work, store_of, writing
+from warpsample.estimate.estimating import collect_missed_tolerances
 from warpsample.host.files import read_arrays, write_bytes
 from warpsample.output.rasters.bake import RasterJob, Tiles, read_unchanging, summarize_tile
 from warpsample.output.rasters.tile_files import ABOUT, DIGESTS, TileFiles, read_about, write_digests, write_tile_file
@@ -121,9 +122,12 @@ def bake_tile(job: RasterJob, folder: str, index: int, workers: int | None, writ
     """
     with at_work(Path(folder)):
         run, spans = _run_of(job, Path(folder), workers, write)
-        arrays = run.numbers(spans[index])
+        with collect_missed_tolerances() as missed:
+            arrays = run.numbers(spans[index])
         write(Path(folder), index, run, arrays)
-    return np.array([summarize_tile(arrays)], SUMMARY)
+    summary = summarize_tile(arrays)
+    summary["missed"] = max(missed, default="")
+    return np.array([summary], SUMMARY)
 
 
 @lru_cache(maxsize=1)

@@ -34,6 +34,19 @@ def collect_missed_tolerances() -> Iterator[list[str]]:
         _messages.reset(token)
 
 
+def warn_of_missed_tolerance(message: str, stacklevel: int) -> None:
+    """Warn of a tolerance that is not reached, or hand the message to the enclosing `collect_missed_tolerances`.
+
+    Args:
+        message: Text of the warning.
+        stacklevel: Level of the caller to blame, as for `warnings.warn` in the calling function.
+    """
+    if (messages := _messages.get()) is None:
+        warnings.warn(message, stacklevel=stacklevel + 1)
+    else:
+        messages.append(message)
+
+
 def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
     """Cast rays from each point of a checked call, and return the mean of the rays' weights with its standard error.
 
@@ -53,10 +66,7 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
                 f"tolerance: got {plan.tolerance:g}, which is not reached with {count:,} rays per point; "
                 "allow more rays with a larger count (--samples)"
             )
-            if (messages := _messages.get()) is None:
-                warnings.warn(message, stacklevel=4)
-            else:
-                messages.append(message)
+            warn_of_missed_tolerance(message, stacklevel=4)
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
     unneeded = saved * np.count_nonzero(has_value(main.status)) - int(trial.sum(dtype=np.int64))
     return replace(main, rays=main.rays + trial, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))

@@ -123,6 +123,19 @@ def check_finite(tree: Part) -> None:
             left += [(f"{path}[{i}]", member) for i, member in reversed(list(enumerate(value)))]
 
 
+def collect_names(content: Any, key: str) -> set[str]:
+    """Return the names of the members of all JSON objects that are themselves members with the name `key`, at any depth."""
+    found, left = set[str](), [content]
+    while left:
+        value = left.pop()
+        if isinstance(value, dict):
+            found |= set(value[key]) if isinstance(value.get(key), dict) else set()
+            left += value.values()
+        elif isinstance(value, list):
+            left += value
+    return found
+
+
 def _object(members: list[tuple[str, Any]]) -> dict[str, Any]:
     """Return a dictionary of a JSON object's members; raise a ValueError if two members have one name."""
     made = dict(members)

@@ -41,11 +41,13 @@ class PartMeans:
         value: (N,) or (N, k) float64 means; NaN for parts without points.
         standard_error: Standard errors of `value`, of the same shape and unit.
         points: (N,) int64 number of points with finite values in each part.
+        runs: (k, R, N) float64 means of the `runs` of `part_means`, or None. Parts share their errors.
     """
 
     value: np.ndarray
     standard_error: np.ndarray
     points: np.ndarray
+    runs: np.ndarray | None = None
 
 
 def part_means(
@@ -91,11 +93,14 @@ def part_means(
         variances = [faces.combine(*sums, floor > 0.0) for (_, *sums), floor in zip(found, floors, strict=True)]
         spreads = np.sqrt(variances) / total
     if runs is not None:
-        spreads = np.hypot(spreads, np.sqrt(_shared_variances(owner[face], share, runs[inside], count)))
+        runs = np.array(
+            [[np.bincount(owner[face], share * run, count) for run in rows.T] for rows in runs[inside].swapaxes(0, 1)]
+        )
+        spreads = np.hypot(spreads, np.sqrt(shared_variance(runs, axis=1)))
     errors = np.maximum(spreads, floors)
     shape = (count, *value.shape[1:])
     used = np.bincount(owner, np.where(weights > 0.0, points, 0), count).astype(np.int64)
-    return PartMeans(np.stack(means, axis=1).reshape(shape), errors.T.reshape(shape), used)
+    return PartMeans(np.stack(means, axis=1).reshape(shape), errors.T.reshape(shape), used, runs)
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,11 +150,9 @@ class _Faces:
         return np.bincount(self.owner[where], terms[where], len(self.kind))
 
 
-def _shared_variances(owner: np.ndarray, share: np.ndarray, runs: np.ndarray, count: int) -> np.ndarray:
-    """Return the variance of the mean over independent runs, (k, count) float64, of the points' owners and shares."""
-    _, components, number = runs.shape
-    means = [[np.bincount(owner, share * runs[:, c, r], count) for r in range(number)] for c in range(components)]
-    return np.var(means, axis=1, ddof=1) / number
+def shared_variance(runs: np.ndarray, axis: int) -> np.ndarray:
+    """Return the variance of the mean over the independent runs along an axis."""
+    return np.var(runs, axis=axis, ddof=1) / runs.shape[axis]
 
 
 def _largest(owner: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:

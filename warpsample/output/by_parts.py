@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from warpsample.city.cityjson.city import City
+from warpsample.city.cityjson.city import City, write_columns
 from warpsample.city.cityjson.writing import add_totals
 from warpsample.estimate.intervals import errors_for_means
 from warpsample.host.files import complete_or_absent
@@ -20,7 +20,9 @@ def write_parts(baked: Baked, city: City | None) -> None:
     output = baked.run.output
     if output.suffix not in (".png", ".csv"):
         assert city is not None
-        city.write(output, {f"ws_{name}": column for name, column in _means(baked, city)})
+        means = list(_means(baked, city))
+        columns = {f"ws_{name}": column for name, column, _ in means}
+        write_columns(city, output, columns, {f"ws_{name}": runs for name, _, runs in means if runs is not None})
         return
     with complete_or_absent(output) as file:
         if output.suffix == ".png":
@@ -33,7 +35,7 @@ def part_table(baked: Baked, city: City | None) -> dict[str, np.ndarray]:
     """Return a table with a row for each part of the mesh: name, area, mean, standard error, and total."""
     rows = list_parts(baked.mesh) if city is None else city.surfaces.columns
     area = rows.pop("area")
-    return rows | {"area_m2": area} | dict(add_totals(dict(_means(baked, city)), area))
+    return rows | {"area_m2": area} | dict(add_totals({name: column for name, column, _ in _means(baked, city)}, area))
 
 
 def list_parts(mesh: Mesh) -> dict[str, np.ndarray]:
@@ -56,8 +58,11 @@ def _means_of_faces(baked: Baked) -> np.ndarray:
     return np.where(mesh.part >= 0, means[np.maximum(mesh.part, 0)], np.nan)
 
 
-def _means(baked: Baked, city: City | None) -> Iterator[tuple[str, np.ndarray]]:
-    """Yield the columns of a table of parts, (header, array): means of the values, and their standard errors."""
+def _means(baked: Baked, city: City | None) -> Iterator[tuple[str, np.ndarray, np.ndarray | None]]:
+    """Yield the columns of a table of N parts: means of the values, and their standard errors.
+
+    Each is (header, array, runs). For values, `runs` is (R, N), means of R runs of the light that faces reflect, or None.
+    """
     mesh, found = baked.mesh, baked.result
     assert mesh.part is not None
     good = (found.status == 0).reshape(-1, *[1] * (found.value.ndim - 1))
@@ -75,5 +80,7 @@ def _means(baked: Baked, city: City | None) -> Iterator[tuple[str, np.ndarray]]:
     )
     for name in ("value", "standard_error"):
         array, header = getattr(means, name), baked.quantity.header
-        split = zip(baked.quantity.channels, array.T, strict=True) if array.ndim == 2 else ()
-        yield from [(header(f"{name}_{letter}"), column) for letter, column in split] or [(header(name), array)]
+        letters = [f"_{letter}" for letter in baked.quantity.channels] if array.ndim == 2 else [""]
+        runs = [None] * len(letters) if means.runs is None or name != "value" else means.runs
+        for letter, column, run in zip(letters, np.atleast_2d(array.T), runs, strict=True):
+            yield header(f"{name}{letter}"), column, run

@@ -3,9 +3,11 @@
 Points, texels, tiles of rasters and chunks of stores use the same record.
 """
 
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from operator import add
 from time import perf_counter
 from typing import Any
 
@@ -17,9 +19,13 @@ from warpsample.host.progress import run_display
 SUMMARY = np.dtype(
     [(name, np.int64) for name in ("points", "rays", "known")]
     + [(name, np.float64) for name in ("squared_error", "sum", "low", "high")]
+    + [("missed", "U200")]
 )
 """Summary of a part: numbers of points, of rays and of points with a value; over these points the sum of the squared
-standard errors, the sum, the lowest and the highest value."""
+standard errors, the sum, the lowest and the highest value; and the warning of a missed tolerance, or ""."""
+
+EMPTY = np.array((0, 0, 0, 0.0, 0.0, np.inf, -np.inf, ""), SUMMARY)[()]
+"""Summary of no points, to which others are added."""
 
 
 def summarize(
@@ -40,7 +46,7 @@ def summarize(
     squares = np.square(np.asarray(error, np.float64)).reshape(len(error), -1).mean(axis=1)[good]
     number = number[good]
     ends = number.min(initial=np.inf), number.max(initial=-np.inf)
-    return np.array((len(value), rays, len(number), squares.sum(), number.sum(), *ends), SUMMARY)[()]
+    return np.array((len(value), rays, len(number), squares.sum(), number.sum(), *ends, ""), SUMMARY)[()]
 
 
 def summarize_result(found: Any, vectors: bool = False) -> np.void:
@@ -71,7 +77,7 @@ class RunRecord:
     vectors: bool = False
     done: int = 0
     there: int = 0
-    sums: np.ndarray = field(default_factory=lambda: np.array((0, 0, 0, 0.0, 0.0, np.inf, -np.inf), SUMMARY))
+    sums: np.void = field(default_factory=EMPTY.copy)
     _start: float = field(default_factory=perf_counter)
     _first: float = field(default_factory=perf_counter)
     _computing: float = 0.0
@@ -127,10 +133,13 @@ class RunRecord:
     def add(self, part: np.void, count: int | None = None) -> None:
         """Add the counts and sums of a computed part to the totals, and advance the progress bar.
 
-        The bar advances by `count` points or tiles, by default by the number of points in the part.
+        The bar advances by `count` points or tiles, by default by the number of points in the part. The first part that
+        misses the tolerance is reported by a warning: parts may come from several processes.
         """
+        if part["missed"] and not self.sums["missed"]:
+            warnings.warn(str(part["missed"]), stacklevel=5)
         for name in SUMMARY.names or ():
-            join = {"low": min, "high": max}.get(name, lambda old, new: old + new)
+            join = {"low": min, "high": max, "missed": max}.get(name, add)
             self.sums[name] = join(self.sums[name], part[name])
         self.advance(int(part["points"]) if count is None else count)
 

@@ -15,7 +15,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from warpsample.host.arguments import naming_file
-from warpsample.host.json_tree import Part, check_finite, parsed
+from warpsample.host.json_tree import Part, check_finite, collect_names, parsed
 from warpsample.mesh.files.gltf_data import Data, binary, content_of
 
 MOST_BYTES = 2**32 - 2**20
@@ -140,8 +140,7 @@ class GlbFile:
         Raises:
             ValueError: the file would be longer than 4 GiB.
         """
-        self._append_bytes(b"")  # pads the data to a multiple of 4 bytes
-        self.tree["buffers"][0]["byteLength"] = self._size
+        self._finish()
         text = json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode()
         text += b" " * (-len(text) % 4)
         length = 28 + len(text) + self._size + len(self._rest)
@@ -156,9 +155,9 @@ class GlbFile:
 
     def write_text(self, file: BinaryIO) -> None:
         """Write the edited content to an open file as a .gltf with embedded data, so that the .gltf needs no second file."""
-        self._append_bytes(b"")  # pads the data, as in a .glb
+        self._finish()
         uri = "data:application/octet-stream;base64," + b64encode(b"".join(self._chunks)).decode()
-        self.tree["buffers"][0] |= {"byteLength": self._size, "uri": uri}
+        self.tree["buffers"][0]["uri"] = uri
         file.write(json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode())
 
     def check_no_trailing_bytes(self) -> None:
@@ -167,6 +166,16 @@ class GlbFile:
             raise ValueError(
                 f"the file has {len(self._rest):,} bytes after its data, which a .gltf cannot hold, want a .glb as --output"
             )
+
+    def _finish(self) -> None:
+        """Pad the data to a multiple of 4 bytes, and remove the names of extensions that the edits removed completely."""
+        self._append_bytes(b"")
+        self.tree["buffers"][0]["byteLength"] = self._size
+        removed = collect_names(self.part.content, "extensions") - collect_names(self.tree, "extensions")
+        for key in {"extensionsUsed", "extensionsRequired"} & set(self.tree if removed else ()):
+            self.tree[key] = [name for name in self.tree[key] if name not in removed]
+            if not self.tree[key]:  # glTF has no empty lists
+                del self.tree[key]
 
     def _embed_files(self, path: Path) -> None:
         """Join all buffers into one and embed external pictures of the types that a .glb can hold."""

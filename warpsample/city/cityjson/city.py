@@ -1,7 +1,7 @@
 """The surfaces of a CityJSON file as a mesh with a table; means over the surfaces, and writing of results into a copy."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from warpsample.city.cityjson.gathering import Geometry
 from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
 from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks
-from warpsample.city.cityjson.writing import ERROR, MEMBERS, PER_AREA, Editor
+from warpsample.city.cityjson.writing import ERROR, MEMBERS, PER_AREA, Editor, Results, Runs
 from warpsample.estimate.intervals import errors_for_means
 from warpsample.estimate.result import PointResult, has_value
 from warpsample.host.arguments import check_seed, quote
@@ -23,7 +23,7 @@ from warpsample.host.files import check_output, write_bytes
 from warpsample.host.neighbours import describe_type
 from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import Mesh
-from warpsample.mesh.part_means import part_means
+from warpsample.mesh.part_means import PartMeans, part_means
 from warpsample.mesh.surface import SurfacePoints
 
 CITY_FILE = "a CityJSON file"
@@ -125,6 +125,11 @@ class City(Summary):
             >>> print(values.round(1), errors.max() < 0.01)
             [0.7 0.9 0.4] True
         """
+        means = self._means(values, error, points, "values")
+        return means.value, means.standard_error, self.surfaces.area.copy()
+
+    def _means(self, values: Any, error: Any, points: SurfacePoints | None, argument: str) -> PartMeans:
+        """Compute the means over surfaces, after checking the values, which are the named argument of a call."""
         if not isinstance(points, SurfacePoints | None):
             raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
         face = np.arange(len(self.surface)) if points is None else self._faces_of(points)
@@ -136,16 +141,16 @@ class City(Summary):
             error, least, runs = found.standard_error, errors_for_means(found), getattr(found, "reflected_runs", None)
             good = has_value(found.status).reshape(-1, *[1] * (found.value.ndim - 1))
             values = np.where(good, found.value, np.nan)
-        value = as_real(values, "values")
+        value = as_real(values, argument)
         error = np.zeros(value.shape) if error is None else as_real(error, "error")
-        for name, array in (("values", value), ("error", error)):
+        for name, array in ((argument, value), ("error", error)):
             if array.shape != (len(face),):
                 raise ValueError(f"{name}: got shape {array.shape}, want ({len(face)},), one for each point")
         more: Any = {"count": len(self.surfaces), "least": least, "runs": runs, "kind": self.surfaces.type}
         means = part_means(self.surface, self.mesh.face_areas, face, value, error, **more)
         earth = self.surfaces.type == GROUND
         values, errors = (np.where(earth, np.nan, array) for array in (means.value, means.standard_error))
-        return values, errors, self.surfaces.area.copy()
+        return replace(means, value=values, standard_error=errors)
 
     def _faces_of(self, points: SurfacePoints) -> np.ndarray:
         """Return the triangle of each point, after checking that points are on surfaces of the city."""
@@ -159,7 +164,7 @@ class City(Summary):
             raise ValueError(f"points: got {len(face):,} points on the context alone, want {wants}")
         return face
 
-    def write(self, path: str | PathLike[str], results: Mapping[str, Any]) -> None:
+    def write(self, path: str | PathLike[str], results: Mapping[str, Any], *, points: SurfacePoints | None = None) -> None:
         """Write a copy of the file with results as attributes of semantic surfaces and of city objects.
 
         The rest of the JSON keeps its order, texts, integers and spelling of numbers, but escapes in texts may be spelled in
@@ -179,8 +184,12 @@ class City(Summary):
         Args:
             path: path of the new file, with the suffix of the input, .json or .jsonl. An interrupted write leaves no partial
                 file.
-            results: (N,) numbers in the order of `surfaces`, NaN without a result, by name of the attribute. Standard errors
-                of a result have its name with "_error" appended.
+            results: by name of the attribute, a result of a call with values at `points`, or (N,) numbers in the order of
+                `surfaces`, NaN without a result. Of a result, the means of `surface_means` are written, and their standard
+                errors under the name with "_error" appended. Standard errors of an array are another array of such a name.
+                For city objects, errors of arrays are combined as if independent. So pass a result if faces reflect light,
+                because surfaces share a part of its error.
+            points: the points of the results, as for `surface_means`.
 
         Raises:
             TypeError, ValueError: the path cannot be written, or results have another shape, no name, or the name of a
@@ -190,14 +199,42 @@ class City(Summary):
         Example:
             >>> import pathlib, tempfile
             >>> city, path = ws.load_city("courtyard"), pathlib.Path(tempfile.mkdtemp(), "out.city.json")
-            >>> city.write(path, {"ws_height": np.arange(len(city.surfaces))})
-            >>> print(b'"ws_height":0.0' in path.read_bytes(), b'"ws_height_roof":' in path.read_bytes())
+            >>> points = city.points()
+            >>> city.write(path, {"ws_sky": ws.sky_view_factor(city.mesh, points, 64)}, points=points)
+            >>> print(b'"ws_sky":0.9' in path.read_bytes(), b'"ws_sky_error_roof":' in path.read_bytes())
             True True
         """
-        target = _check_target(path, self.path)
-        columns = _check_results(results, len(self.surfaces))
-        editor = Editor(self.geometries, self.surfaces, self.rows, columns, split=self.split)
-        write_bytes(target, rewrite_content(self.content, editor.edit))
+        _check_names(results)
+        columns, runs = {}, {}
+        for name, item in results.items():
+            if not isinstance(item, PointResult):
+                columns[name] = item
+                continue
+            if name + ERROR in results:
+                raise ValueError(f"results: got {name + ERROR!r} for a result, want {name!r} alone; a result has errors")
+            means = self._means(item, None, points, f"results[{name!r}]")
+            columns |= {name: means.value, name + ERROR: means.standard_error}
+            if means.runs is not None:
+                runs[name] = means.runs[0]
+        write_columns(self, path, columns, runs)
+
+
+def write_columns(city: City, path: str | PathLike[str], columns: Results, runs: Runs) -> None:
+    """Write a copy of a city's file with numbers of the surfaces, as `City.write` does.
+
+    Args:
+        city: city.
+        path: path of the new file.
+        columns: as the `results` of `City.write`.
+        runs: means of independent runs over surfaces, by name of the result, for errors that surfaces share.
+
+    Raises:
+        TypeError, ValueError, OSError: as for `City.write`.
+    """
+    target = _check_target(path, city.path)
+    columns = _check_columns(columns, len(city.surfaces))
+    editor = Editor(city.geometries, city.surfaces, city.rows, columns, runs, split=city.split)
+    write_bytes(target, rewrite_content(city.content, editor.edit))
 
 
 def _check_target(path: Any, source: Path) -> Path:
@@ -210,7 +247,7 @@ def _check_target(path: Any, source: Path) -> Path:
     return Path(path)
 
 
-def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
+def _check_names(results: Any) -> None:
     if not isinstance(results, Mapping) or not all(isinstance(name, str) and name for name in results):
         raise TypeError(f"results: got {quote(results)}, want a dict of attribute names and arrays of numbers")
     for name in results:
@@ -218,6 +255,9 @@ def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
             raise ValueError(
                 f"results: got {name!r}, want names other than {', '.join(MEMBERS)}, the members of semantic surfaces"
             )
+
+
+def _check_columns(results: Mapping[str, Any], count: int) -> dict[str, np.ndarray]:
     columns = {name: as_real(column, f"results[{name!r}]") for name, column in results.items()}
     for name, column in columns.items():
         if column.shape != (count,):

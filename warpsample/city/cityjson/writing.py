@@ -11,6 +11,7 @@ from warpsample.city.cityjson.boundaries import DEPTHS, nest_values
 from warpsample.city.cityjson.gathering import Geometry
 from warpsample.city.cityjson.kinds import PLAIN, ROOF, WALL
 from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks
+from warpsample.mesh.part_means import shared_variance
 
 _SUFFIXES = {"_roof": (ROOF,), "_wall": (WALL,), "": PLAIN}
 """Types of surfaces, by suffix of the results of city objects. Surfaces of other types are not summarized on objects."""
@@ -28,6 +29,9 @@ ERROR = "_error"
 Results = Mapping[str, np.ndarray]
 """Numbers of the surfaces by name of the attribute, NaN without a result. Errors have the suffix "_error"."""
 
+Runs = Mapping[str, np.ndarray]
+"""(R, N) means of R independent runs over the N surfaces, by name of the result, for errors that surfaces share."""
+
 
 class Editor:
     """Editor of a CityJSON file that adds computed results to its surfaces and city objects."""
@@ -38,11 +42,19 @@ class Editor:
     split: bool
 
     def __init__(
-        self, geometries: Sequence[Geometry], surfaces: CitySurfaces, rows: SurfaceLinks, results: Results, *, split: bool
+        self,
+        geometries: Sequence[Geometry],
+        surfaces: CitySurfaces,
+        rows: SurfaceLinks,
+        results: Results,
+        runs: Runs,
+        *,
+        split: bool,
     ) -> None:
         """Store the results of all surfaces and their positions in the file, and add totals (integrals over the areas)."""
         self.geometries, self.surfaces, self.rows, self.split = geometries, surfaces, rows, split
         self.results: Results = dict(add_totals(results, surfaces.area))
+        self.runs: Runs = dict(add_totals(runs, surfaces.area))
         self.numbers: dict[int, list[int]] = {}
         for number, geometry in enumerate(geometries):
             self.numbers.setdefault(geometry.document, []).append(number)
@@ -80,16 +92,31 @@ class Editor:
         for end, types in _SUFFIXES.items():
             chosen = np.isin(kinds, np.array(types, object))
             for name, column in self.results.items():
-                has = chosen & np.isfinite(self.results[name.removesuffix(ERROR)][held])
-                areas = self.surfaces.area[held[has]]
+                has = held[chosen & np.isfinite(self.results[name.removesuffix(ERROR)][held])]
+                areas = self.surfaces.area[has]
                 if areas.sum() > 0.0:
                     weights = np.ones(len(areas)) if self._is_total(name) else areas / areas.sum()
-                    terms = weights * column[held[has]]
-                    mean = np.sqrt(np.square(terms).sum()) if name.endswith(ERROR) else terms.sum()
+                    terms = weights * column[has]
+                    runs = self.runs.get(name.removesuffix(ERROR))
+                    runs = None if runs is None else weights * runs[:, has]
+                    mean = _combine_errors(terms, runs) if name.endswith(ERROR) else terms.sum()
                     yield from _format_finite({name + end: float(mean), f"ws_area{PER_AREA}{end}": float(areas.sum())})
 
     def _is_total(self, name: str) -> bool:
         return name.removesuffix(ERROR) + PER_AREA in self.results
+
+
+def _combine_errors(errors: np.ndarray, runs: np.ndarray | None) -> float:
+    """Return the error of a sum of n terms with the given errors, which are independent except for those of shared runs.
+
+    Args:
+        errors: (n,) errors of the terms, including those of the runs.
+        runs: (R, n) the terms in each of R independent runs, whose errors all terms share; None for independent errors.
+    """
+    variance = np.square(errors).sum()
+    if runs is not None:
+        variance += shared_variance(runs.sum(axis=1), axis=0) - shared_variance(runs, axis=0).sum()
+    return float(np.sqrt(max(variance, 0.0)))
 
 
 def add_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:

@@ -18,7 +18,7 @@ from warpsample.estimate.quantities.record import Quantity
 _SET_HERE = ("up", "north", "first_point", "active", "series", "refine")
 """Options of the underlying calls that the raster determines, whose results are not rasters, or for reflected light."""
 
-_NOT_STORED = ("first_point", "active", "series", "workers", "progress")
+_NOT_STORED = ("first_point", "active", "series", "refine", "workers", "progress")
 """Options that are not stored as attributes, because they change no number or do not apply to rasters."""
 
 TREES_AND_TILES: dict[str, Any] = {

@@ -4,7 +4,6 @@ Random numbers of a cell depend on its number in the whole raster, row * columns
 except for the pooled terrain and for float32 rounding in another mesh.
 """
 
-import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -22,7 +21,7 @@ from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, build_surf
 from warpsample.city.rasters.scenery import Foreground, Part, Scenery, Seen, join_triangles
 from warpsample.city.rasters.sources.reader import RasterReader
 from warpsample.city.rasters.sources.reading import ground_of, reader_of
-from warpsample.estimate.estimating import collect_missed_tolerances
+from warpsample.estimate.estimating import collect_missed_tolerances, warn_of_missed_tolerance
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import has_value
 from warpsample.host.arguments import check_choice, check_integer, quote
@@ -211,7 +210,7 @@ class RasterRun:
                 laid[name][i, j] = values
         if missed and not self.warned:
             self.warned = True
-            warnings.warn(missed[0], stacklevel=5)
+            warn_of_missed_tolerance(missed[0], stacklevel=5)
         return laid
 
     def _widen(self, window: Span) -> Span:
