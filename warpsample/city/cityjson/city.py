@@ -93,9 +93,9 @@ class City(Summary):
         without `points`, only the noise of rays is included. Errors of the weather, the sky model and the mesh are not
         included; they are common to all surfaces.
 
-        A few points may all miss the same shadow. So the variance of each surface is combined with the pooled variance of
-        all surfaces of its type, unless its own is larger. The errors of simple surfaces among varied ones are larger than
-        they need to be.
+        A few points may all miss the same shadow. So the variance of each surface is combined with that of other surfaces
+        of its type and of a similar number of points, unless its own is larger. The errors of simple surfaces among varied
+        ones are larger than they need to be.
 
         All points share the light that faces reflect. For a result with a `reflected` part, the differences between its
         eight runs add the shared error. The error is then up to 1.4 times too large.
