@@ -12,12 +12,13 @@ which then counts twice. So errors are up to 1.4 times too large.
 If all values are equal, all rays may have missed the same geometry. So the error of a mean is at least the largest product
 of a point's weight and its least error.
 
-The variance of a few values is itself uncertain: all points of a roof may miss the shadow of its chimney. So the variance of
-a part is combined with the mean variance of the other parts of its kind, unless its own is larger (empirical Bayes). Parts
-with a similar number of points count most, because large open roofs say little about small roofs in the shade: a part with r
-times as many points, or an r-th, counts r^-6. The mean variance counts as 8 values, or as k - 1 values if this is more, where k
-is the deviations' kurtosis: if deviations are rare and large, a part's own values say little. A part without any variation
-keeps the variance 0 if its least errors are 0, because then no point needs a ray; such parts do not count for the others.
+The variance of a few values is itself uncertain: all points of a roof may miss the shadow of its chimney. So the variance
+of a part is combined with the mean variance of the other parts of its kind, unless its own is larger (empirical Bayes).
+Parts with a similar number of points count most, because large open roofs say little about small roofs in the shade: a
+part with r times as many points, or an r-th, counts r^-6. The mean variance counts as 8 values, or as k - 1 values if
+this is more, where k is the deviations' kurtosis: if deviations are rare and large, a part's own values say little. A
+part without any variation keeps the variance 0 if its least errors are 0, because then no point needs a ray; such parts
+do not count for the others.
 The three numbers are chosen from scenes of houses and of a real city, see `tests/city/test_means_over_roofs.py`.
 """
 
