@@ -159,3 +159,13 @@ def test_joined_cells_of_four_facets_see_what_a_point_just_above_their_centre_se
     for how in tiles:
         value, error = (array[cells] for array in numbers(rasters.sky_view_factor(source, 1024, receiver=receiver, **how)))
         assert (np.abs(value - low) <= 0.002 + 4.0 * error).all(), f"{how}: {value}, not {low}"
+
+
+def test_the_sky_is_never_negative_beside_walls():
+    """On faces as steep as 40 km over a cell, the sky of an azimuth is less than rounding, which made values of -9e-12."""
+    heights = np.random.default_rng(0).uniform(0.0, 40e3, (30, 30))
+    for count in (2, 16):
+        found = rasters.sky_view_factor((heights, NEAR, None), count, model="tin", receiver="surface").value
+        assert np.isfinite(found).all()
+        assert (found.values == 0.0).any()
+        assert found.min() == 0.0

@@ -223,7 +223,7 @@ def horizon_kernel() -> wp.Kernel:
             if rows.cosine != 0:
                 own = own_plane_error(point.n, azimuths)
                 variance += own * own
-        set_float(rows.value, point.index, wp.float32(sums[SEEN] / azimuths))
+        set_float(rows.value, point.index, wp.float32(wp.max(sums[SEEN], ZERO) / azimuths))  # rounding of tiny sums
         error = wp.min(wp.sqrt(variance), HALF)  # no value between 0 and 1 has a larger standard deviation
         set_float(rows.standard_error, point.index, wp.float32(error))
         set_int(rows.rays, point.index, cast)
