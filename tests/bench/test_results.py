@@ -161,6 +161,14 @@ def test_pictures_are_of_the_results(repository):
             assert image.text["Description"] == readme.describe_source(path)
 
 
+def test_the_lowest_plot_of_each_column_has_numbers_on_its_x_axis(results):
+    """Seven plots in two rows leave a place empty, above which the axis had no numbers."""
+    figure = benchmarks()["error"].figures(results["error"], ["error"])["error"]
+    lowest = {axes.get_subplotspec().colspan.start: axes for axes in figure.axes if axes.axison}
+    assert len(lowest) == 4
+    assert all(axes.xaxis.get_major_ticks()[0].label1.get_visible() for axes in lowest.values())
+
+
 def test_each_processor_has_its_tables_the_first_before_the_others(results, tmp_path, fill):
     for name, result in results.items():
         save_summary(

@@ -34,22 +34,24 @@ _MOST_RMSE = 0.01  # RMSE of the mean of the runs; a wrong factor pi or one orde
 class LightTime(ToolRow):
     """Row of `bench light`: time and error of one tool for light that the faces of a city reflect or transmit."""
 
-    task: str = column("light by")
+    task: str = column("task")
     faces: int = column("faces")
     points: int = column("points")
     workers: int = column("threads")
-    took: Spread | None = optional_column("seconds")
-    rmse: float | None = optional_column("RMSE", "RMSE of the irradiance over pi", show=".1e")
+    took: Spread | None = optional_column("seconds", "time of one run for all points")
+    rmse: float | None = optional_column(
+        "RMSE", "root mean square error over the points, of the irradiance divided by pi", show=".1e"
+    )
     rate: float | None = optional_column(
-        "rate", "exponent of the ray count in the RMSE, measured from a quarter of the rays"
+        "convergence rate", "r if the RMSE falls as (number of rays)^-r, measured with all rays and with a quarter of them"
     )
     times_ours: Spread | None = optional_column(
-        "time / warpsample", "time to warpsample's RMSE, extrapolated by the tool's own rate, over warpsample's time"
+        "time / warpsample", "time to warpsample's RMSE, by the tool's own convergence rate, divided by warpsample's time"
     )
     apart: float | None = optional_column(
-        "error\u00b2 / spread\u00b2", "mean square error of the mean of four runs over the variance of that mean; about 1"
+        "error\u00b2 / variance", "mean square error of the mean of four runs, divided by its variance; about 1 without bias"
     )
-    agrees: bool | None = optional_column("agrees", "True if the mean of four runs has an RMSE of at most 0.01")
+    agrees: bool | None = optional_column("agrees", f"yes if the mean of four runs has an RMSE of at most {_MOST_RMSE:g}")
 
 
 def build_lit_city(task: str, side: int, points: int) -> tuple[Mesh, SurfacePoints]:

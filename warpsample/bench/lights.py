@@ -29,6 +29,11 @@ _MOST_DEVIATION = 4.5  # standard errors
 _MOST_APART = 0.03  # pictures of Mitsuba reach half a pixel further: 0.7 degrees
 
 
+def _format_ratio(x: float) -> str:
+    """Return a ratio with two digits and thousands separators."""
+    return f"{x:.2g}" if x < 10.0 else f"{float(f'{x:.2g}'):,.0f}"
+
+
 def _format_sun(degrees: float) -> str:
     return f"sun {degrees:g}°" if degrees else "no sun"
 
@@ -37,28 +42,40 @@ def _format_sun(degrees: float) -> str:
 class DrawSpeed(ToolRow):
     """Row of `bench lights`: directions per second towards a picture of 2048 x 1024 pixels, by one tool."""
 
-    million_per_second: Spread | None = optional_column("million per second", "directions and their densities")
-    ratio: Spread | None = optional_column("time / warpsample", "time over that of warpsample, in the same round")
+    million_per_second: Spread | None = optional_column("million directions per second", "with their densities")
+    ratio: Spread | None = optional_column("time / warpsample", "time divided by that of warpsample in the same round")
     deviation: float | None = optional_column(
-        "deviation", "difference of the mean of 1 / density from the whole sphere, in standard errors"
+        "error of mean 1 / density, standard errors",
+        "difference from the exact mean, the solid angle 4 pi, divided by the standard error",
     )
-    agrees: bool | None = optional_column("agrees")
+    agrees: bool | None = optional_column("agrees", f"yes if this error is at most {_MOST_DEVIATION:g}")
 
 
 @dataclass(frozen=True)
 class IrradianceTime(ToolRow):
     """Row of `bench lights`: time and error of the irradiance of one scene from a picture, by one tool."""
 
-    sun: float = column("sun", "degrees from its centre to its edge", show=_format_sun, kw_only=True)
-    microseconds: Spread | None = optional_column("µs per point")
-    rmse: float | None = optional_column("RMSE", "root mean square error over points, of the mean irradiance", show=".2g")
-    times_ours: float | None = optional_column(
-        "time / warpsample", "time to the error of warpsample with both, as the error falls with the root of the rays",
-        show=".2g")  # fmt: skip
-    apart: float | None = optional_column(
-        "apart", "difference of the mean irradiance from that of warpsample with both, by 8,192 rays"
+    tool: str = column(
+        "tool",
+        "picture: directions of rays drawn by the picture's brightness; cosine: by the cosine lobe; both: rays of each",
+        kw_only=True,
     )
-    agrees: bool | None = optional_column("agrees")
+    sun: float = column("sun", "angle from its centre to its edge", show=_format_sun, kw_only=True)
+    microseconds: Spread | None = optional_column("µs per point", f"time of {RAYS} rays")
+    rmse: float | None = optional_column(
+        "relative RMSE", "root mean square error over the points, divided by the mean irradiance", show=".2g"
+    )
+    times_ours: float | None = optional_column(
+        "time / warpsample",
+        "time to the RMSE of `warpsample, both`, divided by its time; the RMSE falls with the root of the number of rays",
+        show=_format_ratio,
+    )
+    apart: float | None = optional_column(
+        "difference of mean irradiance", f"relative to that of `warpsample, both`, with {2 * _REFERENCE_RAYS:,} rays"
+    )
+    agrees: bool | None = optional_column(
+        "agrees", f"yes if the difference is at most {_MOST_APART:g}; cosine is not judged, because few rays hit a sun"
+    )
 
 
 def build_draws(tool: str, points: int, workers: int) -> ChildJob:
@@ -155,7 +172,8 @@ RECORD = Benchmark(
     views=[
         TableView("draws", "Directions towards a picture of 2048 x 1024 pixels", "tool", _DRAWN),
         TableView("irradiance", f"Irradiance from a picture, {_PLACE}", "tool", "rmse times_ours", across="sun"),
-        TableView("irradiance", "Time and mean irradiance", "sun tool", "microseconds apart agrees", page_rows=None),
+        TableView("irradiance", "Irradiance from a picture, time and check of the mean", "sun tool",
+                  "microseconds apart agrees", page_rows=None),
     ],
     pictures=[Picture("lights", "irradiance", "microseconds", y="rmse", panels="sun", log="xy")],
 )  # fmt: skip

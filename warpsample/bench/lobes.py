@@ -22,20 +22,27 @@ COUNTS = (64, 1)
 _MOST_DEVIATION = 4.5  # standard errors; six comparisons exceed this by chance once in 20,000 runs
 
 
+def _format_count(count: int) -> str:
+    return f"{count} directions per point" if count > 1 else "1 direction per point"
+
+
 @dataclass(frozen=True)
 class LobeSpeed(ToolRow):
     """Row of `bench lobes`: time of a direction and its density, by one tool."""
 
+    tool: str = column(
+        "tool", "by point: roughness and view differ from point to point; constant: one lobe for all points", kw_only=True
+    )
     lobe: str = column("lobe", kw_only=True)
-    count: int = column("n", "directions per point", show="n = {}".format, kw_only=True)
-    nanoseconds: Spread | None = optional_column("ns per direction")
+    count: int = column("directions per point", show=_format_count, kw_only=True)
+    nanoseconds: Spread | None = optional_column("ns per direction", "with its density")
     ratio: Spread | None = optional_column(
-        "time / by point", "time over that of warpsample's lobe by point, in the same round"
+        "time / warpsample, by point", "time divided by that of `warpsample, by point` in the same round"
     )
     deviation: float | None = optional_column(
-        "deviation", "difference of the mean cosine from warpsample's lobe by point, in standard errors"
+        "difference, standard errors", "difference of the mean cosine from `warpsample, by point`, over its standard error"
     )
-    agrees: bool | None = optional_column("agrees")
+    agrees: bool | None = optional_column("agrees", f"yes if the difference is at most {_MOST_DEVIATION:g} standard errors")
 
 
 def build_directions(tool: str, lobe: str, points: int, count: int, workers: int) -> ChildJob:
@@ -96,9 +103,9 @@ RECORD = Benchmark(
     measure=measure,
     parts={"rows": LobeSpeed},
     views=[
-        TableView("rows", "Nanoseconds per direction and density", "lobe tool", "nanoseconds ratio", across="count"),
-        TableView("rows", "Mean cosine", "lobe tool", "deviation agrees", across="count", page_rows=None,
-                  where=lambda row: row.agrees is not None),
+        TableView("rows", "Time of a direction and its density", "lobe tool", "nanoseconds ratio", across="count"),
+        TableView("rows", "Check of the directions: mean cosine to the normal", "lobe tool", "deviation agrees",
+                  across="count", page_rows=None, where=lambda row: row.agrees is not None),
     ],
     pictures=[Picture("lobes", "rows", "nanoseconds", y="tool", series="count", panels="lobe", log="x")],
 )  # fmt: skip

@@ -48,19 +48,21 @@ class SkyTime(ToolRow):
     workers: int = column("threads")
     microseconds: Spread | None = optional_column("µs per point")
     views: Spread | None = optional_column(
-        "time / sky_view_factor", "time over that of `sky_view_factor` with the same number of rays, in the same round"
+        "time / sky_view_factor", "time divided by that of `sky_view_factor` with the same number of rays, in the same round"
     )
-    rmse: float | None = optional_column("RMSE", "RMSE over points and patches", show=".1e")
+    rmse: float | None = optional_column(
+        "RMSE", "root mean square error of the visible shares, over points and patches", show=".1e"
+    )
     rate: float | None = optional_column(
-        "rate", "exponent of the ray count in the RMSE, measured from a quarter of the rays"
+        "convergence rate", "r if the RMSE falls as (number of rays)^-r, measured with all rays and with a quarter of them"
     )
     times_ours: Spread | None = optional_column(
-        "time / warpsample", "time to warpsample's RMSE, extrapolated by the tool's own rate, over warpsample's time"
+        "time / warpsample", "time to warpsample's RMSE, by the tool's own convergence rate, divided by warpsample's time"
     )
     apart: float | None = optional_column(
-        "error² / spread²", "mean square error of the mean of two runs over the variance of that mean; about 1"
+        "error² / variance", "mean square error of the mean of two runs, divided by its variance; about 1 without bias"
     )
-    agrees: bool | None = optional_column("agrees", "True if error² / spread² is at most 1.5")
+    agrees: bool | None = optional_column("agrees", f"yes if error² / variance is at most {MOST_ERROR_RATIO:g}")
 
 
 @dataclass(frozen=True)
@@ -72,15 +74,17 @@ class SunTime(ToolRow):
 
     scene: str = column("scene")
     workers: int = column("threads")
-    pairs: int = column("pairs", "points times suns, with averted suns")
-    million_pairs: Spread | None = optional_column("million pairs per second")
+    pairs: int = column("pairs", "points times sun positions, also positions behind the points")
+    million_pairs: Spread | None = optional_column("million pairs per second", "pairs of a point and a sun position")
     traces: Spread | None = optional_column(
-        "time / ws.trace", "time over that of `ws.trace` for all pairs, in the same round"
+        "time / ws.trace", "time divided by that of `ws.trace` for all pairs, in the same round"
     )
     different: float | None = optional_column(
-        "differ", "fraction of the pairs where the tool and `ws.trace` differ", show=".1e"
+        "pairs that differ", "fraction of the pairs for which the tool and `ws.trace` differ", show=".1e"
     )
-    agrees: bool | None = optional_column("agrees", "True if at most 0.002 of the pairs differ; 0 for warpsample")
+    agrees: bool | None = optional_column(
+        "agrees", f"yes if at most {_MOST_DIFFERENT:g} of the pairs differ; none for warpsample"
+    )
 
 
 @dataclass(frozen=True)
@@ -93,9 +97,9 @@ class YearTime(ToolRow):
     scene: str = column("scene")
     workers: int = column("threads")
     points: int = column("points")
-    took: float | None = optional_column("seconds", show=format_digits)
+    took: float | None = optional_column("seconds", "time of one run for all points", show=format_digits)
     fewer_seconds: float | None = optional_column(
-        "seconds for 16 points", "time of another run in the same process", show=format_digits
+        "seconds for 16 points", "an earlier run in the same process, which shows the fixed cost", show=format_digits
     )
     peak_megabytes: float | None = optional_column(
         "peak memory, MB", "peak memory of the process, with Python and mesh", show=".0f"
@@ -265,7 +269,7 @@ RECORD = Benchmark(
             cells="microseconds views rmse times_ours apart",
             **_BY_SCENE,
         ),
-        TableView("sun", "Suns of a year", cells="million_pairs traces different", **_BY_SCENE),
+        TableView("sun", "Visibility of a year's sun positions", cells="million_pairs traces different", **_BY_SCENE),
         TableView("year", "A year's irradiation", "scene workers points", "took fewer_seconds peak_megabytes"),
     ],
     pictures=[Picture("radiation", "sky", "microseconds", y="rmse", panels="scene", where=select_all_workers, log="xy")],

@@ -94,6 +94,8 @@ def draw_figure(picture: Picture, rows: list[Any], caption: str) -> "Figure":
         _draw_curves(axes, picture, group, y)
         if i % across == 0:
             axes.set_ylabel(_get_label(picture, rows, y))
+        if i + across >= len(plots):  # also above an empty place
+            axes.tick_params(labelbottom=True)
     for axes, *_ in grid:
         if isinstance(getattr(rows[0], plots[0][0]), str):
             axes.invert_yaxis()  # the first name on top
