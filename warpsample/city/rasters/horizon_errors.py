@@ -15,16 +15,14 @@ _RANGE = wp.constant(wp.int32(8))  # sum of the widths of the final intervals, f
 _SQUARES = wp.constant(wp.int32(9))  # sum of the squares of the azimuths' values, for the same term
 _CHANGE = wp.constant(wp.int32(10))  # largest change of the visible fraction from an azimuth to the next, at least
 
-# Factors of the terms of the variance, see README.md. Theory gives 1/12 for a jump at a random place in a stratum. The
-# others are fitted to towns, terrain and yards (`tests/city/test_horizon_errors.py` checks the fit on other scenes).
+# Factors of the terms of the variance, see README.md. They are fitted to towns, terrain, yards, and cells close to masts
+# and walls (`tests/city/test_horizon_errors.py` checks the fit on other scenes).
 _OF_JUMP = wp.constant(wp.float64(1.0 / 16.0))
 _OF_SPIKE = wp.constant(wp.float64(0.35))
 _OF_WIDTH = wp.constant(wp.float64(0.1))
 _OF_WIDTH_BY_FEW = wp.constant(wp.float64(0.5))
 _OF_UNSEEN = wp.constant(wp.float64(0.6))
 _OF_FEW = wp.constant(wp.float64(0.3))
-_OF_MISSED = wp.constant(wp.float64(0.5))
-_KNOWN = wp.constant(wp.float64(4.0))  # changes, within which the bound of an unseen depth does not count
 _OF_OWN_PLANE = wp.constant(wp.float64(0.95))
 _ROUNDING = wp.constant(wp.float64(2.0**-23))
 
@@ -93,12 +91,13 @@ def variance_of(sums: Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.f
     whole: value of the receiver under an unobstructed sky. depth: bound of what one azimuth may lose, from `bound_depths`.
     """
     gaps = azimuths / (azimuths - ONE)  # the last azimuth is not compared with the first
-    jumps = gaps * (_OF_JUMP * sums[_JUMPS] + _OF_SPIKE * sums[_SPIKES])
+    change = sums[_CHANGE]
+    jumps = gaps * (_OF_JUMP * (sums[_JUMPS] + change * change) + _OF_SPIKE * sums[_SPIKES])
     widths = (_OF_WIDTH + _OF_WIDTH_BY_FEW / azimuths) * sums[_WIDTHS]
     value = sums[SEEN] / azimuths
     unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
     few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * wp.max(ONE - sums[SEEN], ZERO)
-    missed = _OF_MISSED * wp.max(depth - _KNOWN * sums[_CHANGE], ZERO)
+    missed = wp.max(HALF * depth - change, ZERO)
     return wp.max(wp.max(jumps + widths + unseen, few), missed * missed) / (azimuths * azimuths)
 
 
