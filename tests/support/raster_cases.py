@@ -5,7 +5,7 @@ import rasterio
 from affine import Affine
 
 import warpsample as ws
-from warpsample.city.rasters.tiles import RasterRun
+from warpsample.city.rasters.datasets import build_run
 from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY
 
 NORTH_UP = Affine(1.0, 0.0, 0.0, 0.0, -1.0, 0.0)
@@ -88,7 +88,7 @@ def run(source, quantity=SKY, count=64, **options):
     """A run of tiles of a raster, or of an array of heights."""
     if isinstance(source, np.ndarray):
         source = source, NORTH_UP, None
-    return RasterRun.of(source, quantity, {"count": count}, **_OPTIONS | options)
+    return build_run(source, quantity, {"count": count}, **_OPTIONS | options)
 
 
 def whole(made):

@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from warpsample.city.rasters.canopy import TRUNK
-from warpsample.city.rasters.leaves import TRANSMITTANCE
-from warpsample.city.rasters.raster_surface import on_map
+from warpsample.city.rasters.canopy import TRUNK, Canopy, check_for_crowns, check_same_map, rename_argument
+from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance
+from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, on_map
+from warpsample.city.rasters.sources.reading import ground_of, reader_of
 from warpsample.city.rasters.tiles import RasterRun
 from warpsample.estimate.quantities.record import Quantity
+from warpsample.host.arguments import check_choice, check_integer, quote
 
 _SET_HERE = ("up", "north", "first_point", "active", "series", "refine")
 """Options of the underlying calls that the raster determines, whose results are not rasters, or for reflected light."""
@@ -31,6 +33,9 @@ TREES_AND_TILES: dict[str, Any] = {
     "far": None,
 }
 """Options common to all calls, with defaults; each call also has the options of its quantity."""
+
+MARGIN = 256
+"""Default number of full-resolution cells around a tile."""
 
 _NORMAL = {"horizontal": "up", "surface": "the normal of the cell's surface"}
 
@@ -59,13 +64,59 @@ def run_of(
     how = {name: options.get(name, default) for name, default in TREES_AND_TILES.items()}
     own = {name: value for name, value in options.items() if name not in how}
     _check_options(quantity, own)
-    run = RasterRun.of(source, quantity, own, model=model, receiver=receiver, **how)
+    run = build_run(source, quantity, own, model=model, receiver=receiver, **how)
     own = {name: run.options.get(name, default) for name, default in quantity.parameters.items() if name not in _NOT_STORED}
     rasters = {name: _describe_source(how[name]) for name in ("canopy", "trunk", "far")}
     attributes = {"model": model, "receiver": receiver, **how, **rasters, "margin": run.margin if run.tile else None}
     attributes["method"] = "horizons" if run.by_horizons else "rays"
     attributes = {name: value for name, value in attributes.items() if value is not None}
     return run, _attributes(quantity, source, attributes | own)
+
+
+def build_run(
+    source: Any,
+    quantity: Quantity,
+    options: dict[str, Any],
+    *,
+    model: Any,
+    receiver: Any,
+    canopy: Any,
+    trunk: Any,
+    relative: Any,
+    transmittance: Any,
+    tile: Any,
+    margin: Any,
+    far: Any,
+) -> RasterRun:
+    """Check the arguments of a call of `warpsample.rasters`, except those of the quantity, and build the computation.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
+    """
+    check_choice(model, "model", MODELS)
+    check_choice(receiver, "receiver", RECEIVERS)
+    if receiver not in quantity.on_rasters:
+        wanted = " or ".join(map(repr, quantity.on_rasters))
+        raise ValueError(f"receiver: got {receiver!r} for the {quantity.title}, want {wanted}")
+    shares = check_transmittance(transmittance)
+    check_dates(quantity, shares)
+    if margin is not None and tile is None:
+        raise ValueError(
+            f"margin: got {quote(margin)} without tile, want tile, the number of cells along each side of a tile, too"
+        )
+    tile = None if tile is None else check_integer(tile, "tile", 1, 2**31 - 1)
+    margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
+    reader, other = ground_of(source), None
+    if far is not None:
+        with rename_argument("far"):
+            other = reader_of(far)
+        check_same_map(reader, other, "far")
+    trees = Canopy.of(reader, canopy, trunk, relative)
+    if trees is None:
+        check_for_crowns("transmittance", transmittance, TRANSMITTANCE)
+    if "north" in quantity.parameters:
+        options = {**options, "north": reader.outline.north}
+    return RasterRun(reader, quantity, options, model, receiver, trees, shares, tile, margin, other)
 
 
 def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:

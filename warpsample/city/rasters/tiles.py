@@ -11,25 +11,20 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.canopy import Canopy, build_prisms, check_for_crowns, check_same_map, rename_argument
+from warpsample.city.rasters.canopy import Canopy, build_prisms
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.fringe import add_fringe, cut_fringe
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
-from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, compute_through_crowns
-from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, build_surface
+from warpsample.city.rasters.leaves import compute_through_crowns
+from warpsample.city.rasters.raster_surface import build_surface
 from warpsample.city.rasters.scenery import Foreground, Part, Scenery, Seen, join_triangles
 from warpsample.city.rasters.sources.reader import RasterReader
-from warpsample.city.rasters.sources.reading import ground_of, reader_of
 from warpsample.estimate.estimating import collect_missed_tolerances, warn_of_missed_tolerance
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import has_value
-from warpsample.host.arguments import check_choice, check_integer, quote
 from warpsample.host.progress import log
 from warpsample.mesh.surface import SurfacePoints
-
-MARGIN = 256
-"""Default number of full-resolution cells around a tile."""
 
 Span = tuple[slice, slice]
 """Rows and columns."""
@@ -63,53 +58,6 @@ class RasterRun:
     margin: int
     other: RasterReader | None
     warned: bool = field(default=False, init=False)
-
-    @classmethod
-    def of(
-        cls,
-        source: Any,
-        quantity: Quantity,
-        options: dict[str, Any],
-        *,
-        model: Any,
-        receiver: Any,
-        canopy: Any,
-        trunk: Any,
-        relative: Any,
-        transmittance: Any,
-        tile: Any,
-        margin: Any,
-        far: Any,
-    ) -> "RasterRun":
-        """Check the arguments of a call of `warpsample.rasters`, and return the RasterRun.
-
-        Raises:
-            TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.
-        """
-        check_choice(model, "model", MODELS)
-        check_choice(receiver, "receiver", RECEIVERS)
-        if receiver not in quantity.on_rasters:
-            wanted = " or ".join(map(repr, quantity.on_rasters))
-            raise ValueError(f"receiver: got {receiver!r} for the {quantity.title}, want {wanted}")
-        shares = check_transmittance(transmittance)
-        check_dates(quantity, shares)
-        if margin is not None and tile is None:
-            raise ValueError(
-                f"margin: got {quote(margin)} without tile, want tile, the number of cells along each side of a tile, too"
-            )
-        tile = None if tile is None else check_integer(tile, "tile", 1, 2**31 - 1)
-        margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
-        reader, other = ground_of(source), None
-        if far is not None:
-            with rename_argument("far"):
-                other = reader_of(far)
-            check_same_map(reader, other, "far")
-        trees = Canopy.of(reader, canopy, trunk, relative)
-        if trees is None:
-            check_for_crowns("transmittance", transmittance, TRANSMITTANCE)
-        if "north" in quantity.parameters:
-            options = {**options, "north": reader.outline.north}
-        return cls(reader, quantity, options, model, receiver, trees, shares, tile, margin, other)
 
     def check(self) -> None:
         """Raise an error for invalid options of the quantity, by a computation for 2 x 2 cells of level ground.
