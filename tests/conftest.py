@@ -2,6 +2,7 @@
 
 import importlib.util
 import os
+import signal
 import sys
 from pathlib import Path
 
@@ -104,6 +105,15 @@ def call(monkeypatch, capsys):
         return stop.value.code, *capsys.readouterr()
 
     return run
+
+
+@pytest.fixture
+def handlers_as_before():
+    """SIGINT raises KeyboardInterrupt in the test. No event loop of another test hears it: its pipe would fill."""
+    before, pipe = signal.signal(signal.SIGINT, signal.default_int_handler), signal.set_wakeup_fd(-1)
+    yield
+    signal.signal(signal.SIGINT, before)
+    signal.set_wakeup_fd(pipe, warn_on_full_buffer=False)
 
 
 @pytest.fixture(scope="session")

@@ -216,6 +216,7 @@ def test_far_terrain_takes_no_bar_from_a_mast():
     assert 0.95 * alone <= within <= 1.05 * alone
 
 
+@pytest.mark.thorough  # the test above splits a mesh of 100 km, too
 def test_flat_terrain_far_away_widens_no_bar():
     """At 30 cells or more from a house; the grid of highest vertices is coarse in a scene of 100 km."""
     heights = np.zeros((101, 101))

@@ -172,3 +172,23 @@ def test_the_calls_are_reported_and_others_are_not_there():
     assert set(rasters.__all__) <= set(dir(rasters))
     with pytest.raises(AttributeError, match="no attribute 'hillshade'"):
         rasters.hillshade  # noqa: B018
+
+
+@pytest.mark.slow
+def test_sun_hours_and_irradiation_through_crowns():
+    pytest.importorskip("pvlib")
+    pytest.importorskip("pyradiance")
+    flat = np.zeros((5, 5)), Affine.scale(4.0, -4.0), None
+    canopy = np.eye(5) * 6.0, Affine.scale(4.0, -4.0), None
+    for call, own in (
+        (ws.rasters.sun_hours, {}),
+        (ws.rasters.irradiation, {"patches": "tregenza", "count": 64}),
+    ):
+        given = {"period": ("06-01", "06-10"), **own}
+        dated = [0.0] * 5 + [0.4] + [0.0] * 6
+        one, other = (call(flat, "athens", canopy=canopy, transmittance=share, **given) for share in (0.4, dated))
+        assert np.allclose(one.value, other.value, rtol=1e-5)
+        assert np.allclose(one.standard_error, other.standard_error, rtol=1e-3, atol=1e-6)
+        without_crowns = call(flat, "athens", **given).value
+        assert (one.value <= without_crowns).all()
+        assert one.value[2, 2] < 0.9 * without_crowns[2, 2]  # below a crown

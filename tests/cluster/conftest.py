@@ -1,5 +1,7 @@
 """Fixtures that the tests of clusters share."""
 
+from importlib import import_module
+
 import pytest
 
 import warpsample as ws
@@ -24,3 +26,33 @@ def dsm(tmp_path):
     folder = tmp_path / "given"
     folder.mkdir()
     return write_tif(folder / "dsm.tif", heights(), transform=SLOVENIA)
+
+
+@pytest.fixture(scope="session")
+def right(mesh):
+    """The numbers of the stores of `store_cases`, without a store."""
+    from store_cases import POINTS, RAYS
+
+    return ws.ambient_occlusion(mesh, ws.sample_surface(mesh, POINTS), RAYS)
+
+
+@pytest.fixture
+def in_this_thread():
+    import dask
+
+    with dask.config.set(scheduler="sync"):
+        yield
+
+
+@pytest.fixture
+def computed(monkeypatch):
+    """The first rows of the chunks that are computed."""
+    baking = import_module("warpsample.cluster.baking")
+    ran, bake_chunk = [], baking.bake_chunk
+
+    def counted(call, path, span, *rest):
+        ran.append(span.start)
+        return bake_chunk(call, path, span, *rest)
+
+    monkeypatch.setattr(baking, "bake_chunk", counted)
+    return ran

@@ -169,7 +169,7 @@ def test_every_kernel_compiles_for_cuda(tmp_path):
     """The compiler inside warp-lang makes PTX of copies in one module, without a driver."""
     kernels, module = list(dict.fromkeys(all_kernels())), wp.get_module("directions_for_cuda")
     assert len(kernels) > 50
-    module.options["enable_backward"] = False
+    module.options |= {"enable_backward": False, "optimization_level": 1}  # errors of compilation do not depend on it
     for i, kernel in enumerate(kernels):
         wp.Kernel(kernel.func, key=f"kernel_{i}", module=module)
     (ptx,) = wp.compile_aot_module(module, device=None, arch=86, use_ptx=True, module_dir=tmp_path)

@@ -68,7 +68,7 @@ def test_two_errors_of_few_points_contain_the_mean(areas, each):
 
 
 def test_variances_are_pooled_over_parts_of_one_kind():
-    """A part of equal values, one whose values vary, and one of another kind: 2 + 8 degrees of freedom, pooled of 4.
+    """A part of equal values, one whose values vary, and one of another kind: 2 + 8 degrees of freedom, 8 of the others.
 
     A part keeps its own variance if this is larger, and open parts say nothing of others.
     """
@@ -76,12 +76,30 @@ def test_variances_are_pooled_over_parts_of_one_kind():
     value = np.array([1.0, 1.0, 1.0, 0.0, 1.0, 2.0, 7.0, 7.0, 7.0])
     given = (np.arange(3), np.ones(3), face, value, np.zeros(9))
     some = part_means(*given, count=3, least=np.full(9, 0.03), kind=np.array(["roof", "roof", "wall"]))
-    pooled = (0.0 + 2.0) / (2 + 2)
-    assert some.standard_error == pytest.approx([np.sqrt((2 * 0.0 + 8 * pooled) / (2 + 8) / 3), np.sqrt(1 / 3), 0.03 / 3])
+    assert some.standard_error == pytest.approx([np.sqrt((2 * 0.0 + 8 * 1.0) / (2 + 8) / 3), np.sqrt(1 / 3), 0.03 / 3])
     free = part_means(*given, count=3, kind=np.array(["roof", "roof", "wall"]))  # no point needs a ray
     assert free.standard_error == pytest.approx([0.0, np.sqrt(1 / 3), 0.0])
     value[:3] = [1.0, 1.0, 1.3]
-    assert part_means(*given, count=3).standard_error[0] == pytest.approx(np.sqrt((0.06 + 8 * (0.06 + 2.0) / 4) / 10 / 3))
+    assert part_means(*given, count=3).standard_error[0] == pytest.approx(np.sqrt((0.06 + 8 * 1.0) / 10 / 3))
+
+
+def test_parts_with_as_many_points_count_most():
+    """A part with four times as many points counts 1 / 4,096, whichever of the two is the larger one."""
+    varied, even = [0.0, 2.0, 0.0, 2.0], [1.0] * 16  # variance 4 / 3; no variation, but a shadow may have been missed
+    for own in (even[:4], even):
+        values = [own, *[varied] * 3, *[even] * 50]
+        each = np.array([len(one) for one in values])
+        face, value = np.repeat(np.arange(54), each), np.concatenate(values)
+        found = part_means(np.arange(54), np.ones(54), face, value, np.full(len(value), 1e-9), count=54)
+        weights = np.minimum(each[1:] / len(own), len(own) / each[1:]) ** 6
+        of_parts = np.repeat([4 / 3, 0.0], [3, 50])
+        others = np.average(of_parts, weights=weights)
+        ratio = each[1:] / (each[1:] - 1)  # values to degrees of freedom
+        fourth = np.average(np.where(of_parts > 0.0, 4 / 3, 0.0), weights=weights)  # four deviations of 1, per degree
+        worth = max(8.0, fourth * np.average(ratio, weights=weights) / others**2 - 1.0)
+        right = np.sqrt(worth * others / (len(own) - 1 + worth) / len(own))
+        assert found.standard_error[0] == pytest.approx(right)
+        assert (others > 1.0) == (len(own) == 4)
 
 
 def test_rare_large_deviations_count_for_less_than_the_pooled_variance():
@@ -91,10 +109,10 @@ def test_rare_large_deviations_count_for_less_than_the_pooled_variance():
     found = part_means(np.arange(40), np.ones(40), face, value, np.zeros(400), count=40, least=np.full(400, 1e-6))
     assert (np.abs(found.value - 0.02) <= 2.0 * found.standard_error)[found.value == 0.0].all()
     fourth, second = 8 * (0.9**4 + 9 * 0.1**4), 8 * (0.9**2 + 9 * 0.1**2)
-    worth = 400 * fourth / second**2 - 1.0
-    assert worth > 39.0
-    pooled = second / 360
-    assert found.standard_error[0] == pytest.approx(np.sqrt(worth * pooled / 10 / (9 + worth)))
+    worth = 390 * fourth / second**2 - 1.0  # of the 39 other parts
+    assert worth > 38.0
+    others = second / (9 * 39)
+    assert found.standard_error[0] == pytest.approx(np.sqrt(worth * others / 10 / (9 + worth)))
 
 
 def test_errors_of_single_points_are_not_pooled():

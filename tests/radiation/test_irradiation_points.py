@@ -2,6 +2,7 @@
 
 import sys
 from dataclasses import fields
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,6 +11,8 @@ from irradiation_cases import BEHIND, DAY, PARTS, points
 
 import warpsample as ws
 from warpsample.host.locks import imported
+from warpsample.radiation.reflection.reflections import Reflections
+from warpsample.tracing.options import RayOptions
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
@@ -97,6 +100,20 @@ def test_too_many_hours_are_reported(athens, monkeypatch):
     monkeypatch.setattr("psutil.virtual_memory", lambda: type("Memory", (), {"available": 1 << 20}))
     with pytest.raises(MemoryError, match="8,760 hours of 100 points need"):
         ws.irradiation(BEHIND, points(np.tile([0, 0, 1], (100, 1))), athens, patches="tregenza", series=True)
+
+
+@pytest.mark.parametrize(("columns", "size"), [(1, 24 + 8 * 4), (3, 3 * (24 + 8 * 4)), (4, 4 * 24)])
+def test_the_memory_of_reflected_light_is_checked(monkeypatch, columns, size):
+    """Three arrays of float64, and eight runs of float32 for up to three columns."""
+    light = Reflections(None, (np.ones((1, columns), np.float32),) * 8)
+    many = points(np.tile([0, 0, 1], (10, 1)))
+    monkeypatch.setattr("warpsample.host.engine._ALWAYS_FREE", 0)
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10 * size - 1))
+    with pytest.raises(MemoryError, match="the numbers of reflected light at 10 points need"):
+        light.at(many, 8, RayOptions.of(10))
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10 * size))
+    with pytest.raises(AttributeError):  # of the patches, which are None
+        light.at(many, 8, RayOptions.of(10))
 
 
 def test_pyradiance_is_asked_for_by_the_extra(athens, monkeypatch):

@@ -8,6 +8,7 @@ import trimesh
 from scipy.sparse import csr_array
 
 import warpsample as ws
+from warpsample.radiation.exchange.surfaces import check_groups
 
 SIGMA = 5.670374419e-8
 
@@ -101,6 +102,20 @@ def test_arguments_without_sense_are_reported():
     ):
         with pytest.raises(ValueError, match=match):
             v.net_radiation(**{"temperature": 300.0, "emissivity": 0.5, **given})
+
+
+def test_names_of_groups_may_be_objects():
+    """As in a column of pandas, or `city.surfaces.type`."""
+    mesh = ws.as_mesh(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]] * 3))
+    names = ["wall", "roof", "wall"]
+    for groups in (np.array(names, object), np.array(names), names, tuple(names)):
+        rows, found = check_groups(groups, mesh)
+        assert (rows.tolist(), rows.dtype, found) == ([1, 0, 1], np.int32, ("roof", "wall"))
+    for groups in (np.array(["wall", None, "wall"], object), np.array([0, 1, "a"], object), np.array([0, 1, 2], object)):
+        with pytest.raises(TypeError, match=r"groups: got dtype object, want \(3,\) whole numbers from 0 .* or names"):
+            check_groups(groups, mesh)
+    with pytest.raises(ValueError, match=r"groups: got shape \(4,\), want \(3,\) whole numbers"):
+        check_groups(np.array(["wall"] * 4, object), mesh)
 
 
 @pytest.mark.slow

@@ -133,7 +133,7 @@ def test_errors_in_rooms_are_as_large_as_said(height, reciprocal):
     assert 0.6 <= squares.mean() <= 1.3
 
 
-@pytest.mark.parametrize("reciprocal", [False, True], ids=["raw", "reciprocal"])
+@pytest.mark.parametrize("reciprocal", [False, pytest.param(True, marks=pytest.mark.thorough)], ids=["raw", "reciprocal"])
 def test_errors_of_known_factors_are_as_large_as_said(reciprocal):
     """Of scenes of two or three surfaces; one alone is told to 0.2 by its 40 seeds, and its faces are few."""
     found = []

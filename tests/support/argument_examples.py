@@ -190,6 +190,7 @@ KINDS = {
     "City.surface_means.values": kind(np.ones(FACES_OF_COURTYARD)),
     "error": kind(np.ones(FACES_OF_COURTYARD)),
     "City.surface_means.points": kind(ON_A_FACE, said=("values",), wrong=(MESH, UNIT, POINTS)),
+    "City.write.points": kind(ON_A_FACE, wrong=(MESH, UNIT, POINTS)),
     "City.write.path": kind(Path(tempfile.mkdtemp(), "out.city.json")),
     "results": kind(
         {"a": np.ones(3)}, "{}", said=("results['a']",), wrong=({"": np.ones(3)}, {"a": UNIT}, {"a_error": np.ones(3)})

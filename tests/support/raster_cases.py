@@ -5,9 +5,13 @@ import rasterio
 from affine import Affine
 
 import warpsample as ws
+from warpsample.city.rasters.tiles import RasterRun
+from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY
 
 NORTH_UP = Affine(1.0, 0.0, 0.0, 0.0, -1.0, 0.0)
 SLOVENIA = Affine(1.0, 0.0, 564000.0, 0.0, -1.0, 146000.0)
+_OPTIONS = {"model": "joined", "receiver": "horizontal", "canopy": None, "trunk": 0.25, "relative": True}
+_OPTIONS |= {"transmittance": 0.03, "tile": None, "margin": None, "far": None}
 ON_A_MAP = Affine(2.5, 0.0, 500000.0, 0.0, -2.5, 5000000.0)
 
 
@@ -68,3 +72,29 @@ def sky(surface, cells, count, **options):
     """The sky view factor in the middle of some cells, in their order."""
     points, known = surface.points(options.pop("receiver", "horizontal"))
     return ws.sky_view_factor(surface.mesh, points.take(np.searchsorted(known, cells)), count, **options)
+
+
+def town(rows=60, columns=44, seed=2):
+    """Blocks of houses on a slope, and a hole."""
+    rng = np.random.default_rng(seed)
+    heights = 0.2 * np.arange(columns) + np.zeros((rows, columns))
+    for _ in range(60):
+        i, j = rng.integers(0, rows - 6), rng.integers(0, columns - 6)
+        heights[i : i + 5, j : j + 4] = rng.uniform(4.0, 25.0)
+    return heights
+
+
+def run(source, quantity=SKY, count=64, **options):
+    """A run of tiles of a raster, or of an array of heights."""
+    if isinstance(source, np.ndarray):
+        source = source, NORTH_UP, None
+    return RasterRun.of(source, quantity, {"count": count}, **_OPTIONS | options)
+
+
+def whole(made):
+    """What all tiles of a run have, laid out."""
+    laid = {name: np.full(made.reader.shape, np.nan, np.float32) for name in made.names}
+    for span in made.spans():
+        for name, values in made.numbers(span).items():
+            laid[name][span] = values
+    return laid

@@ -93,9 +93,9 @@ class City(Summary):
         without `points`, only the noise of rays is included. Errors of the weather, the sky model and the mesh are not
         included; they are common to all surfaces.
 
-        A few points may all miss the same shadow. So the variance of each surface is combined with the pooled variance of
-        all surfaces of its type, unless its own is larger. The errors of simple surfaces among varied ones are larger than
-        they need to be.
+        A few points may all miss the same shadow. So the variance of each surface is combined with that of other surfaces
+        of its type and of a similar number of points, unless its own is larger. The errors of simple surfaces among varied
+        ones are larger than they need to be.
 
         All points share the light that faces reflect. For a result with a `reflected` part, the differences between its
         eight runs add the shared error. The error is then up to 1.4 times too large.
@@ -125,14 +125,11 @@ class City(Summary):
             >>> print(values.round(1), errors.max() < 0.01)
             [0.7 0.9 0.4] True
         """
-        means = self._means(values, error, points, "values")
+        means = self._means(values, error, self._faces_of(points), "values")
         return means.value, means.standard_error, self.surfaces.area.copy()
 
-    def _means(self, values: Any, error: Any, points: SurfacePoints | None, argument: str) -> PartMeans:
-        """Compute the means over surfaces, after checking the values, which are the named argument of a call."""
-        if not isinstance(points, SurfacePoints | None):
-            raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
-        face = np.arange(len(self.surface)) if points is None else self._faces_of(points)
+    def _means(self, values: Any, error: Any, face: np.ndarray, argument: str) -> PartMeans:
+        """Compute the means over surfaces of values on the given triangles. Messages name the values `argument`."""
         least = runs = None
         if isinstance(values, PointResult):
             if error is not None:
@@ -152,8 +149,12 @@ class City(Summary):
         values, errors = (np.where(earth, np.nan, array) for array in (means.value, means.standard_error))
         return replace(means, value=values, standard_error=errors)
 
-    def _faces_of(self, points: SurfacePoints) -> np.ndarray:
-        """Return the triangle of each point, after checking that points are on surfaces of the city."""
+    def _faces_of(self, points: SurfacePoints | None) -> np.ndarray:
+        """Return the triangle of each point, after checking that points are on surfaces of the city; all without points."""
+        if points is None:
+            return np.arange(len(self.surface))
+        if not isinstance(points, SurfacePoints):
+            raise TypeError(f"points: got {describe_type(points)}, want SurfacePoints")
         wants = "points on the city's surfaces, with their faces, as from City.points"
         face = points.face
         if not (face >= 0).any():
@@ -205,6 +206,7 @@ class City(Summary):
             True True
         """
         _check_names(results)
+        face = self._faces_of(points)
         columns, runs = {}, {}
         for name, item in results.items():
             if not isinstance(item, PointResult):
@@ -212,7 +214,7 @@ class City(Summary):
                 continue
             if name + ERROR in results:
                 raise ValueError(f"results: got {name + ERROR!r} for a result, want {name!r} alone; a result has errors")
-            means = self._means(item, None, points, f"results[{name!r}]")
+            means = self._means(item, None, face, f"results[{name!r}]")
             columns |= {name: means.value, name + ERROR: means.standard_error}
             if means.runs is not None:
                 runs[name] = means.runs[0]

@@ -1,6 +1,5 @@
 """Surfaces between which view factors are computed: single faces, or groups of faces."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -75,16 +74,16 @@ def check_groups(groups: Any, mesh: Mesh) -> tuple[np.ndarray | None, tuple[str,
     if isinstance(groups, str):
         return _group_by_part(mesh, groups)
     wants = f"({faces},) whole numbers from 0 to {_LARGEST} or names, one for each face, or 'part'"
-    if isinstance(groups, Sequence) and groups and all(isinstance(name, str) for name in groups):
-        groups = np.array(groups)
     array = as_ndarray(groups, "groups", wants)
-    if array.dtype.kind == "U" and array.shape == (faces,):
-        names, rows = np.unique(array, return_inverse=True)
-        return rows.astype(np.int32), tuple(names.tolist())
-    if array.dtype.kind not in "iu":
+    if array.dtype.kind in "OT" and all(isinstance(name, str) for name in array.flat):  # as of pandas
+        array = array.astype(str)
+    if array.dtype.kind not in "iuU":
         raise TypeError(f"groups: got dtype {array.dtype}, want {wants}")
     if array.shape != (faces,):
         raise ValueError(f"groups: got shape {array.shape}, want {wants}")
+    if array.dtype.kind == "U":
+        names, rows = np.unique(array, return_inverse=True)
+        return rows.astype(np.int32), tuple(names.tolist())
     if array.min() < 0 or array.max() > _LARGEST:
         raise ValueError(f"groups: got numbers from {array.min()} to {array.max()}, want {wants}")
     rows = int(array.max()) + 1

@@ -40,6 +40,7 @@ _LEAST_RAYS, _MOST_PLACES = 8, 32  # per patch and run
 _TOGETHER = 256  # columns of light that are computed at a time
 _MANY = 4  # least number of columns for which summing the rays to the same patch saves time
 _BYTES_OF_RAY = 40  # per ray of a patch
+_BYTES_OF_POINT = 24  # per column: mean, squares and error; the runs need more
 _COLOURS = 3  # most columns for which the numbers of each run are returned
 
 
@@ -113,11 +114,17 @@ class Reflections:
 
         Each point casts `count` rays, rounded down to a multiple of the runs. If no ray of a point hits a lit patch, the
         error is the light of one ray from the brightest patch, for patches between the rays.
+
+        Raises:
+            MemoryError: the results need more memory than is free.
         """
         count = max(1, count // REPLICATES)
         shape = len(points), self.leaving[0].shape[1]
+        has_runs = shape[1] <= _COLOURS
+        size = shape[0] * shape[1] * (_BYTES_OF_POINT + (4 * REPLICATES if has_runs else 0))
+        check_memory(size, f"the numbers of reflected light at {len(points):,} points", "pass fewer points at a time")
         mean, squares = np.zeros(shape), np.zeros(shape)
-        runs = np.zeros((*shape, REPLICATES), np.float32) if shape[1] <= _COLOURS else None
+        runs = np.zeros((*shape, REPLICATES), np.float32) if has_runs else None
         drawn = {name: getattr(options, name) for name in ("first_point", "active", "workers")}
         for number, leaving in enumerate(self.leaving):
             seed = _derive_seed("lobes", number, options.seed)

@@ -72,7 +72,7 @@ def irradiance(
         count: Number of rays per point, 2 to 2^24; none is cast where the radiance is 0. Default: 256.
         up: (3,) vector of any length towards row 0 of a picture. Default: (0.0, 0.0, 1.0).
         refine: Longest edge of the parts of faces that each reflect evenly, a float in mesh units, see `irradiation`.
-            Default: None, 8,192 parts more than there are sides.
+            No effect if no face reflects. Default: None, 8,192 parts more than there are sides.
         sampling: Distribution of the rays: "cosine" for the cosine lobe, "picture" for the luminance of the picture, or
             "both" for rays of each, weighted by the balance heuristic. The share of each with "both" follows from the
             picture: all are of the cosine lobe for an even sky. Default: None, "both" for a picture, "cosine" for a wp.func.

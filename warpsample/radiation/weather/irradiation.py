@@ -110,7 +110,8 @@ def irradiation(
         series: Whether to return each hour of the period. Default: False.
         refine: Longest edge of the parts of faces that each reflect evenly, a float in mesh units, inf for whole faces. In a
             street, parts of a quarter of its width leave an error of 0.05 % under an even sky, and 1.7 % in its edges; with
-            half of the floor in the sun 1 % and 17 % of the reflected part. Default: None, 8,192 parts more than sides.
+            half of the floor in the sun 1 % and 17 % of the reflected part. No effect if no face reflects. Default: None,
+            8,192 parts more than sides.
         seed: Random seed, an integer of 64 bits. Default: 0.
         first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
         active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
