@@ -88,7 +88,7 @@ def build_run(
     margin: Any,
     far: Any,
 ) -> RasterRun:
-    """Check the arguments of a call of `warpsample.rasters`, except those of the quantity, and build the computation.
+    """Check the arguments of a call on raster, surface, trees and tiles, and build the computation.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: An argument that cannot be used; the message names the argument.

@@ -78,8 +78,8 @@ class EnvironmentMap(Distribution):
     source = "Pharr2023, section 12.5; guide tables: Chen1974"
     in_world = True
     limits = (
-        "directions are in world coordinates; a pixel's share is a multiple of 2⁻³² of its row; the error of the inverse is "
-        "measured where a pixel fills 1/32 of the square's width and height"
+        "directions are in world coordinates. The share of a pixel is a multiple of 2⁻³² of its row. The error of the "
+        "inverse is measured where a pixel fills 1/32 of the square's width and height"
     )
     case_values: ClassVar[Cases] = (
         (np.ones((4, 8)),),

@@ -161,9 +161,9 @@ class RoughDielectric(ScatteredLight):
     limits = (
         "there is no inverse, because a hash of u chooses between reflection and refraction. A reflected direction has "
         "twice the error of the lobe's normals. For a view from the denser side the direction is less precise near the "
-        "rim of total reflection, where its derivative is infinite; it is not measured for squared cosines of refraction "
-        "below 1e-3. The density of Beckmann's normals is less precise than others, because the exponential of the slope "
-        "of m multiplies the rounding of w"
+        "rim of total reflection, where its derivative is infinite. The error is not measured for squared cosines of "
+        "refraction below 1e-3. The density of Beckmann's normals is less precise than others, because the exponential "
+        "of the slope of m multiplies the rounding of w"
     )
     worst_angle: ClassVar[float] = 3e-5
     worst_pdf: ClassVar[float] = 6e-6
