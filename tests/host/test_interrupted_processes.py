@@ -19,7 +19,7 @@ def test_two_thousand_interrupts_of_all_kinds_of_calls(child_environment):
 
 
 @pytest.mark.parametrize(
-    ("count", "seed"), [pytest.param(30, 1, marks=pytest.mark.slow), pytest.param(75, 2, marks=pytest.mark.thorough)]
+    ("count", "seed"), [pytest.param(15, 1, marks=pytest.mark.slow), pytest.param(75, 2, marks=pytest.mark.thorough)]
 )
 def test_random_interrupts_leave_no_thread_and_no_half_file(count, seed, child_environment):
     """Directions, occlusion, view factors, a file and a store are interrupted; see the script."""
