@@ -244,8 +244,12 @@ def test_a_chart_that_is_mostly_inside_a_body_at_one_place_is_reported(call, tmp
 
 
 def test_animations_of_a_material_reach_its_copies(call, tmp_path):
-    """KHR_animation_pointer names materials by number: copies go to other places, and to a mesh outside the scene."""
+    """KHR_animation_pointer names materials by number: copies go to other places, and to a mesh outside the scene.
+
+    Only the material outside the scene keeps its occlusion texture, and so the animation of the texture transform.
+    """
     path, output = rooms(tmp_path / "in.glb", 2), tmp_path / "out.glb"
+    offset = "occlusionTexture/extensions/KHR_texture_transform/offset"
 
     def pointing(to):
         return {"sampler": 0, "target": {"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": to}}}}
@@ -254,17 +258,24 @@ def test_animations_of_a_material_reach_its_copies(call, tmp_path):
         tree["meshes"].append({"primitives": tree["meshes"][0]["primitives"]})
         named = "/materials/0/emissiveFactor", "/meshes/0/weights", "/materials/10/alphaCutoff"
         nodes = {"sampler": 0, "target": {"node": 0, "path": "scale"}}
-        tree["animations"] = [{"channels": [*map(pointing, named), nodes], "samplers": [{"input": 0, "output": 0}]}]
+        channels = [*map(pointing, named), nodes, pointing(f"/materials/0/{offset}")]
+        tree["animations"] = [{"channels": channels, "samplers": [{"input": 0, "output": 0}]}]
+        tree["materials"][0]["occlusionTexture"] = {"index": 0, "extensions": {"KHR_texture_transform": {}}}
+        tree |= {"textures": [{"source": 0}], "images": [{"uri": "data:image/png;base64,iVBORw0KGgo="}]}
+        tree["extensionsUsed"] = ["KHR_texture_transform", "KHR_animation_pointer"]
 
     path.write_bytes(changed(path.read_bytes(), share_materials))
-    assert call("bake", path, "-o", output, *RAYS, "--strict")[::2] == (0, "")
+    status, out, err = call("bake", path, "-o", output, *RAYS, "--strict")
+    assert (status, err) == (0, "")
+    assert out.count("the animation of the texture transform of the occlusion of material 'lower' is left out") == 1
     tree = opened(output)[0]
     used = [[one["material"] for one in mesh["primitives"]] for mesh in tree["meshes"]]
     assert (used[0], [mesh for mesh in range(4) if 0 in used[mesh]]) == ([0, 1], [0])
-    assert ["occlusionTexture" in tree["materials"][number] for number in used[2]] == [False, False]  # outside the scene
+    assert ["occlusionTexture" in tree["materials"][number] for number in used[2]] == [True, False]  # outside the scene
     assert ["occlusionTexture" in tree["materials"][number] for number in used[3]] == [True, True]  # the other place
     assert tree["nodes"][1]["mesh"] == 3
     channels = tree["animations"][0]["channels"]
     copies = [used[mesh][used[0].index(0)] for mesh in (2, 3)]
-    copied = ["/meshes/3/weights", *(f"/materials/{number}/emissiveFactor" for number in copies)]
+    copied = ["/meshes/3/weights", f"/materials/{used[2][0]}/{offset}"]
+    copied += [f"/materials/{number}/emissiveFactor" for number in copies]
     assert sorted(map(str, channels[4:])) == sorted(str(pointing(to)) for to in copied)

@@ -17,6 +17,7 @@ import numpy as np
 from warpsample.host.arguments import naming_file
 from warpsample.host.json_tree import Part, check_finite, collect_names, parsed
 from warpsample.mesh.files.gltf_data import Data, binary, content_of
+from warpsample.texture.animations import copy_channels
 
 MOST_BYTES = 2**32 - 2**20
 """Largest size of a written .glb: the format stores lengths in 32 bits."""
@@ -34,7 +35,6 @@ _PICTURES = {
 """First bytes of a picture and its media type. WebP and KTX2 need a glTF extension."""
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
 _LISTS = ("accessors", "bufferViews", "images", "materials", "samplers", "textures")
-_POINTER = "KHR_animation_pointer"
 _CLAMP, _LINEAR, _LINEAR_MIPMAP = 33071, 9729, 9987
 
 
@@ -126,12 +126,7 @@ class GlbFile:
             number: number of the mesh or material.
         """
         made = self._append(key, _copy_json(self.tree[key][number]))
-        old, new = f"/{key}/{number}/", f"/{key}/{made}/"
-        for animation in self.tree.get("animations", []):
-            for channel in [each for each in animation.get("channels", []) if _find_pointer(each).startswith(old)]:
-                copy = _copy_json(channel)
-                copy["target"]["extensions"][_POINTER]["pointer"] = new + _find_pointer(channel).removeprefix(old)
-                animation["channels"].append(copy)
+        copy_channels(self.tree, f"/{key}/{number}/", f"/{key}/{made}/")
         return made
 
     def write(self, file: BinaryIO) -> None:
@@ -225,14 +220,6 @@ class GlbFile:
 def _copy_json(content: Any) -> Any:
     """Return a copy by text: the file was parsed, so that its nesting is not too deep."""
     return json.loads(json.dumps(content, allow_nan=False))
-
-
-def _find_pointer(channel: dict[str, Any]) -> str:
-    """Return the JSON pointer to what an animation channel changes, or "" for a channel that changes a node."""
-    try:
-        return Part(channel).part("target").part("extensions").part(_POINTER).text("pointer")
-    except (TypeError, ValueError):
-        return ""
 
 
 def _read_trailing_bytes(path: Path, chunk: int) -> bytes:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from warpsample.host.json_tree import Part
+from warpsample.texture.animations import drop_channels
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.primitives import Primitive, list_material_references
 
@@ -71,11 +72,11 @@ def add_texture(
     info: dict[str, Any],
     more: dict[str, Any],
 ) -> Iterator[str]:
-    """Add a picture to the materials of a group of primitives, and yield a sentence for each picture it replaces.
+    """Add a picture to the materials of a group of primitives, and yield sentences on each picture it replaces.
 
     The first picture of a material goes to the material itself. Primitives outside the group get an unchanged copy. Any
     other picture goes to a copy, so add the first picture last. A group without a material gets a new one. The picture is
-    read without KHR_texture_transform.
+    read without KHR_texture_transform, so animations of a replaced picture's transform are left out.
 
     Args:
         file: file to edit.
@@ -110,7 +111,10 @@ def add_texture(
         if not slot.optional and slot.find_holder(Part(material)) is None:
             continue
         if slot.find_info(Part(material)) is not None:
-            yield f"the {slot.name} of material {material.get('name', number)!r} is replaced"
+            named = f"the {slot.name} of material {material.get('name', number)!r}"
+            yield f"{named} is replaced"
+            if drop_channels(file.tree, "/".join(("/materials", str(number), *slot.containers, slot.key, ""))):
+                yield f"the animation of the texture transform of {named} is left out"
         slot.set_info(material, dict(texture), more)
 
 
