@@ -214,6 +214,15 @@ def test_bad_arguments_of_writing(tmp_path):
             for name in ("type", "parent", "children", "type_m2")
         ),
         (tmp_path / "b.json", {"ws_x_error": np.zeros(3)}, "results: got 'ws_x_error' without 'ws_x', want both the err"),
+        (
+            tmp_path / "b.json",
+            good | {"ws_x_error_m2": np.zeros(3)},
+            "results: got 'ws_x_error_m2', want 'ws_x_m2_error' as",
+        ),
+        *(
+            (tmp_path / "b.json", good | {more: np.zeros(3)}, f"results: got two results for the attribute '{name}', want")
+            for more, name in (("ws_x_m2", "ws_x_roof"), ("ws_x_roof", "ws_x_roof"), ("ws_area_m2", "ws_area_m2_roof"))
+        ),
     ):
         with pytest.raises((TypeError, ValueError), match=f"^{message}"):
             city.write(path, results)

@@ -108,7 +108,8 @@ def test_names_of_groups_may_be_objects():
     """As in a column of pandas, or `city.surfaces.type`."""
     mesh = ws.as_mesh(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]] * 3))
     names = ["wall", "roof", "wall"]
-    for groups in (np.array(names, object), np.array(names), names, tuple(names)):
+    of_numpy_2 = [np.array(names, np.dtypes.StringDType())] if hasattr(np.dtypes, "StringDType") else []
+    for groups in (np.array(names, object), np.array(names), names, tuple(names), *of_numpy_2):
         rows, found = check_groups(groups, mesh)
         assert (rows.tolist(), rows.dtype, found) == ([1, 0, 1], np.int32, ("roof", "wall"))
     for groups in (np.array(["wall", None, "wall"], object), np.array([0, 1, "a"], object), np.array([0, 1, 2], object)):

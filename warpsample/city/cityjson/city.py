@@ -14,7 +14,7 @@ from warpsample.city.cityjson.gathering import Geometry
 from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
 from warpsample.city.cityjson.surfaces import CitySurfaces, SurfaceLinks
-from warpsample.city.cityjson.writing import ERROR, MEMBERS, PER_AREA, Editor, Results, Runs
+from warpsample.city.cityjson.writing import ERROR, MEMBERS, PER_AREA, Editor, Results, Runs, find_repeated_names
 from warpsample.estimate.intervals import errors_for_means
 from warpsample.estimate.result import PointResult, has_value
 from warpsample.host.arguments import check_seed, quote
@@ -194,7 +194,7 @@ class City(Summary):
 
         Raises:
             TypeError, ValueError: the path cannot be written, or results have another shape, no name, or the name of a
-                member of semantic surfaces ("type", "parent" or "children").
+                member of semantic surfaces ("type", "parent" or "children"), or two of them give attributes of one name.
             OSError: the file cannot be written.
 
         Example:
@@ -268,4 +268,10 @@ def _check_columns(results: Mapping[str, Any], count: int) -> dict[str, np.ndarr
             raise ValueError(
                 f"results: got {name!r} without {name.removesuffix(ERROR)!r}, want both the errors and the values"
             )
+        if name.endswith(ERROR + PER_AREA):
+            wants = name.removesuffix(ERROR + PER_AREA) + PER_AREA + ERROR
+            raise ValueError(f"results: got {name!r}, want {wants!r} as the name of errors")
+    twice = find_repeated_names(columns)
+    if twice:
+        raise ValueError(f"results: got two results for the attribute {twice[0]!r}, want names that differ as totals, too")
     return columns

@@ -1,5 +1,6 @@
 """Writing of results into a CityJSON file, as attributes of surfaces and city objects."""
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from copy import deepcopy
 from math import isfinite
@@ -129,6 +130,13 @@ def add_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.nd
         plain, end = (name.removesuffix(ERROR), ERROR) if name.endswith(ERROR) else (name, "")
         if plain.endswith(PER_AREA):
             yield plain.removesuffix(PER_AREA) + end, column * areas
+
+
+def find_repeated_names(results: Results) -> list[str]:
+    """Return names of attributes that the given results would write twice, as totals or as means over roofs and walls."""
+    names = [f"ws_area{PER_AREA}", *(name for name, _ in add_totals(results, np.zeros(())))]
+    counts = Counter(name + end for name in names for end in _SUFFIXES)
+    return [name for name, count in counts.items() if count > 1]
 
 
 def _format_finite(cells: Mapping[str, float]) -> Iterator[tuple[str, float]]:

@@ -76,12 +76,12 @@ def check_groups(groups: Any, mesh: Mesh) -> tuple[np.ndarray | None, tuple[str,
     wants = f"({faces},) whole numbers from 0 to {_LARGEST} or names, one for each face, or 'part'"
     array = as_ndarray(groups, "groups", wants)
     if array.dtype.kind in "OT" and all(isinstance(name, str) for name in array.flat):  # as of pandas
-        array = array.astype(str)
-    if array.dtype.kind not in "iuU":
+        array = array.astype(object)
+    elif array.dtype.kind not in "iuU":
         raise TypeError(f"groups: got dtype {array.dtype}, want {wants}")
     if array.shape != (faces,):
         raise ValueError(f"groups: got shape {array.shape}, want {wants}")
-    if array.dtype.kind == "U":
+    if array.dtype.kind in "OU":  # a long name would lengthen all names of an array of texts
         names, rows = np.unique(array, return_inverse=True)
         return rows.astype(np.int32), tuple(names.tolist())
     if array.min() < 0 or array.max() > _LARGEST:
