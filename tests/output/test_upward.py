@@ -33,6 +33,16 @@ def test_the_sky_of_a_glb_is_along_y(call, tmp_path, texture):
     assert call("bake", path, "-o", output, "--samples", 64)[1].count("\n  up") == 0  # occlusion has none
 
 
+@pytest.mark.parametrize("name", ["in.glb", "in.ply"])
+def test_north_of_y_up_is_along_z_also_if_up_is_given(tmp_path, name):
+    """North along +y, as for +z up, was refused."""
+    SIDE.export(tmp_path / name)
+    found, said = with_up(tmp_path / name, quantity_of("irradiation"), {"up": (0.0, 1.0, 0.0)})
+    assert (found["north"], said) == ((0.0, 0.0, -1.0), "north is -z")
+    given = {"up": (0.0, 1.0, 0.0), "north": (1.0, 0.0, 0.0)}
+    assert with_up(tmp_path / name, quantity_of("irradiation"), given) == (given, "")
+
+
 @pytest.mark.parametrize("up", [(0, 0, 1), (0, -1, 0), (3, 0, 4)])
 def test_a_glb_that_is_written_stands_upright(call, tmp_path, up):
     """A step far from the origin: baked anew, by the format's own up, it sees as much of the sky."""

@@ -1,5 +1,7 @@
 """Texels: all that a bilinear lookup reads have a point, on the chart, whatever the order of the faces and the device."""
 
+import pickle
+
 import numpy as np
 import pytest
 import warp as wp
@@ -135,6 +137,7 @@ def test_what_is_wrong_with_coordinates_is_counted_and_named():
     assert report.named["outside"] == ()
     assert report.named["zero_area"] == ("right",)
     assert report.named["mirrored"] == report.named["without_uv"] == ("rest",)
+    assert pickle.loads(pickle.dumps(report)) == report
 
 
 def test_neighbours_that_share_an_edge_do_not_overlap():

@@ -17,7 +17,7 @@ _Y, _NORTH_BY_Y = (0.0, 1.0, 0.0), (0.0, 0.0, -1.0)
 
 
 def with_up(path: Path, quantity: Quantity, options: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
-    """Add the up and north axes of a mesh file's format to the options of a command; return (options, a note or "").
+    """Add the up axis of a mesh file's format, and north for +y up, to the options of a command; return (options, a note).
 
     Args:
         path: path of the mesh.
@@ -26,14 +26,14 @@ def with_up(path: Path, quantity: Quantity, options: Mapping[str, Any]) -> tuple
     """
     made = dict(options)
     format = "" if not quantity.takes("up") or "up" in options else upright_by_y(path)
-    if not format:
-        return made, ""
-    made["up"] = _Y
-    north = ""
-    if quantity.takes("north") and "north" not in options:
+    if format:
+        made["up"] = _Y
+    north = quantity.takes("north") and "north" not in options and tuple(made.get("up") or ()) == _Y
+    if north:
         made["north"] = _NORTH_BY_Y
-        north = " and north -z"
-    return made, f"up is +y{north}, as {format} has it; --up 0 0 1 is for +z"
+    if format:
+        return made, f"up is +y{' and north -z' if north else ''}, as {format} has it; --up 0 0 1 is for +z"
+    return made, "north is -z" if north else ""
 
 
 def upright_by_y(path: Path) -> str:

@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Iterable
 from typing import Any
 
 from warpsample.host.json_tree import Part, collect_names
@@ -26,8 +27,8 @@ def copy_channels(tree: dict[str, Any], old: str, new: str) -> None:
             animation["channels"].append(copy)
 
 
-def drop_channels(tree: dict[str, Any], holder: str) -> bool:
-    """Remove the channels that change members of the objects in a JSON object, and return whether there were any.
+def drop_channels(tree: dict[str, Any], replaced: Iterable[str]) -> bool:
+    """Remove the channels that change replaced values or members of them, and return whether there were any.
 
     An animation without channels is removed, too. If an extension of the file may refer to animations by number, the
     animation keeps one channel without a target, because glTF has no animation without channels and viewers ignore such a
@@ -35,12 +36,12 @@ def drop_channels(tree: dict[str, Any], holder: str) -> bool:
 
     Args:
         tree: JSON of the file, which is edited.
-        holder: JSON pointer to the object, which ends with "/". Channels that change members of the object itself stay.
+        replaced: JSON pointers to the values.
     """
-    start, animations = re.compile(f"{re.escape(holder)}[^/]+/"), tree.get("animations", [])
+    starts, animations = tuple(f"{pointer}/" for pointer in replaced), tree.get("animations", [])
     is_numbered = not all(map(_WITHOUT_ANIMATIONS.fullmatch, collect_names(tree, "extensions")))
     found = [(each, channel) for each in animations for channel in each.get("channels", [])]
-    found = [(animation, channel) for animation, channel in found if start.match(_find_pointer(channel))]
+    found = [(animation, channel) for animation, channel in found if f"{_find_pointer(channel)}/".startswith(starts)]
     for animation, channel in found:
         if len(animation["channels"]) > 1:
             animation["channels"].remove(channel)

@@ -16,7 +16,7 @@ def check_gutter(gutter: Any, argument: str = "gutter") -> float:
     """Check the option `gutter`, the distance in texels up to which empty texels are filled; return inf for "all"."""
     if isinstance(gutter, str) and gutter == "all":
         return np.inf
-    return float(check_integer(gutter, argument, 0, _MOST_GUTTER, "'all' or a whole number of at least 0"))
+    return float(check_integer(gutter, argument, 0, _MOST_GUTTER, f"'all' or a whole number from 0 to {_MOST_GUTTER}"))
 
 
 class TexelRows:

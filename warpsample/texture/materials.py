@@ -75,8 +75,8 @@ def add_texture(
     """Add a picture to the materials of a group of primitives, and yield sentences on each picture it replaces.
 
     The first picture of a material goes to the material itself. Primitives outside the group get an unchanged copy. Any
-    other picture goes to a copy, so add the first picture last. A group without a material gets a new one. The picture is
-    read without KHR_texture_transform, so animations of a replaced picture's transform are left out.
+    other picture goes to a copy, so add the first picture last. A group without a material gets a new one. Animations of
+    replaced values are left out: those of a picture's transform, strength or scale, and those of `more`.
 
     Args:
         file: file to edit.
@@ -110,11 +110,12 @@ def add_texture(
         material = file.tree["materials"][number]
         if not slot.optional and slot.find_holder(Part(material)) is None:
             continue
+        named = f"the {slot.name} of material {material.get('name', number)!r}"
         if slot.find_info(Part(material)) is not None:
-            named = f"the {slot.name} of material {material.get('name', number)!r}"
             yield f"{named} is replaced"
-            if drop_channels(file.tree, "/".join(("/materials", str(number), *slot.containers, slot.key, ""))):
-                yield f"the animation of the texture transform of {named} is left out"
+        holder = "/".join(("/materials", str(number), *slot.containers))
+        if drop_channels(file.tree, [f"{holder}/{key}" for key in (slot.key, *more)]):
+            yield f"the animation of {named} is left out"
         slot.set_info(material, dict(texture), more)
 
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
 import numpy as np
 
@@ -58,7 +57,7 @@ def build_report(mesh: Mesh, covered: int, overlapped: int, flaws: Mapping[str, 
     """Build the report on a mesh's texture coordinates from counts of texels and masks of flawed faces."""
     counts = {name: int(np.count_nonzero(faces)) for name, faces in flaws.items() if name != "overlapped"}
     named = {name: _list_parts(mesh, faces) for name, faces in flaws.items()}
-    return TextureReport(covered=covered, overlapped=overlapped, **counts, named=MappingProxyType(named))
+    return TextureReport(covered=covered, overlapped=overlapped, **counts, named=named)
 
 
 def _list_parts(mesh: Mesh, faces: np.ndarray) -> tuple[str, ...]:

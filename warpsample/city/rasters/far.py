@@ -17,7 +17,7 @@ from affine import Affine
 from warpsample.city.rasters.canopy import Canopy, Crowns, build_prisms
 from warpsample.city.rasters.fringe import fringe_bounds
 from warpsample.city.rasters.grid import Bounds, Grid, resample_extremes
-from warpsample.city.rasters.pooling import bounds_of_surface, pool_raster
+from warpsample.city.rasters.pooling import bounds_beyond, pool_raster
 from warpsample.city.rasters.scenery import Columns, Part, join_triangles
 from warpsample.city.rasters.sources.reader import RasterReader
 
@@ -60,13 +60,12 @@ class FarField:
             model: Surface model. With "block" heights are those of cells, else the extremes of cells and their neighbours.
             canopy: Crowns to include in the upper columns, or None.
         """
-        size, grow, beyond = 1 << (max(1, margin // _FINENESS).bit_length() - 1), int(model != "block"), None
-        fringe = None
+        size, beyond, fringe = 1 << (max(1, margin // _FINENESS).bit_length() - 1), None, None
+        own = pool_raster(reader, canopy, size, model, joined=other is not None)
         if other is not None:
             heights = other.read(slice(None), slice(None))
-            beyond = Bounds(*bounds_of_surface(heights, heights, grow), ~reader.transform @ other.transform)
-            fringe = fringe_bounds(heights, beyond) if grow else None
-        own = pool_raster(reader, canopy, size, model, joined=other is not None)
+            beyond = bounds_beyond(heights, own, ~reader.transform @ other.transform, model)
+            fringe = fringe_bounds(heights, beyond) if model != "block" else None
         return cls(own, beyond, size, reader.outline, fringe)
 
     def columns(self, tile: Window, near: Window, lowest: float) -> list[Columns]:

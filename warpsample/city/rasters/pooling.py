@@ -6,7 +6,7 @@ import numpy as np
 from affine import Affine
 
 from warpsample.city.rasters.canopy import Canopy
-from warpsample.city.rasters.grid import Bounds
+from warpsample.city.rasters.grid import Bounds, resample_extremes
 from warpsample.city.rasters.sources.reader import RasterReader
 
 _BAND = 1 << 22  # cells per reading step
@@ -29,7 +29,8 @@ def pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, model: s
         heights = reader.read(*band)
         grid = replace(reader.outline, height=heights)
         tops = heights if canopy is None else np.fmax(heights, canopy.crowns(grid, *band).top)
-        highest, lowest = bounds_of_surface(tops, heights, grow)
+        highest, lowest = _widen_extremes(tops, grow, np.fmax), _widen_extremes(heights, grow, np.fmin)
+        lowest[np.isnan(heights)] = np.nan
         if model == "tin":
             lowest[_mask_uncovered(heights, (begin == 0, end == rows), joined=joined)] = np.nan
         kept = slice(first - begin, min(first + step, rows) - begin)
@@ -42,13 +43,25 @@ def pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, model: s
     return Bounds(np.concatenate(uppers), np.concatenate(lowers), Affine.scale(size))
 
 
-def bounds_of_surface(tops: np.ndarray, heights: np.ndarray, grow: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the highest and lowest height of the surface in each cell, from the heights of cells with and without crowns.
+def bounds_beyond(heights: np.ndarray, own: Bounds, where: Affine, model: str) -> Bounds:
+    """Return the bounds of the surface of another raster, which has no data in some cells.
 
-    For `grow` = 1 the surface of a cell also depends on its eight neighbours. The lowest one is NaN without data.
+    Neighbours without data have those of the raster itself, because its cells and those beyond its edge share corners or
+    triangles.
+
+    Args:
+        heights: (rows, columns) heights of the other raster.
+        own: Bounds of the raster itself, from `pool_raster`.
+        where: Affine map from cells of the other raster to those of the raster itself.
+        model: Surface model.
     """
-    lowest = np.where(np.isnan(heights), np.nan, _widen_extremes(heights, grow, np.fmin))
-    return _widen_extremes(tops, grow, np.fmax), lowest
+    if model == "block":
+        return Bounds(heights, heights, where)
+    missing = np.isnan(heights)
+    upper, lower = (np.where(missing, some, heights) for some in resample_extremes(own, where, heights.shape))
+    highest = np.where(missing, _widen_extremes(heights, 1, np.fmax), _widen_extremes(upper, 1, np.fmax))
+    without = missing | _mask_uncovered(upper, (True, True), joined=False) if model == "tin" else missing
+    return Bounds(highest, np.where(without, np.nan, _widen_extremes(lower, 1, np.fmin)), where)
 
 
 def _mask_uncovered(heights: np.ndarray, at_edge: tuple[bool, bool], *, joined: bool) -> np.ndarray:
