@@ -91,7 +91,8 @@ def test_parts_with_as_many_points_count_most():
         each = np.array([len(one) for one in values])
         face, value = np.repeat(np.arange(54), each), np.concatenate(values)
         found = part_means(np.arange(54), np.ones(54), face, value, np.full(len(value), 1e-9), count=54)
-        weights = np.minimum(each[1:] / len(own), len(own) / each[1:]) ** 6
+        ratio = np.minimum(each[1:] / len(own), len(own) / each[1:])
+        weights = np.square(ratio * ratio * ratio)
         of_parts = np.repeat([4 / 3, 0.0], [3, 50])
         others = np.average(of_parts, weights=weights)
         ratio = each[1:] / (each[1:] - 1)  # values to degrees of freedom
