@@ -226,7 +226,13 @@ def test_a_damaged_tile_is_computed_again_and_no_other(dsm, folder, computed):
 
 @pytest.mark.parametrize(
     ("options", "what"),
-    [({"tile": 20}, "tile 15"), ({"margin": 7}, "margin 6"), ({"seed": 1}, "seed 0"), ({"samples": 64}, "count")],
+    [
+        ({"tile": 20}, "tile 15"),
+        ({"margin": 7}, "margin 6"),
+        ({"seed": 1}, "seed 0"),
+        ({"samples": 64}, "count"),
+        ({"receiver": "surface"}, "definition .the normal n is up.*want .* definition .the normal n is the normal of"),
+    ],
 )
 def test_a_store_of_another_run_is_refused(dsm, folder, options, what):
     bake(dsm, folder / "sky.zarr")

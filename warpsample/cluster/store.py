@@ -5,6 +5,7 @@ import math
 import os
 from collections.abc import Callable, Mapping
 from functools import partial
+from itertools import takewhile
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -134,10 +135,20 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
                 "that run, or use a new name"
             )
         if old != new:
+            old, new = _cut_common_clauses(old, new)
             raise ValueError(
                 f"{argument}: got {str(path)!r} of {name} {quote(old)}, want a store of {name} {quote(new)}; "
                 + describe_remedy(name)
             )
+
+
+def _cut_common_clauses(old: Any, new: Any) -> tuple[Any, Any]:
+    """Return two texts from the clause on in which they differ; a message shows only the beginning of a long text."""
+    if not (isinstance(old, str) and isinstance(new, str)):
+        return old, new
+    clauses = old.split("; "), new.split("; ")
+    same = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(*clauses, strict=False)))
+    return "; ".join(clauses[0][same:]), "; ".join(clauses[1][same:])
 
 
 def _shape_of(about: Mapping[str, Any]) -> Any:
