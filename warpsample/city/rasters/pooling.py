@@ -29,10 +29,11 @@ def pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, model: s
         heights = reader.read(*band)
         grid = replace(reader.outline, height=heights)
         tops = heights if canopy is None else np.fmax(heights, canopy.crowns(grid, *band).top)
-        highest, lowest = _widen_extremes(tops, grow, np.fmax), _widen_extremes(heights, grow, np.fmin)
-        lowest[np.isnan(heights)] = np.nan
+        without = np.isnan(heights)
         if model == "tin":
-            lowest[_mask_uncovered(heights, (begin == 0, end == rows), joined=joined)] = np.nan
+            without = _mask_uncovered(heights, (begin == 0, end == rows), joined=joined)
+        highest = _widen_extremes(tops, grow, np.fmax)
+        lowest = np.where(without, np.nan, _widen_extremes(heights, grow, np.fmin))
         kept = slice(first - begin, min(first + step, rows) - begin)
         for made, heights, pick in ((uppers, highest, np.fmax), (lowers, lowest, np.minimum)):
             part = heights[kept]
@@ -44,10 +45,9 @@ def pool_raster(reader: RasterReader, canopy: Canopy | None, size: int, model: s
 
 
 def bounds_beyond(heights: np.ndarray, own: Bounds, where: Affine, model: str) -> Bounds:
-    """Return the bounds of the surface of another raster, which has no data in some cells.
+    """Return the bounds of the surface of another raster, which may have cells without data.
 
-    Neighbours without data have those of the raster itself, because its cells and those beyond its edge share corners or
-    triangles.
+    The surface of a cell depends on its neighbours. A neighbour without data has the heights of the raster itself, if any.
 
     Args:
         heights: (rows, columns) heights of the other raster.
@@ -58,7 +58,9 @@ def bounds_beyond(heights: np.ndarray, own: Bounds, where: Affine, model: str) -
     if model == "block":
         return Bounds(heights, heights, where)
     missing = np.isnan(heights)
-    upper, lower = (np.where(missing, some, heights) for some in resample_extremes(own, where, heights.shape))
+    upper = lower = heights
+    if missing.any():
+        upper, lower = (np.where(missing, some, heights) for some in resample_extremes(own, where, heights.shape))
     highest = np.where(missing, _widen_extremes(heights, 1, np.fmax), _widen_extremes(upper, 1, np.fmax))
     without = missing | _mask_uncovered(upper, (True, True), joined=False) if model == "tin" else missing
     return Bounds(highest, np.where(without, np.nan, _widen_extremes(lower, 1, np.fmin)), where)
