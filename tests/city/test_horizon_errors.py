@@ -116,13 +116,14 @@ def test_bars_of_100_000_cells_are_right():
     [
         (1, 1, 60.0),
         (1, 5, 60.0),
+        (20, 1, 30.0),
         *(pytest.param(*case, marks=pytest.mark.thorough) for case in ((4, 1, 30.0), (1, 3, 60.0))),
     ],
 )
 def test_bars_around_tall_objects_are_right(places, width, height):
     """300 cells of level ground by 4 seeds. Where no azimuth hit the object, bars were nearly 0: 14 % by 64 rays of a mast.
 
-    0.94 or more was seen, and seeds go together.
+    Where bars counted the highest mast only, it was 79 % by 64 rays of 20 masts. 0.94 or more was seen, and seeds go together.
     """
     rng = np.random.default_rng(places)
     heights = np.zeros((81, 81))
@@ -134,6 +135,21 @@ def test_bars_around_tall_objects_are_right(places, width, height):
         found = np.array([shares(quantity, mesh, points, right, count, 4) for count in (16, 64, 256)])
         assert found[:, 0].min() > 0.9, found
         assert (found[:, 2] / found[:, 3]).min() > 0.1, found  # bars of at most three errors
+
+
+@pytest.mark.parametrize(("every", "width", "count"), [(2, 1, 256), (8, 4, 64)])
+def test_bars_beside_a_row_of_equal_objects_are_right(every, width, count):
+    """16 cells at 16 m from a row of 20 m by 20 seeds, where azimuths hit all of its objects or miss all.
+
+    0.94 or more was seen. Where bars counted the highest object only, 2 standard errors held 0.26 to 0.44.
+    """
+    heights = np.zeros((18, 97))
+    heights[16, np.arange(97) % every < width] = 20.0
+    mesh, points, cells = points_of(heights, "block", "horizontal", 48 + np.arange(-8, 8))
+    for quantity, right in zip((SKY, VISIBLE_SKY), exact_sky(heights, cells, 8192), strict=True):
+        found = shares(quantity, mesh, points, right, count, 20)
+        assert found[0] > 0.9, found
+        assert found[2] / found[3] > 0.1, found  # bars of at most three errors
 
 
 @pytest.mark.parametrize(("depth", "width"), [(1, 1), (3, 3), (1, 8)])

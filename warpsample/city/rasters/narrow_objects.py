@@ -1,5 +1,6 @@
 """Bounds of what masts, towers and other narrow objects hide that no azimuth of a horizon search may have hit."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,23 +9,29 @@ from warpsample.host.locks import imported
 from warpsample.mesh.mesh import Mesh
 from warpsample.tracing.placed_points import PlacedPoints
 
-_MOST_CELLS = 2048  # of a grid of highest vertices along a side
-_MOST_FACES = 1 << 20  # whose widths are computed at a time
+_MOST_CELLS = 2048  # of a grid of highest faces along a side
+_MOST_FACES = 1 << 20  # whose places are computed at a time
 _SHORTEST = 1e-30  # length of a normal, so that 0 / 0 gives 0
-_LINES = (np.ones((1, 3)), np.ones((3, 1)), np.eye(3), np.eye(3)[::-1])  # of three cells, in four directions
+_WALL = 1e-2  # area of a wall in the map, at most, as a fraction of the products of its sides; 0 but for rounding
+_LINE = 5  # cells; an object that is shorter in all directions is narrow
+_FEW, _MOST_OF_AZIMUTHS = 2.0, 0.4  # objects of a ring that do not add to the depth, and that add, at most; see README.md
 
 
 @dataclass(frozen=True, eq=False)
 class _Tops:
-    """Vertices of cells of similar size. low: (2,) least x and y of a grid of these vertices. cell: width of its cells."""
+    """Highest faces of cells of similar size. heights: (R, C). low: (2,) least x and y. cell: width of the grid's cells."""
 
-    vertices: np.ndarray
+    heights: np.ndarray
     low: np.ndarray
     cell: float
 
 
 def bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) -> np.ndarray:
     """Bound how much of the sky of one azimuth narrow objects hide that no azimuth may have hit, (P,) float32.
+
+    Several objects at similar distances count by the root of the sum of the squares of their depths: their errors are
+    independent, and those of a regular row, where azimuths hit all objects or miss all, are about as large. So the bound may
+    exceed 1.
 
     Args:
         at: Points on a field of heights, with normals.
@@ -34,89 +41,133 @@ def bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) ->
     """
     assert at.mesh is not None
     points = np.nan_to_num(np.asarray(at.points.position, np.float64))
-    slope = np.zeros(len(points))
-    for part in _split_by_size(at.mesh):
-        slope = np.hypot(slope, _bound_slopes(points, part, azimuths / (2.0 * np.pi), reach))
-    sine = slope / np.hypot(1.0, slope)
-    if not cosine:
-        return sine.astype(np.float32)
     up = (at.normal[:, 2] / np.maximum(np.linalg.norm(at.normal, axis=1), _SHORTEST)).clip(_SHORTEST, 1.0)
-    return (up * sine**2 + np.sqrt(1.0 - up**2) * sine).astype(np.float32)
+    alone, together = np.zeros(len(points)), np.zeros(len(points))
+    for part in _split_by_size(at.mesh):
+        for square, count in _look_at_rings(points, part, azimuths / np.pi, reach):
+            alone += square
+            many = np.flatnonzero(count > _FEW)
+            counted = np.minimum(count[many] - _FEW, _MOST_OF_AZIMUTHS * azimuths)
+            together[many] += counted * _depth_of(square[many], up[many], cosine) ** 2
+    return np.maximum(_depth_of(alone, up, cosine), np.sqrt(together)).astype(np.float32)
 
 
-def _bound_slopes(points: np.ndarray, part: _Tops, gaps: float, reach: float) -> np.ndarray:
-    """Bound the slopes from points to the tops of narrow objects, by their heights above the terrain around, (P,) float64.
+def _depth_of(square: np.ndarray, up: np.ndarray, cosine: bool) -> np.ndarray:
+    """Bound how much of the sky of one azimuth objects hide. square: squares of slopes. up: normals' upward components."""
+    sine = np.sqrt(square / (1.0 + square))
+    return (up * sine + np.sqrt(1.0 - up * up)) * sine if cosine else sine
 
-    A narrow object is at most two cells of a grid wide, and terrain is the grid without narrow objects. So slopes, ridges,
-    walls and wide buildings, which azimuths hit, are terrain. The grid's cells double from ring to ring, and so does the
-    ring's inner radius of `gaps` cells, where the gap between two azimuths is a cell wide. An azimuth hits an object with
-    half the probability p from one ring to the next. The standard deviation is the depth times sqrt(p (1 - p)), which is
-    largest at p = 1/2. From the second ring after its own on, the object's height counts by sqrt(1/2) less per ring.
+
+def _look_at_rings(points: np.ndarray, part: _Tops, gaps: float, reach: float) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Bound slopes from points to the tops of narrow objects and count the objects, ring by ring around the points.
+
+    A narrow object is at most four cells of a grid wide, and terrain is the grid without narrow objects. So slopes, ridges,
+    walls and wide buildings, which azimuths hit, are terrain. An object's height is that above the terrain around it. The
+    grid's cells double from ring to ring, and so does the ring's inner radius of `gaps` cells, where the gap between two
+    azimuths is two cells wide. An azimuth hits an object with half the probability p from one ring to the next. The
+    standard deviation is the depth times sqrt(p (1 - p)), which is largest at p = 1/2. From the second ring after its own
+    on, the object's height counts by sqrt(1/2) less per ring.
 
     Args:
         points: (P, 3) positions.
-        part: Vertices.
-        gaps: Number of azimuths in one radian.
+        part: Heights.
+        gaps: Number of halves of a gap between two azimuths in one radian.
         reach: Largest distance of an object.
+
+    Yields:
+        (P,) squares of the slope to the highest object in the ring or nearer, and (P,) numbers of objects in the ring, which
+        are sums of squared heights, divided by that of the highest object.
     """
-    cell = part.cell
-    rows, where = (((xyz[:, :2] - part.low) / cell + 0.5).clip(0.0).astype(np.int64) for xyz in (part.vertices, points))
-    terrain = np.full(np.maximum(rows.max(axis=0), where.max(axis=0)) + 1, -np.inf)
-    np.maximum.at(terrain, tuple(rows.T), part.vertices[:, 2])
-    find_highest, window = imported("scipy.ndimage").maximum_filter, 2 * int(np.ceil(2.0 * gaps)) + 1
-    tops, narrow, slope, level = terrain, np.zeros(terrain.shape), np.zeros(len(points)), 0
-    while max(tops.shape) > 1 and gaps * cell < reach:
+    filters = imported("scipy.ndimage")
+    terrain = tops = part.heights
+    narrow, squares, cell, level = np.zeros(tops.shape), np.zeros(tops.shape), part.cell, 0
+    rows, columns = ((points[:, :2] - part.low) / cell).clip(0.0, np.array(tops.shape) - 1.0).astype(np.int64).T
+    while max(tops.shape) > 1 and gaps * cell < 2.0 * reach:
         opened = _open_heights(terrain)
         own = np.subtract(terrain, opened, out=np.zeros(terrain.shape), where=terrain > -np.inf)
-        at = tuple(where.T >> level)
-        above = find_highest(tops, window, mode="constant", cval=-np.inf)[at] - points[:, 2]
-        height = np.minimum(find_highest(np.maximum(narrow, own), window, mode="constant")[at], np.maximum(above, 0.0))
-        slope = np.hypot(slope, height / (gaps * cell))
-        tops, terrain, narrow = (_pool_highest(each) for each in (tops, opened, np.maximum(np.sqrt(0.5) * narrow, own)))
+        once = _square_once(own)
+        window, inside = (2 * min(int(radius), max(tops.shape)) + 1 for radius in (np.ceil(2.0 * gaps), gaps))
+        sums = [size**2 * filters.uniform_filter(squares + once, size, mode="constant") for size in (window, inside)]
+        highest = filters.maximum_filter(np.maximum(narrow, own), window, mode="constant")
+        count = (sums[0] - sums[1]) / np.maximum(highest, _SHORTEST) ** 2
+        at = (rows >> level) * tops.shape[1] + (columns >> level)
+        above = filters.maximum_filter(tops, window, mode="constant", cval=-np.inf).take(at) - points[:, 2]
+        slope = np.minimum(highest.take(at), above).clip(0.0) / (gaps * cell)
+        yield slope * slope, count.take(at)
+        narrow = np.maximum(np.sqrt(0.5) * narrow, own)
+        tops, terrain, narrow = (_pool(each, np.maximum, -np.inf) for each in (tops, opened, narrow))
+        squares = _pool(0.5 * squares + once, np.add, 0.0)
         cell, level = 2.0 * cell, level + 1
-    return slope
 
 
 def _open_heights(heights: np.ndarray) -> np.ndarray:
-    """Return a grid of heights without objects that are up to two cells wide in all directions. -inf is no data.
+    """Return a grid of heights without objects that are up to four cells wide in all directions. -inf is no data.
 
-    This is the highest of the openings by a row, a column and two diagonals of three cells, and, for cells next to missing
-    data, of that by the cells with data among 3 x 3.
+    This is the highest of the openings by a row, a column and two diagonals of five cells, and, for cells next to missing
+    data, of that by the cells with data among 5 x 5.
     """
     filters = imported("scipy.ndimage")
-    lowest = filters.minimum_filter(np.where(heights > -np.inf, heights, np.inf), 3, mode="constant", cval=np.inf)
-    opened = filters.maximum_filter(np.where(lowest < np.inf, lowest, -np.inf), 3, mode="constant", cval=-np.inf)
-    for line in _LINES:
+    lowest = filters.minimum_filter(np.where(heights > -np.inf, heights, np.inf), _LINE, mode="constant", cval=np.inf)
+    opened = filters.maximum_filter(np.where(lowest < np.inf, lowest, -np.inf), _LINE, mode="constant", cval=-np.inf)
+    for line in (np.ones((1, _LINE)), np.ones((_LINE, 1)), np.eye(_LINE), np.eye(_LINE)[::-1]):
         lowest = filters.minimum_filter(heights, footprint=line, mode="constant", cval=-np.inf)
         opened = np.maximum(opened, filters.maximum_filter(lowest, footprint=line, mode="constant", cval=-np.inf))
     return opened
 
 
-def _pool_highest(values: np.ndarray) -> np.ndarray:
-    """Return the highest value of each block of 2 x 2 cells."""
-    values = np.pad(values, [(0, length % 2) for length in values.shape], mode="edge")
-    return values.reshape(len(values) // 2, 2, -1, 2).max(axis=(1, 3))
+def _square_once(heights: np.ndarray) -> np.ndarray:
+    """Return numbers whose sum over the cells of an object is the square of its height, however many cells it has.
+
+    This is cells less pairs of neighbours plus blocks of four, the Euler characteristic, integrated over the squares.
+    """
+    squares = np.pad(heights**2, [(0, 1), (0, 1)])
+    down, right = np.minimum(squares[:-1], squares[1:]), np.minimum(squares[:, :-1], squares[:, 1:])
+    return squares[:-1, :-1] - down[:, :-1] - right[:-1] + np.minimum(down[:, :-1], down[:, 1:])
+
+
+def _pool(values: np.ndarray, pool: np.ufunc, empty: float) -> np.ndarray:
+    """Return the highest value or the sum of each block of 2 x 2 cells. empty: value of cells beyond the edge."""
+    values = np.pad(values, [(0, length % 2) for length in values.shape], constant_values=empty)
+    values = pool(values[::2], values[1::2])
+    return pool(values[:, ::2], values[:, 1::2])
 
 
 def _split_by_size(mesh: Mesh) -> list[_Tops]:
-    """Split the vertices of a field of heights into those of its own cells, and those of larger cells of distant terrain.
+    """Split the faces of a field of heights into those of its own cells, and those of larger cells of distant terrain.
 
     A mesh that fits into one grid is not split.
     """
     corners = mesh.vertices[mesh.faces[:4], :2]
     sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     cell, longest = float(min(sides[sides > 0.0], default=np.inf)), sides.max()
-    low, size = mesh.vertices[:, :2].min(axis=0), np.ptp(mesh.vertices[:, :2], axis=0).max()
-    if size <= _MOST_CELLS * cell:
-        return [_Tops(mesh.vertices, low, cell)]
+    low, high = mesh.vertices[:, :2].min(axis=0), mesh.vertices[:, :2].max(axis=0)
+    if (high - low).max() <= _MOST_CELLS * cell:
+        return [_find_tops(mesh, mesh.faces, low, high, cell)]
     chunks = np.array_split(mesh.faces, len(mesh.faces) // _MOST_FACES + 1)
     wide = np.concatenate([(np.ptp(mesh.vertices[chunk, :2], axis=1) > 2.0 * longest).any(axis=1) for chunk in chunks])
     parts = []
-    for chosen, width in ((~wide, cell), (wide, 2.0 * longest)):
+    for chosen, least in ((~wide, cell), (wide, 2.0 * longest)):
         if chosen.any():
             used = np.zeros(len(mesh.vertices), bool)
             used[mesh.faces[chosen]] = True
-            vertices = mesh.vertices[used]
-            first = vertices[:, :2].min(axis=0) if width == cell else low
-            parts.append(_Tops(vertices, first, max(width, np.ptp(vertices[:, :2], axis=0).max() / _MOST_CELLS)))
+            first, last = mesh.vertices[used, :2].min(axis=0), mesh.vertices[used, :2].max(axis=0)
+            width = max(least, (last - first).max() / _MOST_CELLS)
+            parts.append(_find_tops(mesh, mesh.faces[chosen], first, last, width))
     return parts
+
+
+def _find_tops(mesh: Mesh, faces: np.ndarray, low: np.ndarray, high: np.ndarray, cell: float) -> _Tops:
+    """Put the highest corners of faces other than walls into a grid, by the middles of the faces.
+
+    low, high: least and greatest x and y of the faces. cell: width of the grid's cells.
+    """
+    heights = np.full(np.ceil((high - low) / cell - 0.01).clip(1.0).astype(np.int64), -np.inf)
+    places, tops = ((mesh.vertices[:, :2] - low) / cell).astype(np.float32).T.copy(), mesh.vertices[:, 2]
+    for chunk in np.array_split(faces, len(faces) // _MOST_FACES + 1):
+        corners = chunk.T.copy()
+        x, y = (place.take(corners) for place in places)
+        one, other = (x[1] - x[0]) * (y[2] - y[0]), (x[2] - x[0]) * (y[1] - y[0])
+        flat = np.flatnonzero(np.abs(one - other) > _WALL * (np.abs(one) + np.abs(other)))
+        middle = [place[:, flat].mean(axis=0).astype(np.int64) for place in (x, y)]
+        np.maximum.at(heights, tuple(middle), tops.take(corners[:, flat]).max(axis=0))
+    return _Tops(heights, low, cell)
