@@ -123,7 +123,7 @@ def test_bars_of_100_000_cells_are_right():
 def test_bars_around_tall_objects_are_right(places, width, height):
     """300 cells of level ground by 4 seeds. Where no azimuth hit the object, bars were nearly 0: 14 % by 64 rays of a mast.
 
-    Where bars counted the highest mast only, it was 79 % by 64 rays of 20 masts. 0.94 or more was seen, and seeds go together.
+    Where bars counted the highest mast only, it was 79 % by 64 rays of 20 masts. 0.94 or more was seen; seeds go together.
     """
     rng = np.random.default_rng(places)
     heights = np.zeros((81, 81))

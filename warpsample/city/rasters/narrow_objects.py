@@ -89,7 +89,7 @@ def _look_at_rings(points: np.ndarray, part: _Tops, gaps: float, reach: float) -
         window, inside = (2 * min(int(radius), max(tops.shape)) + 1 for radius in (np.ceil(2.0 * gaps), gaps))
         sums = [size**2 * filters.uniform_filter(squares + once, size, mode="constant") for size in (window, inside)]
         highest = filters.maximum_filter(np.maximum(narrow, own), window, mode="constant")
-        count = (sums[0] - sums[1]) / np.maximum(highest, _SHORTEST) ** 2
+        count = np.divide(sums[0] - sums[1], highest**2, out=np.zeros(tops.shape), where=highest > 0.0)
         at = (rows >> level) * tops.shape[1] + (columns >> level)
         above = filters.maximum_filter(tops, window, mode="constant", cval=-np.inf).take(at) - points[:, 2]
         slope = np.minimum(highest.take(at), above).clip(0.0) / (gaps * cell)
