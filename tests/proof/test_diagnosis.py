@@ -212,7 +212,7 @@ def test_a_wrong_factor_of_both_densities_is_said_of_both(subject_of):
 
 
 def tier(number):
-    return pytest.mark.slow if number % 60 == 0 else pytest.mark.thorough
+    return pytest.mark.slow if number % 66 == 0 else pytest.mark.thorough
 
 
 @pytest.mark.parametrize(("lobe", "part", "kind"), [pytest.param(*case, marks=tier(i)) for i, case in enumerate(MATRIX)])

@@ -67,8 +67,7 @@ def test_the_known_shares_are_known():
     ("patches", "count"),
     [
         ("tregenza", 256),
-        pytest.param("tregenza", 4096, marks=pytest.mark.thorough),
-        pytest.param("reinhart2", 1024, marks=pytest.mark.slow),
+        *(pytest.param(*case, marks=pytest.mark.thorough) for case in (("tregenza", 4096), ("reinhart2", 1024))),
     ],
 )
 def test_no_error_is_0_where_the_value_is_wrong(patches, count):

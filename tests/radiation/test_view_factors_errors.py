@@ -147,6 +147,7 @@ def test_errors_of_known_factors_are_as_large_as_said(reciprocal):
     assert np.max(found) <= 2.5
 
 
+@pytest.mark.thorough
 def test_pooling_is_more_precise_than_one_side():
     """In a box of 192 faces, against 2^15 rays of each."""
     mesh = trimesh.creation.box().subdivide().subdivide()
