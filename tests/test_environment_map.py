@@ -85,7 +85,7 @@ def judge_classes(points, sun):
         assert histogram_test(drawn[full], inside).p_value >= ALPHA
 
 
-@pytest.mark.parametrize("sun", [300.0, 1e6])
+@pytest.mark.parametrize("sun", [pytest.param(300.0, marks=pytest.mark.thorough), 1e6])
 def test_each_class_of_pixels_is_drawn_by_its_light(sun):
     judge_classes(4096, sun)
 
@@ -203,7 +203,7 @@ def test_without_north_the_layout_is_that_of_irradiance():
 def test_directions_do_not_depend_on_the_normal_and_bad_normals_are_counted():
     lobe = ws.EnvironmentMap(hostile())
     normals = np.random.default_rng(0).normal(size=(64, 3)).astype(np.float32)
-    for count in (1, 5, 64):
+    for count in (5, 64):
         d = ws.sample_directions(normals, count, distribution=lobe, pdf=True)
         same = ws.sample_directions(np.tile(UP, (64, 1)), count, distribution=lobe, pdf=True)
         assert np.array_equal(d.vectors, same.vectors)
@@ -276,7 +276,7 @@ def test_a_search_of_few_steps_draws_the_pixels_of_a_long_search():
         picture[30, 70] = contrast
         lobe = ws.EnvironmentMap(picture)
         assert read_steps(lobe.table_array) == steps
-        found = ws.sample_directions(np.tile(UP, (256, 1)), 64, distribution=lobe, sequence="independent")
+        found = ws.sample_directions(np.tile(UP, (256, 1)), 64, distribution=lobe, sequence="independent", pdf=True)
         square = ws.sample_square("independent", 256, 64)
         assert np.array_equal(found.vectors, lobe.sample(square))
 

@@ -141,10 +141,14 @@ def test_a_triangle_without_a_solid_angle_is_named(corners):
         ws.SphericalTriangle(np.array(corners))
 
 
-def check_rows(build, rows, bad):
+COUNTS = pytest.mark.parametrize("counts", [(3,), pytest.param((1, 40), marks=pytest.mark.thorough)], ids=str)
+"""Numbers of directions, of the loops of several, of one and of many; each loop is a kernel of its own."""
+
+
+def check_rows(build, rows, bad, counts):
     """Rows by point have the bits of constants; bad rows get zeros, density 0 and a status that is counted."""
     points = np.tile(np.array([0.0, 0.6, 0.8], np.float32), (len(rows), 1))
-    for count in (1, 3, 40):
+    for count in counts:
         got = ws.sample_directions(points, count, distribution=build(rows), pdf=True)
         assert np.flatnonzero(got.status).tolist() == bad
         assert got.counts()[ws.Status.INVALID_PARAMETER] == len(bad)
@@ -163,9 +167,10 @@ def check_rows(build, rows, bad):
 
 
 @pytest.mark.slow
-def test_triangles_by_point_have_the_bits_of_constants_and_bad_ones_are_counted():
+@COUNTS
+def test_triangles_by_point_have_the_bits_of_constants_and_bad_ones_are_counted(counts):
     rows = np.array([*BAD.values(), *poses(0.5, 3, seed=5), *poses(1e-3, 2, seed=6)])
-    check_rows(ws.SphericalTriangle, rows, list(range(len(BAD))))
+    check_rows(ws.SphericalTriangle, rows, list(range(len(BAD))), counts)
 
 
 def rectangles(size, count, seed):
@@ -286,17 +291,19 @@ def test_constant_edges_are_checked_beside_corners_by_point():
 
 
 @pytest.mark.thorough
-def test_rectangles_by_point_have_the_bits_of_constants_and_bad_ones_are_counted():
+@COUNTS
+def test_rectangles_by_point_have_the_bits_of_constants_and_bad_ones_are_counted(counts):
     bad = np.array([values[:3] for values in BAD_RECTANGLES.values()])
     rows = np.concatenate([bad, rectangles(0.5, 3, seed=5), rectangles(1e-3, 2, seed=6)])
-    check_rows(lambda r: ws.SphericalRectangle(*np.moveaxis(r, -2, 0)), rows, list(range(len(bad))))
+    check_rows(lambda r: ws.SphericalRectangle(*np.moveaxis(r, -2, 0)), rows, list(range(len(bad))), counts)
 
 
 def test_a_window_has_rows_for_some_of_its_vectors():
-    """The bits are those of rows for each of them."""
+    """The bits are those of constants."""
     corner = np.array([[0.0, 0.0, 1.0], [0.2, 0.0, 1.0], [0.0, 0.0, 0.0]])
     u = np.tile(U[:100], (3, 1, 1))
     w = ws.SphericalRectangle(corner, X, Y).sample(u)
-    assert np.array_equal(w, ws.SphericalRectangle(corner, np.tile(X, (3, 1)), np.tile(Y, (3, 1))).sample(u))
+    for row in (0, 1):
+        assert np.array_equal(w[row], ws.SphericalRectangle(corner[row], X, Y).sample(u[row]))
     assert not w[2].any()
     assert w[:2].any(axis=-1).all()

@@ -44,8 +44,8 @@ DIRECTIONS = {
 QUICK = {"occlusion", "patches", "discs", "7 by sobol"}
 """The others compile kernels for seconds."""
 LONG = {f"{rest} by {sequence}" for rest, sequence in ((1, "sobol"), (64, "sobol"), (7, "independent"), (64, "independent"))}
-LONG |= {"1 by fibonacci", "7 by fibonacci"}
-"""Each sequence and each count is also in a test that is not thorough."""
+LONG |= {"1 by fibonacci", "7 by fibonacci", "function"}
+"""Each sequence, each count and an integrand without a mesh are also in a test that is not thorough."""
 CALLS = [
     pytest.param(call, id=name, marks=[] if name in QUICK else pytest.mark.thorough if name in LONG else pytest.mark.slow)
     for name, call in (ESTIMATES | PATCHES_AND_SUNS | DIRECTIONS).items()

@@ -63,9 +63,7 @@ def test_the_words_of_a_run_are_the_same_on_the_host(seed, high):
     assert tuple(out.numpy()[0]) == run_words(seed, high)
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=() if n in ("independent", "sobol") else pytest.mark.thorough) for n in NAMES]
-)
+@pytest.mark.parametrize("name", [pytest.param(n, marks=() if n == "sobol" else pytest.mark.thorough) for n in NAMES])
 def test_every_law_of_streams_holds(name):
     """The laws test each bit of seeds and ids, correlation, repeats, shared streams, a recorded hash, and exact integers."""
     found = [*judge_sequence(name, points=200_000), *judge_mixing(name), judge_indices(name)]

@@ -162,6 +162,17 @@ def site(repository, tmp_path_factory):
 
 
 @pytest.mark.slow
+def test_all_pages_and_references_are_read_without_a_warning(repository, tmp_path):
+    """Sphinx resolves the links between pages and writes no page, which takes half the time of the whole site."""
+    pytest.importorskip("sphinx")
+    pytest.importorskip("zarr")
+    options = ["--quiet", "--fail-on-warning", "--keep-going", "-b", "dummy"]
+    command = [sys.executable, "-m", "sphinx", *options, repository / "viz/site", tmp_path / "site"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.thorough
 def test_all_links_lead_somewhere_and_nothing_is_loaded_from_elsewhere(site):
     pages = {page: Links(page.read_text()) for page in sorted(site.rglob("*.html"))}
     assert len(pages) > 80

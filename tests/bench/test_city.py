@@ -26,7 +26,7 @@ def test_exact_values_are_those_of_the_sheet():
     assert plane[0] == pytest.approx(1.0 - np.arctan(1.0) / np.pi, abs=1e-6)  # a wedge of 45 of 180 degrees is hidden
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_the_deviation_of_a_tool_is_reported(monkeypatch):
     """With 64 rays the bias is within four standard errors of the mean of 441 cells; a tool that adds 0.1 has that bias."""
     heights, cells, right = city.build_yard()

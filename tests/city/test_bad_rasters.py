@@ -153,7 +153,7 @@ def test_what_is_too_large_is_refused_before_it_is_read(tmp_path, monkeypatch):
     monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10**9))
     huge = np.broadcast_to(np.float32(0.0), (4096, 4096))  # 4 bytes in all
     with pytest.raises(
-        MemoryError, match=r"the surface of 4,096 x 4,096 cells need 16\.8 GB and 1\.0 GB are free; split the raster"
+        MemoryError, match=r"surfaces of 4,096 x 4,096 cells need 16\.8 GB and 1\.0 GB are free; split the raster"
     ):
         rasters.surface((huge, UTM, None))
     path = tmp_path / "sparse.tif"

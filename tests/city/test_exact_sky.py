@@ -85,7 +85,7 @@ def street(width=20, height=20.0, around=3, rows=3, length=4000.0):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("model", ["joined", "block"])
-@pytest.mark.parametrize("height", [10.0, 20.0, 40.0])
+@pytest.mark.parametrize("height", [10.0, 20.0, pytest.param(40.0, marks=pytest.mark.thorough)])
 def test_a_street(model, height):
     heights, transform = street(height=height)
     made = surface(heights, model, transform)

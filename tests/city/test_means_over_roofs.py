@@ -88,7 +88,9 @@ def test_no_mean_of_sun_hours_is_wrong_with_an_error_of_0(city):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("compute_means", [compute_sun, compute_sky, compute_irradiation])
+@pytest.mark.parametrize(
+    "compute_means", [compute_sun, compute_sky, pytest.param(compute_irradiation, marks=pytest.mark.thorough)]
+)
 @pytest.mark.parametrize("few", [pytest.param(False, marks=pytest.mark.thorough), True])
 def test_two_errors_contain_the_means_of_roofs(city, tmp_path, compute_means, few):
     """With the sample variance alone it was 27 to 74 %. Roofs far from their chimney's size differ little: one true mean."""

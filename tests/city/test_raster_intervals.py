@@ -164,7 +164,7 @@ def test_open_cells_are_exact_by_rays_of_the_whole_sky_too():
     """Cells on a roof see the whole sky, and cast no rays."""
     heights = np.zeros((12, 12))
     heights[4:8, 4:6] = 9.0
-    found = rasters.sky_view_factor((heights, NORTH_UP, None), 64, model="block", sequence="independent")
+    found = rasters.sky_view_factor((heights, NORTH_UP, None), 64, model="block", sequence="sobol")
     roof = heights > 0.0
     assert (found.value.values[roof] == 1.0).all()
     assert not found.standard_error.values[roof].any()

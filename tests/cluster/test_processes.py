@@ -7,6 +7,7 @@ import socket
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 from threading import Thread
 
@@ -70,6 +71,15 @@ def test_what_was_made_before_the_client_is_computed_by_it_too(client, mesh, rig
     with distributed.Client.as_current(client):
         lazy = cluster.ambient_occlusion(mesh, POINTS, RAYS, chunk=CHUNK)
     assert_same(client.gather(client.compute(lazy)), right)
+
+
+def test_two_stores_of_one_run_are_both_written(client, mesh, right, tmp_path):
+    client.wait_for_workers(2)
+    stores = [tmp_path / "a.zarr", tmp_path / "b.zarr"]
+    with ThreadPoolExecutor(2) as pool:
+        made = [pool.submit(cluster.bake, one, "ambient_occlusion", mesh, POINTS, RAYS, chunk=10) for one in stores]
+    for found in made:
+        assert_same(found.result(), right)
 
 
 def test_a_function_of_a_module_travels(client, mesh):

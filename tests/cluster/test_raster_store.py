@@ -228,9 +228,10 @@ def test_a_damaged_tile_is_computed_again_and_no_other(dsm, folder, computed):
     ("options", "what"),
     [
         ({"tile": 20}, "tile 15"),
-        ({"margin": 7}, "margin 6"),
-        ({"seed": 1}, "seed 0"),
-        ({"samples": 64}, "count"),
+        *(
+            pytest.param(*case, marks=pytest.mark.thorough)
+            for case in (({"margin": 7}, "margin 6"), ({"seed": 1}, "seed 0"), ({"samples": 64}, "count"))
+        ),
         ({"receiver": "surface"}, "definition .the normal n is up.*want .* definition .the normal n is the normal of"),
     ],
 )

@@ -3,7 +3,6 @@
 import os
 import signal
 import time
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from importlib import import_module
 from threading import Thread
@@ -72,6 +71,7 @@ def meanwhile(path, what):
     return thread
 
 
+@pytest.mark.thorough
 def test_a_dataset_outlives_all_workers_that_have_its_mesh(client, mesh, right):
     lazy = cluster.ambient_occlusion(mesh, POINTS, RAYS, chunk=200)
     assert np.array_equal(lazy.value, right.value)
@@ -103,6 +103,7 @@ def paused(client, names, fraction):
     client.run(change, workers=names)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("all_of_them", [False, True])
 def test_workers_that_pause_cost_time(client, mesh, right, path, all_of_them, monkeypatch):
     monkeypatch.setattr(finishing, "_LOOK", 0.1)
@@ -118,15 +119,6 @@ def test_workers_that_pause_cost_time(client, mesh, right, path, all_of_them, mo
     found = cluster.bake(path, "ambient_occlusion", mesh, POINTS, RAYS, chunk=CHUNK)
     thread.join()
     assert np.array_equal(found.value, right.value)
-
-
-def test_two_stores_of_one_run_are_both_written(client, mesh, right, tmp_path):
-    client.wait_for_workers(2)
-    stores = [tmp_path / "a.zarr", tmp_path / "b.zarr"]
-    with ThreadPoolExecutor(2) as pool:
-        made = [pool.submit(cluster.bake, one, "ambient_occlusion", mesh, POINTS, RAYS, chunk=CHUNK) for one in stores]
-    for found in made:
-        assert np.array_equal(found.result().value, right.value)
 
 
 def test_workers_that_are_too_small_are_called_that(threads, mesh, path):

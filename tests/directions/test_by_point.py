@@ -16,8 +16,10 @@ P = 530  # more than a block of 256 and four tasks of 128 rows
 WITH_PARAMETERS = sorted(name for name, kind in ws.distributions.classes().items() if kind.parameters)
 # A picture is the same for all points.
 IN_SPACE = [name for name in WITH_PARAMETERS if ws.distributions.classes()[name].width == 3 and name != "EnvironmentMap"]
-# Mixtures by point are also in tests/test_mixture.py.
-EACH = pytest.mark.parametrize("name", [pytest.param(n, marks=() if n == "GGX" else pytest.mark.thorough) for n in IN_SPACE])
+# Mixtures by point are also in tests/test_mixture.py. Other tests compile the kernels of VisibleGGX, too.
+EACH = pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=() if n == "VisibleGGX" else pytest.mark.thorough) for n in IN_SPACE]
+)
 COUNTS = (1, 3, 70)  # the loops of blocks of one sample, of blocks of several, and of rows
 
 

@@ -35,8 +35,14 @@ def test_offset_is_sphere_plus_normal_with_its_rim_redrawn():
     assert laws.angle_error(got.vectors[rim], exact) <= 5e-7
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("distribution", ws.CosineHemisphere.cases(), ids=repr)
+@pytest.mark.parametrize(
+    "distribution",
+    [
+        pytest.param(case, marks=pytest.mark.slow if case.method in ("polar", "offset") else pytest.mark.thorough)
+        for case in ws.CosineHemisphere.cases()
+    ],
+    ids=repr,
+)
 def test_mean_cosine_of_ten_million_directions_about_random_normals(distribution):
     normals = np.random.default_rng(6).normal(size=(160_000, 3)).astype(np.float32)
     got = ws.sample_directions(normals, 64, distribution=distribution, sequence="independent", seed=8)

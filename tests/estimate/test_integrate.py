@@ -5,9 +5,10 @@ from math import pi
 import numpy as np
 import pytest
 import warp as wp
-from integrands import Albedo, Sky, one
+from integrands import Albedo, Sky, direction, one
 from meshes import soup
 from streams import fibonacci_stream
+from weights_of_tests import upward
 
 import warpsample as ws
 from warpsample import funcs
@@ -33,11 +34,6 @@ def edged(w: wp.vec3) -> wp.vec3:
 @wp.func
 def up(w: wp.vec3) -> float:
     return wp.where(w[2] > 0.0, 1.0, 0.0)
-
-
-@wp.func
-def direction(w: wp.vec3) -> wp.vec3:
-    return w
 
 
 @wp.func
@@ -158,14 +154,17 @@ def test_error_bars_are_as_wide_as_the_errors(sequence, count, integrand):
 
 
 @pytest.mark.slow
-def test_occlusion_is_an_integral(bunny, points):
+def test_occlusion_and_bent_normals_add_up_to_an_integral(bunny, points):
     """An integrand that is not known to be 1 takes the general way; the rays are the same, and so is the value."""
-    occlusion = ws.ambient_occlusion(bunny, points, 300, seed=3)
-    assert np.allclose(ws.integrate(points, one, 300, mesh=bunny, seed=3).value, occlusion.value, rtol=0.0, atol=1e-6)
+    occlusion, bent = ws.ambient_occlusion(bunny, points, 300, seed=3), ws.bent_normals(bunny, points, 300, seed=3)
+    found = ws.integrate(points, upward, 300, mesh=bunny, seed=3)  # 1 + z
+    assert np.allclose(found.value, occlusion.value + bent.value[:, 2], rtol=0.0, atol=2e-6)  # sums of float32
 
 
 @pytest.mark.thorough
-def test_bent_normals_and_irradiance_are_integrals(bunny, points):
+def test_quantities_are_integrals(bunny, points):
+    occlusion = ws.ambient_occlusion(bunny, points, 300, seed=3)
+    assert np.allclose(ws.integrate(points, one, 300, mesh=bunny, seed=3).value, occlusion.value, rtol=0.0, atol=1e-6)
     bent = ws.bent_normals(bunny, points, 300, seed=3)
     assert np.array_equal(ws.integrate(points, direction, 300, mesh=bunny, seed=3).value, bent.value)
     light = ws.irradiance(bunny, points, up, 300, seed=3)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import warp as wp
 from estimate_cases import at, square
+from weights_of_tests import upward
 
 import warpsample as ws
 
@@ -20,20 +21,14 @@ def test_bent_normals(bunny, points):
     assert np.abs(found.value[is_open] - 2.0 / 3.0 * points.normal[is_open]).max() <= 1e-3
 
 
-@wp.func
-def _gradient(d: wp.vec3):
-    return 1.0 + d[1]
-
-
 @pytest.mark.slow
 def test_irradiance_by_a_picture_and_by_a_function(bunny, points):
-    up = np.float64([0.0, 1.0, 0.0])
-    by_function = ws.irradiance(bunny, points, _gradient, 1024)
+    by_function = ws.irradiance(bunny, points, upward, 1024)
     latitudes = np.cos((np.arange(512) + 0.5) / 512 * pi)
     picture = np.repeat((1.0 + latitudes)[:, None], 8, axis=1)
-    by_picture = ws.irradiance(bunny, points, picture, 1024, up=up)
+    by_picture = ws.irradiance(bunny, points, picture, 1024)
     assert np.abs(by_function.value - by_picture.value).max() <= 1e-4  # the same rays; bilinear in steps of 0.006 rad
-    by_colours = ws.irradiance(bunny, points, np.stack([picture, 2.0 * picture, 0.0 * picture], axis=2), 1024, up=up)
+    by_colours = ws.irradiance(bunny, points, np.stack([picture, 2.0 * picture, 0.0 * picture], axis=2), 1024)
     assert np.abs(by_colours.value - by_picture.value[:, None] * [1.0, 2.0, 0.0]).max() <= 1e-5
     uniform = ws.irradiance(bunny, points, np.ones((2, 2)), 1024).value
     assert np.abs(uniform - pi * ws.ambient_occlusion(bunny, points, 1024).value).max() <= 1e-5
@@ -74,14 +69,13 @@ def _for_kernels_alone(d: wp.vec3) -> wp.float64:
     return wp.where(d[0] > 2.0, wp.float64(1.0), wp.float64(2.0))
 
 
-@pytest.mark.parametrize(
-    "radiance",
-    [
-        pytest.param(other, marks=pytest.mark.slow if other is _whole else pytest.mark.thorough)
-        for other in (_float32, _whole, _for_kernels_alone)
-    ],
-    ids=lambda f: f.key,
-)
+def test_an_integrand_may_give_a_whole_number():
+    """Radiances are wrapped like integrands; the test below compiles a kernel with rays for each of them."""
+    assert ws.integrate([[0.0, 0.0, 1.0]], _whole, 64).value.tolist() == [2.0]
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("radiance", [_float32, _whole, _for_kernels_alone], ids=lambda f: f.key)
 def test_a_function_may_give_any_number(radiance):
     one = at([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])
     found = ws.irradiance(square(), one, radiance, 64).value

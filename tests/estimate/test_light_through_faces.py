@@ -14,7 +14,9 @@ def irradiance(mesh, points, count, **options):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("call", [ws.ambient_occlusion, ws.sky_view_factor, irradiance])
+@pytest.mark.parametrize(
+    "call", [ws.ambient_occlusion, pytest.param(ws.sky_view_factor, marks=pytest.mark.thorough), irradiance]
+)
 def test_shells_of_glass_let_the_product_through_without_noise(call):
     """Quantities are those of the open sky, times 0.5 x 0.25 x 0.5."""
     points = cases.at_origin(3)

@@ -126,7 +126,7 @@ def test_one_point_reaches_it_too():
     assert 0.5 <= root_mean_square(errors) / 0.02 <= 1.1
 
 
-@pytest.mark.parametrize("sequence", ["sobol", "fibonacci", pytest.param("independent", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("sequence", ["sobol", "fibonacci", pytest.param("independent", marks=pytest.mark.thorough)])
 def test_smooth_integrands_take_what_they_need(sequence):
     """The trial sees by which power their error falls; of Sobol' points a power of two is taken, up to twice as many."""
     normals = np.random.default_rng(4).normal(size=(4000, 3))

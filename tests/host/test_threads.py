@@ -24,8 +24,8 @@ def alone(child_environment):
     return run
 
 
-TASKS = dict.fromkeys(("first_use", "faces_changed", "new_meshes"), pytest.mark.slow) | dict.fromkeys(
-    ("refits", "debugged"), pytest.mark.thorough
+TASKS = dict.fromkeys(("first_use", "new_meshes"), pytest.mark.slow) | dict.fromkeys(
+    ("faces_changed", "refits", "debugged"), pytest.mark.thorough
 )
 
 
@@ -40,7 +40,7 @@ def test_processes_answer_after_their_parent_has_used_threads(alone, method):
     alone("processes", method)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough  # the first use above has slices, and the test above has processes
 def test_a_pool_answers_slices_after_its_parent_has_used_threads(alone):
     alone("slices")
 

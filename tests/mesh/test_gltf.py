@@ -297,7 +297,7 @@ def test_a_scene_beyond_the_memory_is_refused(load, monkeypatch):
     assert load(tree).report.faces == 1000
     monkeypatch.setattr("warpsample.host.engine._ALWAYS_FREE", 0)
     monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=20_000))
-    with pytest.raises(MemoryError, match=r"^a scene of \d+ vertices and more need .* GB are free; leave out some of it$"):
+    with pytest.raises(MemoryError, match=r"^scenes of \d+ vertices and more need .* GB are free; leave out some of it$"):
         load(tree)
 
 

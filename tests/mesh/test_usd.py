@@ -159,7 +159,7 @@ def test_huge_tables_of_binary_usd_allocate_nothing(tmp_path):
         ws.load_mesh(path)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough  # a process for each of eight sections
 def test_huge_counts_of_binary_usd_allocate_nothing(tmp_path):
     """Of the tokens, their bytes, the strings, fields, sets of fields, paths, encoded paths and specs."""
     path = cases.write("usdc", tmp_path, cases.SPHERE.vertices, cases.SPHERE.faces)

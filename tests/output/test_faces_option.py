@@ -54,11 +54,12 @@ def test_all_ways_to_tell_a_transmittance(tmp_path):
 def test_what_is_no_transmittance_is_refused_in_a_sentence(value, message, tmp_path):
     with pytest.raises((ValueError, FileNotFoundError), match=re.escape(message)):
         with_optics(ws.load_mesh(sheets(tmp_path)), transmittance=value)
-    nameless = ws.as_mesh(([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[0, 1, 2]]))
-    with pytest.raises(
-        ValueError, match="^--transmittance: got 'leaf=0.2' for a mesh without named parts, want a number or"
-    ):
-        with_optics(nameless, transmittance="leaf=0.2")
+    corners, faces = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[0, 1, 2]]
+    for nameless in (ws.Mesh(corners, faces), ws.Mesh(corners, faces, part=[0], parts=[""])):  # as nodes without names
+        with pytest.raises(
+            ValueError, match="^--transmittance: got 'leaf=0.2' for a mesh without named parts, want a number or"
+        ):
+            with_optics(nameless, transmittance="leaf=0.2")
 
 
 @pytest.mark.slow

@@ -158,9 +158,8 @@ def test_a_uniform_map_with_a_density_that_goes_on_below_the_surface(subject_of)
     assert wrong.endswith("The other parts agree. Mend `sample`, the first function of Maps.")
 
 
-@pytest.mark.parametrize(
-    "lobe", [pytest.param(n, marks=pytest.mark.slow if n == "cone" else pytest.mark.thorough) for n in LOBES]
-)
+@pytest.mark.thorough  # the test above has a density beyond its support, too
+@pytest.mark.parametrize("lobe", LOBES)
 def test_only_the_support_is_named_of_a_density_beyond_it(lobe, subject_of):
     """The twin's density counts in the support alone, as documented, and may go on beyond it."""
     if lobe != "sphere":
@@ -191,9 +190,8 @@ def test_what_the_checks_cannot_decide_is_a_choice(subject_of):
     assert "Either of these is wrong: the map, or the twin's map." in said
 
 
-@pytest.mark.parametrize(
-    "part", [pytest.param("map", marks=pytest.mark.slow), pytest.param("density", marks=pytest.mark.thorough)]
-)
+@pytest.mark.thorough  # the test below has one error in both densities, too
+@pytest.mark.parametrize("part", ["map", "density"])
 def test_one_error_in_a_part_and_in_its_twin_is_said_of_both(part, subject_of):
     """The cdf and the inverse decide."""
     replaced = dict.fromkeys(
@@ -214,7 +212,7 @@ def test_a_wrong_factor_of_both_densities_is_said_of_both(subject_of):
 
 
 def tier(number):
-    return pytest.mark.slow if number % 33 == 0 else pytest.mark.thorough
+    return pytest.mark.slow if number % 66 == 0 else pytest.mark.thorough
 
 
 @pytest.mark.parametrize(("lobe", "part", "kind"), [pytest.param(*case, marks=tier(i)) for i, case in enumerate(MATRIX)])

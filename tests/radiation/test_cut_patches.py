@@ -78,7 +78,7 @@ def by_altitude(normals, multiple):
     return np.array(found).T
 
 
-@pytest.mark.parametrize("patches", ["tregenza", pytest.param("reinhart2", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("patches", ["tregenza", pytest.param("reinhart2", marks=pytest.mark.thorough)])
 def test_cut_patches_in_the_open_are_exact(patches):
     """60 normals of all tilts, and 60 whose horizon runs by sides of patches and leaves slivers of them.
 

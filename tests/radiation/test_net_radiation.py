@@ -97,6 +97,7 @@ def test_arguments_without_sense_are_reported():
         ({"temperature": [1.0]}, r"temperature: got shape \(1,\), want \(2,\), a number for each surface, or \(2, k\)"),
         ({"temperature": -1.0}, "temperature: got -1.0, want finite numbers from 0"),
         ({"emissivity": 0.0}, "emissivity: got 0.0, want finite numbers above 0 to 1"),
+        ({"emissivity": 1e-300}, "emissivity: got down to 1e-300, want larger numbers, so that reflections die out"),
         ({"emissivity": [0.5] * 3}, r"emissivity: got shape \(3,\), want one number, or \(2,\), a number"),
         ({"outside": [1.0, 2.0]}, r"outside: got shape \(2,\), want one number"),
     ):

@@ -2,18 +2,12 @@
 
 import numpy as np
 import pytest
-import warp as wp
+from weights_of_tests import upward
 
 import warpsample as ws
 
-
-@wp.func
-def one(w: wp.vec3) -> float:
-    return 1.0
-
-
 CALLS = {
-    "integrate": lambda mesh: ws.integrate(ws.face_centers(mesh), one, 16),
+    "integrate": lambda mesh: ws.integrate(ws.face_centers(mesh), upward, 16),
     "view_factors": lambda mesh: ws.view_factors(mesh, 16, active=np.arange(len(mesh.faces)) % 2 > 0),
     "sky_matrix": lambda mesh: ws.sky_matrix(mesh, ws.face_centers(mesh), 16, fold=np.ones(145)),
 }

@@ -27,9 +27,9 @@ def same(found, other):
     return all(np.array_equal(array, bits(other)[name]) for name, array in bits(found).items())
 
 
-def check_spheres():
+def check_spheres(spheres=((0.5, 0.3), (0.95, 0.05))):
     """Integrating spheres, E0 / (1 - rho): evenly lit, so that nothing is left to chance."""
-    for rho, tau in ((0.1, 0.3), (0.5, 0.3), (0.8, 0.2), (0.95, 0.05)):
+    for rho, tau in spheres:
         found = ws.irradiance(known.shell(rho, tau), known.points_inside(20), known.EVERYWHERE, 64)
         np.testing.assert_allclose(found.value, pi * tau / (1.0 - rho), rtol=1e-5)  # of float32 weights
         assert found.standard_error.max() < 1e-4 * pi
@@ -48,7 +48,15 @@ def test_integrating_spheres():
     check_spheres()
 
 
-@pytest.mark.parametrize("reflectances", known.CANYON)
+@pytest.mark.thorough
+def test_further_integrating_spheres():
+    check_spheres(((0.1, 0.3), (0.8, 0.2)))
+
+
+@pytest.mark.parametrize(
+    "reflectances",
+    [pytest.param(r, marks=() if r in ((0.5, 0.5), (0.2, 0.4)) else pytest.mark.thorough) for r in known.CANYON],
+)
 def test_canyons(reflectances):
     check_canyon(reflectances)
 
@@ -87,7 +95,9 @@ def no_reflection(monkeypatch):
     monkeypatch.setattr(by_pictures, "_add_reflected", lambda found, _more: found)
 
 
-@pytest.mark.parametrize("wrong", [one_sided, one_order, a_factor_pi, no_reflection])
+@pytest.mark.parametrize(
+    "wrong", [one_sided, one_order, a_factor_pi, pytest.param(no_reflection, marks=pytest.mark.thorough)]
+)
 def test_wrong_reflections_are_rejected(wrong, monkeypatch):
     wrong(monkeypatch)
     with pytest.raises(AssertionError):
@@ -129,8 +139,8 @@ def test_parts_of_a_result_add_up_and_other_points_change_no_bit():
     points = ws.sample_surface(mesh, 60, seed=3)
     some = np.arange(60) % 3 == 0
     options = {"period": DAY, "patches": "tregenza", "count": 64}
-    for series in (False, True):
-        found = ws.irradiation(mesh, points, "athens", series=series, **options)
+    both = {series: ws.irradiation(mesh, points, "athens", series=series, **options) for series in (False, True)}
+    for series, found in both.items():
         total = sum(getattr(found, name).astype(float) for name in ("direct", "diffuse", "ground", "reflected"))
         np.testing.assert_allclose(found.value, total, rtol=1e-6)
         assert (found.reflected_error <= found.standard_error).all()
@@ -140,8 +150,7 @@ def test_parts_of_a_result_add_up_and_other_points_change_no_bit():
         assert (active.rays[~some] == 0).all()
         later = ws.irradiation(mesh, points.take(slice(40, 60)), "athens", series=series, first_point=40, **options)
         assert np.array_equal(later.reflected_error, found.reflected_error[40:])
-    once = ws.irradiation(mesh, points, "athens", **options)
-    np.testing.assert_allclose(found.reflected.sum(axis=1) / 1000.0, once.reflected, rtol=1e-4, atol=1e-6)
+    np.testing.assert_allclose(both[True].reflected.sum(axis=1) / 1000.0, both[False].reflected, rtol=1e-4, atol=1e-6)
 
 
 def test_points_with_ids_of_their_own_are_looked_at_in_blocks(monkeypatch):

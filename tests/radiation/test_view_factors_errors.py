@@ -76,7 +76,7 @@ def test_errors_are_as_large_as_said_over_200_seeds(kind):
 
 
 @pytest.mark.parametrize(
-    "kind", ["raw", "reciprocal groups", *(pytest.param(n, marks=pytest.mark.thorough) for n in ("groups", "reciprocal"))]
+    "kind", ["raw", *(pytest.param(n, marks=pytest.mark.thorough) for n in ("groups", "reciprocal", "reciprocal groups"))]
 )
 def test_where_hits_are_few_the_bar_is_not_too_wide(kind):
     """A small face far away gets less than one of 256 rays; when pooled, its own rays to the ground tell more: 20, or 40.
@@ -147,6 +147,7 @@ def test_errors_of_known_factors_are_as_large_as_said(reciprocal):
     assert np.max(found) <= 2.5
 
 
+@pytest.mark.thorough
 def test_pooling_is_more_precise_than_one_side():
     """In a box of 192 faces, against 2^15 rays of each."""
     mesh = trimesh.creation.box().subdivide().subdivide()

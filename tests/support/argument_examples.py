@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import warp as wp
+from weights_of_tests import upward
 
 import warpsample as ws
 from warpsample.funcs import Lobe
@@ -37,11 +38,6 @@ class Sky:
 @wp.func
 def radiance(w: wp.vec3, lobe: Lobe, sky: Sky) -> float:
     return sky.zenith * w[2]
-
-
-@wp.func
-def without_data(w: wp.vec3, lobe: Lobe) -> float:
-    return w[2]
 
 
 @wp.func
@@ -106,7 +102,7 @@ KINDS = {
     "set": kind(0, said=("path",), wrong=(256,)),
     "points": kind(POINTS, wrong=(MESH, UNIT)),
     "integrate.points": kind(UNIT, wrong=(FACES,)),
-    "integrand": kind(without_data, said=("data",), wrong=(without_a_type, radiance, radiance.func, Sky)),
+    "integrand": kind(upward, said=("data",), wrong=(without_a_type, radiance, radiance.func, Sky)),
     "data": kind(Sky(), wrong=(Sky, Lobe())),
     "sample_square.points": kind(4, WHOLE),
     "accessor.sample_directions.points": kind(4, WHOLE),

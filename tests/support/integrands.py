@@ -1,4 +1,4 @@
-"""Data for integrands, and the simplest of these."""
+"""Data for integrands, and the simplest integrands."""
 
 import warp as wp
 
@@ -17,3 +17,8 @@ class Albedo:
 @wp.func
 def one(w: wp.vec3) -> float:
     return 1.0
+
+
+@wp.func
+def direction(w: wp.vec3) -> wp.vec3:
+    return w

@@ -17,6 +17,8 @@ KINDS = list(SUFFIXES)
 
 EACH_KIND = [pytest.param(kind, marks=pytest.mark.slow if kind in ("usda", "usdz") else ()) for kind in KINDS]
 """All kinds, as parameters of a test."""
+ONE_USD = [pytest.param(kind, marks=pytest.mark.thorough if kind in ("usda", "usdz") else ()) for kind in KINDS]
+"""All kinds, for tests that read a file several times: the other kinds of USD are thorough tests."""
 TEXTS = ("ply_text", "stl_text", "obj", "off")  # of any number of digits
 HOLDS = {kind: np.float64 if kind in (*TEXTS, "ply_double") else np.float32 for kind in KINDS}
 

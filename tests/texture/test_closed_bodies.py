@@ -69,6 +69,20 @@ def test_texels_too_small_for_float32_are_reported_and_refused(call, tmp_path, d
     assert (status, err.startswith("error: --strict: got 'floor': rays resolve")) == ((2, True) if reports else (0, False))
 
 
+def test_texels_finer_than_float64_positions_are_reported(call, tmp_path):
+    """A floor of 2 m at 10^15 m, where neighbouring positions are 0.125 m apart."""
+    path = tmp_path / "in.glb"
+    floor_and_box(path, 2)
+
+    def move(tree):
+        for node in tree["nodes"]:
+            node["translation"] = [1e15, 0, 0]
+
+    path.write_bytes(changed(path.read_bytes(), move))
+    _, out = baked(call, path)
+    assert "rays resolve lengths above 0.12, and 4,096 points have texels less than" in out
+
+
 def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
     """They are known without rays, so that nothing of them is filled."""
     path, output = tmp_path / "in.glb", tmp_path / "out.npz"

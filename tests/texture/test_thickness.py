@@ -79,6 +79,7 @@ def test_a_box_in_units_of_its_mesh(call, tmp_path, place):
     status, out, err = call("bake", path, "-o", output, "--texture", 64, "--quantity", "thickness")
     assert (status, err) == (0, "")
     assert "thickness in one picture of 64 x 64 texels" in out
+    assert out.count(" is replaced") == 1  # the factor; this material has no picture
     tree, data, _ = opened(output)
     made = tree["materials"][0]["extensions"]["KHR_materials_volume"]
     info = made.pop("thicknessTexture")

@@ -35,7 +35,7 @@ def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) ->
             raise ValueError(f"the scene has more than {_MOST:,} vertices")
         if size > known:  # checked again when the size doubles, because joining makes a copy
             known = 2 * size
-            check_memory(size, f"a scene of {offset:,} vertices and more", "leave out some of it")
+            check_memory(size, f"scenes of {offset:,} vertices and more", "leave out some of it")
     if not faces:
         raise ValueError("the file has no visible faces")
     return (vertices[0], faces[0]) if len(faces) == 1 else (np.concatenate(vertices), np.concatenate(faces))

@@ -49,7 +49,7 @@ class Mesh(Summary):
     Raises:
         TypeError: Vertices or optical properties are not real numbers, `faces` or `part` not integers, or `parts` not
             strings.
-        ValueError: WrongSampler shapes, no faces, an index outside `vertices` or `parts`, a coordinate that is not finite or
+        ValueError: Wrong shapes, no faces, an index outside `vertices` or `parts`, a coordinate that is not finite or
             exceeds 1e36 in absolute value, an optical property outside 0 to 1, or a transmittance and reflectance with a sum
             above 1.
 

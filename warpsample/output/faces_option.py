@@ -40,7 +40,7 @@ def _shares(mesh: Mesh, text: str, option: str) -> np.ndarray:
 
 def _by_parts(mesh: Mesh, text: str, option: str) -> np.ndarray:
     """Parse numbers by part, for example "wall=0.3,roof=0.1", to (F,) float64 numbers per face; 0 for other faces."""
-    if mesh.part is None:
+    if mesh.part is None or not any(mesh.parts):
         raise ValueError(f"{option}: got {text!r} for a mesh without named parts, want a number or NAME.npy")
     shares = np.zeros(len(mesh.parts) + 1)  # the last is of faces of no part
     seen = set[str]()
@@ -51,7 +51,7 @@ def _by_parts(mesh: Mesh, text: str, option: str) -> np.ndarray:
         seen.add(name)
         named = [i for i, part in enumerate(mesh.parts) if name in (part, *part.split("/"))]
         if not name or not named:
-            known = ", ".join(sorted(set(mesh.parts)))
+            known = ", ".join(sorted(set(filter(None, mesh.parts))))
             raise ValueError(f"{option}: got {pair!r}, want NAME=NUMBER with the name of a part, one of {known[:200]}")
         shares[named] = _number(share, pair, option)
     return shares[mesh.part]

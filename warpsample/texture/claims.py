@@ -54,7 +54,7 @@ def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int],
         MemoryError: the image needs more memory than is free.
     """
     texels = size[0] * size[1]
-    check_memory(texels * (_BYTES + 4 * samples), f"an image of {size[0]} x {size[1]} texels", "take fewer texels")
+    check_memory(texels * (_BYTES + 4 * samples), f"images of {size[0]} x {size[1]} texels", "take fewer texels")
     nearest, centre_counts = np.zeros(texels, np.uint64), np.zeros(texels, np.int32)
     owners = np.zeros(texels * samples if samples > 1 else 0, np.uint32)
     marks = np.zeros(len(corners), np.int32)

@@ -1,15 +1,16 @@
 """Images of values at texel points: means, standard errors, and filling of texels without a value."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from warpsample.host.arguments import check_integer
-from warpsample.host.locks import imported
+from warpsample.host.locks import imported, once_property
 
 _MOST_GUTTER = 1 << 20
 _BLOCK = 1 << 22  # points summed at a time
+_SIGMAS_OF_CHANGE = 5.0  # those of a texel in `do_pictures_differ`: the change of one sample is no difference
 
 
 def check_gutter(gutter: Any, argument: str = "gutter") -> float:
@@ -20,21 +21,24 @@ def check_gutter(gutter: Any, argument: str = "gutter") -> float:
 
 
 class TexelRows:
-    """Grouping of points by texel, for means and standard errors per texel.
+    """Grouping of points by texel, for means, standard errors and images.
 
     Attributes:
-        id: (P,) uint64, ids of the points, as in `Claims`.
+        id: (P,) uint64, ids of the points in ascending order, as in `Claims`.
         samples: samples per texel.
-        texels: number of texels of the image.
+        size: width and height of the image.
+        charts: function that returns the chart of each texel, as for `fill_texels`.
     """
 
     id: np.ndarray
     samples: np.uint64
-    texels: int
+    size: tuple[int, int]
+    charts: Callable[[], np.ndarray]
 
-    def __init__(self, id: np.ndarray, samples: int, texels: int) -> None:
-        """Set the points, given by ids in ascending order, the samples per texel and the number of texels."""
-        self.id, self.samples, self.texels = id, np.uint64(samples), texels
+    def __init__(self, id: np.ndarray, samples: int, size: tuple[int, int], charts: Callable[[], np.ndarray]) -> None:
+        """Set the attributes."""
+        self.id, self.samples, self.size, self.charts = id, np.uint64(samples), size, charts
+        self.texels = size[0] * size[1]
 
     def blocks(self) -> Iterator[tuple[slice, np.ndarray]]:
         """Yield (slice of points, (n,) int64 texel of each point) for blocks of points."""
@@ -42,7 +46,7 @@ class TexelRows:
             rows = slice(start, start + _BLOCK)
             yield rows, (self.id[rows] // self.samples).view(np.int64)
 
-    @property
+    @once_property
     def covered(self) -> np.ndarray:
         """Mask of the texels with at least one point, (texels,) bool."""
         found = np.zeros(self.texels, np.bool_)
@@ -50,18 +54,23 @@ class TexelRows:
             found[texel] = True
         return found
 
-    def means(self, width: int, values: Callable[[slice, np.ndarray], np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-        """Return the mean (texels, width) float64 of the finite values in each texel, NaN without one, and their number.
+    def means(
+        self, values: np.ndarray, transform: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return the mean (texels, C) float64 of the finite values in each texel, NaN without one, and their number.
 
         Args:
-            width: number of values per point. A point counts only if all its values are finite.
-            values: function that returns the (n, width) values of points, from their slice and their texels.
+            values: (P, C), values at the points. A point counts only if all its values are finite.
+            transform: function of the (n, C) values and (n,) texels of a block of points that returns the numbers to
+                average. Default: None, the values themselves.
         """
-        total, count = np.zeros((self.texels, width)), np.zeros(self.texels, np.int32)
+        total, count = np.zeros((self.texels, values.shape[1])), np.zeros(self.texels, np.int32)
         for rows, texels in self.blocks():
-            found = values(rows, texels)
-            good = np.isfinite(found).all(axis=1)
-            texel, found = (texels, found) if good.all() else (texels[good], found[good])
+            found = values[rows] if transform is None else transform(values[rows], texels)
+            finite, texel = np.isfinite(found), texels
+            if not finite.all():
+                good = finite.all(axis=1)
+                texel, found = texels[good], found[good]
             if len(texel):
                 first, span = int(texel[0]), int(texel[-1] - texel[0]) + 1
                 count[first : first + span] += np.bincount(texel - first, minlength=span).astype(np.int32)
@@ -71,35 +80,68 @@ class TexelRows:
             total /= np.where(count > 0, count, np.nan)[:, None]
         return total, count
 
-    def errors(self, values: np.ndarray, own: np.ndarray, columns: int) -> np.ndarray:
-        """Return the standard errors (texels, C) float64 of the texels' means, from the spread of values within texels.
+    def means_and_errors(self, values: np.ndarray, owns: Sequence[np.ndarray]) -> list[np.ndarray]:
+        """Return the means of the values in each texel, and for each of `owns` the standard errors of the means.
 
-        A texel with one value has no spread: its variance is pooled from the surrounding texels. The error of a mean of k
-        values is at least a k-th of the largest standard error among these values, because equal values have no spread. A
-        texel without a finite value has the error NaN.
+        With several samples per texel, errors come from the spread of the values within a texel. A texel with one value has
+        no spread: its variance is pooled from the surrounding texels. The error of a mean of k values is at least a k-th of
+        the largest standard error among these values, because equal values have no spread. A texel without a finite value
+        has the error NaN.
 
         Args:
             values: (P, C), values at the points.
-            own: (P, C), standard errors of the values.
-            columns: texels in a row of the image.
+            owns: (P, C) arrays of standard errors of the values.
+
+        Returns:
+            (texels, C) float64 arrays.
         """
-        width = values.shape[1]
-        mean, count = self.means(width, lambda rows, _: values[rows])
-        squares, _ = self.means(width, lambda rows, texel: np.square(values[rows] - mean[texel]))
-        errors = np.sqrt(squares / np.maximum(count - 1, 1)[:, None])
+        mean, count = self.means(values)
+        if self.samples == 1:
+            return [mean, *(self.means(own)[0] for own in owns)]
+        squares, _ = self.means(values, lambda some, texel: np.square(some - mean.take(texel, axis=0)))
+        spread = np.sqrt(squares / np.maximum(count - 1, 1)[:, None])
         single = np.flatnonzero(count == 1)
         if len(single):
-            errors[single] = np.sqrt(_pool_variance(squares, count, single, columns))
-        errors = np.fmax(errors, self._largest(own) / np.maximum(count, 1)[:, None])
-        errors[count == 0] = np.nan
-        return errors
+            spread[single] = np.sqrt(_pool_variance(squares, count, single, self.size[0]))
+        errors = [np.fmax(spread, most / np.maximum(count, 1)[:, None]) for most in self._reduce(np.fmax, *owns)]
+        for error in errors:
+            error[count == 0] = np.nan
+        return [mean, *errors]
 
-    def _largest(self, values: np.ndarray) -> np.ndarray:
-        """Return the largest of the values (P, C) in each texel, (texels, C), without NaN; 0 for texels without points."""
-        found = np.zeros((self.texels, values.shape[1]), values.dtype)
+    def ray_errors(self, values: np.ndarray, raised: np.ndarray, unbiased: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the parts of two kinds of standard errors that come from rays, (texels, C) float64, NaN without a value.
+
+        The first is at least a k-th of the largest of the k raised errors in a texel. Rays that all agree have such an
+        error, which is proportional to 1 / rays, and k samples have k times as many rays. For exact values, rounding may
+        move one sample to a neighbouring face of a finer mesh: the first is a fifth of the largest change of the mean by one
+        sample.
+
+        Args:
+            values: (P, C), values at the points, NaN if unknown.
+            raised: Raised standard errors of the same shape, NaN for points without a value.
+            unbiased: Standard errors of the same shape that are 0 where all rays agree.
+        """
+        squares, count = self.means(unbiased, lambda some, _: np.square(some))
+        count = np.maximum(count, 1)[:, None]
+        own = np.sqrt(squares / count)
+        most, high = self._reduce(np.fmax, raised, values)
+        change = (high - self._reduce(np.fmin, values)[0]) / count
+        least = np.fmax(own, most / count)
+        return np.where(least > 0.0, least, change / _SIGMAS_OF_CHANGE), own
+
+    def fill(self, found: np.ndarray, gutter: Any, channels: tuple[int, ...]) -> np.ndarray:
+        """Return the image (H, W, *channels) of values (texels, C), as `fill_texels` fills texels without a value."""
+        made = fill_texels(found, self.covered, self.charts, self.size, check_gutter(gutter))
+        return made.reshape(*made.shape[:2], *channels)
+
+    def _reduce(self, extreme: np.ufunc, *arrays: np.ndarray) -> list[np.ndarray]:
+        """Return the extreme values of (P, C) arrays in each texel, (texels, C), by np.fmax or np.fmin; NaN without any."""
+        found = [np.full((self.texels, array.shape[1]), np.nan, array.dtype) for array in arrays]
         for rows, texel in self.blocks():
             starts = np.flatnonzero(np.diff(texel, prepend=-1))
-            found[texel[starts]] = np.fmax(found[texel[starts]], np.fmax.reduceat(values[rows], starts))
+            own = texel[starts]
+            for one, array in zip(found, arrays, strict=True):
+                one[own] = extreme(one[own], extreme.reduceat(array[rows], starts))
         return found
 
 

@@ -108,10 +108,11 @@ def add_texture(
         )
     for number in numbers:
         material = file.tree["materials"][number]
-        if not slot.optional and slot.find_holder(Part(material)) is None:
+        held = slot.find_holder(Part(material))
+        if held is None and not slot.optional:
             continue
         named = f"the {slot.name} of material {material.get('name', number)!r}"
-        if slot.find_info(Part(material)) is not None:
+        if held is not None and any(held.content.get(key) for key in (slot.key, *more)):
             yield f"{named} is replaced"
         holder = "/".join(("/materials", str(number), *slot.containers))
         if drop_channels(file.tree, [f"{holder}/{key}" for key in (slot.key, *more)]):

@@ -84,6 +84,7 @@ def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
     """Return a warning about texels that are too small for float32 rays, or None without tiny texels.
 
     Rays are float32 relative to the centre of most of the mesh. A few distant faces lower the resolution of all rays.
+    The float64 positions are coarse, too, if the mesh is about 10^15 texels from the origin.
 
     Args:
         points: texels as points.
@@ -93,6 +94,7 @@ def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
     faces = np.unique(points.face)
     reach = np.abs(mesh.vertices[mesh.faces[faces]] - scene.centre).max(axis=(1, 2))
     resolution = OFFSET * np.maximum(reach, scene.spread.max() / scene.scale)
+    resolution = np.maximum(resolution, np.spacing(np.abs(scene.centre).max() + reach))
     size = _texel_sizes(points, faces)
     coarse = (resolution > _COARSE * size) & (size > 0.0)
     count = np.bincount(np.searchsorted(faces, points.face), minlength=len(faces)) * coarse
@@ -101,7 +103,7 @@ def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
     face = int(np.argmax(count))
     return (
         f"rays resolve lengths above {resolution[face]:.2g}, and {count.sum():,} points have texels less than 4 times that "
-        f"wide, such as {size[face]:.2g}: leave out distant faces"
+        f"wide, such as {size[face]:.2g}: leave out distant faces, and place the mesh near the origin"
     )
 
 

@@ -44,11 +44,11 @@ def shade_points(
     With "lifted", points are moved onto the tangent planes of the corners, averaged with the same weights (Hanika2021). A
     moved point has the face -1.
     """
-    corners = [mesh.vertices[mesh.faces[face, k]] for k in range(3)]
+    corners = [mesh.vertices.take(mesh.faces[face, k], axis=0) for k in range(3)]  # faster than indices in brackets
     position = corners[0] + weights[:, 1:2] * (corners[1] - corners[0]) + weights[:, 2:] * (corners[2] - corners[0])
     if corner_normals is None:
-        return position, mesh.face_normals[face], face
-    turned = [corner_normals[face, k] for k in range(3)]
+        return position, mesh.face_normals.take(face, axis=0), face
+    turned = [corner_normals[:, k].take(face, axis=0) for k in range(3)]
     normal = unit_or_zero(sum(weights[:, k : k + 1] * turned[k] for k in range(3)))
     none = ~normal.any(axis=1)
     normal[none] = mesh.face_normals[face[none]]

@@ -17,7 +17,7 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints, check_uv
 from warpsample.mesh.tangents import compute_tangents
 from warpsample.texture.claims import MOST_TEXELS, claim_points, compute_weights
-from warpsample.texture.image import TexelRows, check_gutter, fill_texels
+from warpsample.texture.image import TexelRows
 from warpsample.texture.report import TextureReport, build_report, find_face_flaws
 from warpsample.texture.shading import NORMALS, compute_corner_normals, shade_points
 from warpsample.texture.uv.charts import label_charts
@@ -68,7 +68,7 @@ class TexturePoints(Summary):
     @property
     def covered(self) -> np.ndarray:
         """Mask of the texels with at least one point, (H, W) bool."""
-        return self._texel_rows.covered.reshape(self.size[1], self.size[0])
+        return self.texel_rows.covered.reshape(self.size[1], self.size[0]).copy()
 
     @once_property
     def points(self) -> SurfacePoints:
@@ -147,8 +147,9 @@ class TexturePoints(Summary):
             [10000000.125 10000000.375 10000000.625 10000000.875]
         """
         values = self._check_rows(values, "values")
-        flat = values.reshape(len(self), *values.shape[1:] or (1,))
-        return self._image(self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0], values, gutter)
+        texels = self.texel_rows
+        mean, _ = texels.means(values.reshape(len(self), *values.shape[1:] or (1,)))
+        return texels.fill(mean, gutter, values.shape[1:])
 
     def image_error(self, errors: Any, *, gutter: Any = "all") -> np.ndarray:
         """Return the image of the standard errors of the values that `image` shows.
@@ -177,22 +178,23 @@ class TexturePoints(Summary):
         least = np.fmin.reduce(own, axis=None, initial=0)
         if least < 0:
             raise ValueError(f"errors: got {least:g}, want standard errors of at least 0, or NaN for points without a value")
-        flat = own.reshape(len(self), *own.shape[1:] or (1,))
         if self.samples == 1:
-            made = self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0]
-        elif hasattr(errors, "value"):
-            values = self._check_rows(errors.value, "errors").reshape(flat.shape)
-            made = self._texel_rows.errors(values, flat, self.size[0])
-        else:
+            return self.image(own, gutter=gutter)
+        if not hasattr(errors, "value"):
             raise TypeError(
                 f"errors: got {quote(errors)}, want the whole Estimate, because errors of {self.samples} samples per "
                 "texel need its values, too"
             )
-        return self._image(made, own, gutter).astype(np.float32)
+        flat = own.reshape(len(self), *own.shape[1:] or (1,))
+        values = self._check_rows(errors.value, "errors").reshape(flat.shape)
+        texels = self.texel_rows
+        made = texels.means_and_errors(values, [flat])[1]
+        return texels.fill(made, gutter, own.shape[1:]).astype(np.float32)
 
     @property
-    def _texel_rows(self) -> TexelRows:
-        return TexelRows(self.id, self.samples, self.size[0] * self.size[1])
+    def texel_rows(self) -> TexelRows:
+        """Return the grouping of the points by texel."""
+        return TexelRows(self.id, self.samples, self.size, self._charts)
 
     def _check_rows(self, values: Any, argument: str) -> np.ndarray:
         wants = f"({len(self)},) or ({len(self)}, C) real numbers, one row for each point"
@@ -200,10 +202,6 @@ class TexturePoints(Summary):
         if rows.ndim not in (1, 2) or len(rows) != len(self) or 0 in rows.shape[1:]:
             raise ValueError(f"{argument}: got shape {rows.shape}, want {wants}")
         return rows
-
-    def _image(self, found: np.ndarray, rows: np.ndarray, gutter: Any) -> np.ndarray:
-        made = fill_texels(found, self._texel_rows.covered, self._charts, self.size, check_gutter(gutter))
-        return made if rows.ndim == 2 else made[..., 0]
 
     def _charts(self) -> np.ndarray:
         """Return the number of the UV chart of each texel, (texels,) int32; -1 for texels outside all charts."""

@@ -53,7 +53,7 @@ class Skin:
             raise ValueError(
                 f"{attributes.path}: got JOINTS of shape {joints.shape} and WEIGHTS of {weights.shape}, want equal shapes"
             )
-        check_memory(_BYTES * len(joints), f"a skin of {len(joints):,} vertices", "leave it out")
+        check_memory(_BYTES * len(joints), f"skins of {len(joints):,} vertices", "leave them out")
         weights = weights.astype(np.float64)
         weights[~weights.any(axis=1), 0] = 1.0  # as viewers do: a vertex without weights follows its first joint
         joints = np.where(weights == 0.0, 0, joints).astype(np.int64)

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -23,9 +22,7 @@ from warpsample.texture.jobs import SCENES, TextureJob
 from warpsample.texture.materials import slot_for_quantity
 from warpsample.texture.sets import TextureOptions
 from warpsample.texture.tangents import Frames
-from warpsample.texture.texture_points import TexturePoints
 
-_SIGMAS_OF_CHANGE = 5.0  # those of a texel in `do_pictures_differ`: the change of one sample is no difference
 COUNTS = ("inside", "enclosed", "mostly_inside", "missed", "lost")
 """Fields of `Filled` that are counts of points or charts."""
 
@@ -119,51 +116,24 @@ def _images(
     job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray, unbiased: np.ndarray, *, is_compared: bool
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, tuple[np.ndarray, np.ndarray], np.ndarray, float]:
     """Return the fields `value`, `error`, `unbiased`, `noise`, `own` and `mean` of `Filled`."""
-    known = np.isfinite(value)
-    own_texels = np.zeros(how.size[::-1], np.bool_)
-    own_texels.ravel()[job.points.texel[known.reshape(len(known), -1).all(axis=1)]] = True
+    known, texels = np.isfinite(value), job.points.texel_rows
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
+    error[~known] = unbiased[~known] = np.nan
+    rows = [some.reshape(len(value), -1) for some in (value, error, unbiased)]
+    means, *errors = texels.means_and_errors(rows[0], rows[1:])
+    own_texels = np.isfinite(means).all(axis=1).reshape(how.size[::-1])
 
-    def image_error(own: np.ndarray, gutter: Any) -> np.ndarray:
-        """Return the image of standard errors; points without a value have none."""
-        own[~known] = np.nan
-        return job.points.image_error(SimpleNamespace(value=value, standard_error=own), gutter=gutter)
+    def fill(some: np.ndarray, gutter: Any, kind: Any = np.float32) -> np.ndarray:
+        """Return the image of values at texels."""
+        return texels.fill(some, gutter, value.shape[1:]).astype(kind)
 
-    make_image = job.points.precise_image if value.dtype == np.float64 else job.points.image  # positions
-    image, errors = make_image(value, gutter=how.gutter), (image_error(error, how.gutter), image_error(unbiased, 0))
-    noise = _noise_of_rays(job.points, value, error, unbiased) if is_compared and how.samples > 1 else errors
-    return image, *errors, noise, own_texels, mean
-
-
-def _noise_of_rays(
-    points: TexturePoints, value: np.ndarray, error: np.ndarray, unbiased: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return images of the parts of `error` and `unbiased` that come from rays, for several samples per texel.
-
-    The first is at least a k-th of the largest of the k raised errors in a texel. Rays that all agree have such an error,
-    which is proportional to 1 / rays, and k samples have k times as many rays. For exact values, rounding may move one
-    sample to a neighbouring face of a finer mesh: the first is a fifth of the largest change of the mean by one sample.
-
-    Args:
-        points: P points, several in a texel.
-        value: (P,) or (P, C), values at the points, NaN if unknown.
-        error: Raised standard errors of the same shape, NaN for points without a value.
-        unbiased: Standard errors of the same shape that are 0 where all rays agree.
-    """
-    shape = (*points.size[::-1], *error.shape[1:])
-    value, error, unbiased = (some.reshape(len(points), -1) for some in (value, error, unbiased))
-    starts = np.flatnonzero(np.diff(points.texel, prepend=-1))
-    known = np.isfinite(unbiased).all(axis=1)
-    count = np.maximum(np.add.reduceat(known, starts, dtype=np.int64), 1)[:, None]
-    noise = np.sqrt(np.add.reduceat(np.square(np.nan_to_num(unbiased)), starts, dtype=np.float64)) / count
-    raised = np.fmax(noise, np.fmax.reduceat(error, starts) / count)
-    change = (np.fmax.reduceat(value, starts) - np.fmin.reduceat(value, starts)) / count
-    raised = np.where(raised > 0.0, raised, change / _SIGMAS_OF_CHANGE)
-    both = np.concatenate([raised, noise], axis=1).astype(np.float32)
-    rows = np.repeat(both, np.diff(starts, append=len(points)), axis=0)
-    rows[~known] = np.nan
-    raised, own = np.split(points.image(rows, gutter=0), 2, axis=2)
-    return raised.reshape(shape), own.reshape(shape)
+    image = fill(means, how.gutter, value.dtype)  # positions are float64
+    raised, plain = fill(errors[0], how.gutter), fill(errors[1], 0)
+    noise = raised, plain
+    if is_compared and how.samples > 1:
+        least, own = texels.ray_errors(*rows)
+        noise = fill(least, 0), fill(own, 0)
+    return image, raised, plain, noise, own_texels, mean
 
 
 def _converter(

@@ -100,7 +100,12 @@ def net_radiation_of(
     emitted = np.broadcast_to(STEFAN_BOLTZMANN * np.square(np.square(kelvin)), (rows, *times)).reshape(rows, -1)
     sky = np.outer(open_share, np.broadcast_to(STEFAN_BOLTZMANN * np.square(np.square(beyond)), times).ravel())
     part = np.broadcast_to(share, (rows,))[:, None]
-    leaving = radiosity_of(matrix, part * emitted + (1.0 - part) * sky, 1.0 - part[:, 0])
+    try:
+        leaving = radiosity_of(matrix, part * emitted + (1.0 - part) * sky, 1.0 - part[:, 0])
+    except ValueError as error:  # of the reflectance: all other arguments are in range
+        raise ValueError(
+            f"emissivity: got down to {share.min():g}, want larger numbers, so that reflections die out"
+        ) from error
     flux = part * (emitted - matrix @ leaving - sky)
     found = (a.reshape(rows, *times) for a in (flux, flux * areas[:, None], leaving))
     return NetRadiation(*found, names)

@@ -95,6 +95,6 @@ def _check_size(shape: tuple[int, int]) -> None:
         raise ValueError(f"source: got {rows:,} x {columns:,} cells, want 1 to {_MOST_CELLS:,}; split the raster into tiles")
     check_memory(
         _BYTES * rows * columns,
-        f"the surface of {rows:,} x {columns:,} cells",
+        f"surfaces of {rows:,} x {columns:,} cells",
         "split the raster into tiles",
     )
