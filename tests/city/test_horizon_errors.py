@@ -6,6 +6,7 @@ from affine import Affine
 from horizon_cases import blocks, exact_sky, hills, yard
 from raster_cases import NORTH_UP
 
+import warpsample as ws
 from warpsample import rasters
 from warpsample.city.rasters.horizons import sky_by_horizons
 from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY
@@ -218,6 +219,16 @@ def test_bars_around_a_mast_at_the_foot_of_a_steep_slope_are_right():
     right = sky_by_horizons(SKY, mesh, points, {"count": 32768, "seed": 71}).value.astype(np.float64)
     found = shares(SKY, mesh, points, right, 64, 8)
     assert found[0] > 0.92, found
+
+
+def test_a_strip_much_thinner_than_a_cell_at_the_edge_is_counted():
+    """As far terrain may leave it: its middle is beyond the cells, whose number was rounded down."""
+    x = np.array([0.0, 1.0, 2.0, 2.009])
+    corners = np.stack([np.repeat(x, 2), np.tile([0.0, 1.0], 4), np.repeat([0.0, 0.0, 0.0, 5.0], 2)], axis=1)
+    faces = [face for i in range(0, 6, 2) for face in ((i, i + 2, i + 3), (i, i + 3, i + 1))]
+    mesh = ws.Mesh(corners, faces)
+    found = sky_by_horizons(VISIBLE_SKY, mesh, ws.face_centers(mesh).take([0, 1]), {"count": 16})
+    assert (found.standard_error > 0.0).all()
 
 
 def test_far_terrain_takes_no_bar_from_a_mast():

@@ -168,6 +168,7 @@ def _find_tops(mesh: Mesh, faces: np.ndarray, low: np.ndarray, high: np.ndarray,
         x, y = (place.take(corners) for place in places)
         one, other = (x[1] - x[0]) * (y[2] - y[0]), (x[2] - x[0]) * (y[1] - y[0])
         flat = np.flatnonzero(np.abs(one - other) > _WALL * (np.abs(one) + np.abs(other)))
-        middle = [place[:, flat].mean(axis=0).astype(np.int64) for place in (x, y)]
+        middles = [place[:, flat].mean(axis=0).astype(np.int64) for place in (x, y)]
+        middle = np.minimum(middles, np.array([heights.shape]).T - 1)  # a strip of 0.01 cells has no cell of its own
         np.maximum.at(heights, tuple(middle), tops.take(corners[:, flat]).max(axis=0))
     return _Tops(heights, low, cell)
