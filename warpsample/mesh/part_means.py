@@ -146,11 +146,12 @@ class _Faces:
             rows = rows[np.argsort(points[rows], kind="stable")]
             size = np.maximum(points[rows], 1.0)
             power = np.square(size * size * size)
+            # A part with fewer points n' counts (n'/n)^6, one with more points (n/n')^6.
             means[:, rows] = _sum_before(terms[:, rows] * power) / power
             means[:, rows] += _sum_before((terms[:, rows] / power)[:, ::-1])[:, ::-1] * power
-        weight, values, variance, kurtosis = means
-        kurtosis *= values / np.square(variance)
-        return variance / weight, np.fmax(_WORTH, kurtosis - 1.0)
+        weight, values, second, fourth = means
+        kurtosis = fourth * values / np.square(second)
+        return second / weight, np.fmax(_WORTH, kurtosis - 1.0)
 
     def _add(self, terms: np.ndarray, where: np.ndarray) -> np.ndarray:
         """Return the sum over the chosen faces of each part, (N,) float64."""
