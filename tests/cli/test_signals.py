@@ -182,6 +182,19 @@ def test_a_second_signal_does_not_break_the_cleaning_up(child_environment):
     assert listen(body, child_environment) == (143, "cleaned\n", sentence("SIGTERM") + "\n")
 
 
+@pytest.mark.slow
+def test_a_signal_after_the_output_is_complete_says_that_it_was_written(child_environment, tmp_path):
+    """The sentence was that nothing was written, while a report was computed."""
+    body = f"""
+    from warpsample.host.files import write_bytes
+    from pathlib import Path
+    write_bytes(Path({str(tmp_path / "a.ply")!r}), b"new")
+    os.kill(os.getpid(), signal.SIGTERM)
+    time.sleep({HANGS})
+"""
+    assert listen(body, child_environment) == (143, "", f"interrupted by SIGTERM; {tmp_path / 'a.ply'} was written\n")
+
+
 def test_one_that_python_drops_is_raised_again(child_environment):
     """Python drops an exception raised while an object is deleted, or in a callback of VTK."""
     body = f"""

@@ -77,3 +77,18 @@ def test_errors_in_files_are_raised(call, tmp_path):
         assert call(*command, *options)[0] == 0
         with np.load(output) as file:
             assert (file["standard_error"] > 0.0).all()
+
+
+@pytest.mark.parametrize("samples", [1, 4])
+def test_a_texel_without_a_value_has_the_error_of_the_texel_that_fills_it(samples):
+    """One sample per texel kept its own error, 0 of faces without area."""
+    mesh, uv = floor_below_a_plate()
+    t = ws.texture_points(mesh, uv, SIDE, samples=samples)
+    found = ws.ambient_occlusion(mesh, t.points, 16)
+    lost = t.texel == t.texel[len(t) // 2]
+    value, error = np.where(lost, np.nan, found.value), np.where(lost, 99.0, found.standard_error)
+    filled = t.image_error(dataclasses.replace(found, value=value, standard_error=error))
+    assert 0.0 < filled.max() < 0.3
+    wants = r"^errors: got \(\d+, 3\) standard errors of \(\d+,\) values, want equal shapes$"
+    with pytest.raises(ValueError, match=wants):
+        t.image_error(dataclasses.replace(found, standard_error=np.ones((len(t), 3))))

@@ -56,8 +56,9 @@ def _bake_mesh(run: BakeRun) -> str:
     if run.kind != TEXTURE and run.points is None and run.at is None and not is_by_parts(run):
         # Vertices blend values that differ at edges, such as those of a roof and of the wall below the roof.
         run = replace(run, at="faces" if run.output.suffix == ".png" or run.kind == CITY else "vertices")
+    invisible = describe_invisible(run.mesh)  # before the output is written, which stays even if the mesh's file changes
     report = _bake_store(run) if run.output.suffix == STORE else _bake_file(run)
-    return "\n  ".join(filter(None, (report, *describe_invisible(run.mesh), note)))
+    return "\n  ".join(filter(None, (report, *invisible, note)))
 
 
 def _bake_file(run: BakeRun) -> str:

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from warpsample.cli.streams import print_error, show_cursor
+from warpsample.host.interrupts import written
 
 SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT") if hasattr(signal, name))
 
@@ -37,6 +38,7 @@ def listening() -> Iterator[None]:
     usual = (signal.SIG_DFL, signal.default_int_handler)
     is_main = threading.current_thread() is threading.main_thread()
     before = {number: signal.getsignal(number) for number in SIGNALS if is_main and signal.getsignal(number) in usual}
+    written.clear()
     try:
         for number in before:
             signal.signal(number, _hear)
@@ -78,7 +80,8 @@ def _report(error: BaseException) -> int:
     show_cursor()
     number = _State.number or signal.SIGINT
     by = "" if number == signal.SIGINT else f" by {signal.Signals(number).name}"
-    print_error((isinstance(error, KeyboardInterrupt) and str(error)) or f"interrupted{by}; nothing was written")
+    what = written[0] if written else "nothing"
+    print_error((isinstance(error, KeyboardInterrupt) and str(error)) or f"interrupted{by}; {what} was written")
     return 128 + number
 
 

@@ -24,7 +24,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from warpsample.host.interrupts import uninterrupted
+from warpsample.host.interrupts import uninterrupted, written
 
 try:
     import fcntl
@@ -91,6 +91,7 @@ def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
             if fcntl is None:
                 raw.close()  # Windows requires it; elsewhere the lock is needed to the end
             Path(raw.name).replace(_target(path))
+            written[:] = [path]
 
 
 def to_disk(stream: Any) -> None:

@@ -97,6 +97,7 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
     if not lobe.symmetric and not lobe.in_world and (uv := find_uv(run.mesh)) is not None:
         tangent = vertex_tangents(mesh, uv) if run.at == "vertices" else face_tangents(mesh, uv, points.face)
         points = points.with_tangents(tangent)
+    invisible = describe_invisible(run.mesh)
     with complete_or_absent(run.output) as file:
         if run.output.suffix == ".npz":
             status = _write_archive(file, points, lobe, run, workers)
@@ -105,7 +106,7 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
     skipped = {Status(code): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
     total, which = len(points) * run.samples, {Status.INVALID_PARAMETER: _name_invalid(lobe)}
     counts = [f"{n:,} {code.name.lower()}{which.get(code, '')}" for code, n in skipped.items()]
-    return ", ".join([f"{total:,} directions at {len(points):,} points", *counts, *describe_invisible(run.mesh)])
+    return ", ".join([f"{total:,} directions at {len(points):,} points", *counts, *invisible])
 
 
 def _name_invalid(lobe: Distribution) -> str:

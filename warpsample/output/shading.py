@@ -76,6 +76,7 @@ def write_shading(run: Shading, workers: int | None = None) -> str:
     for column in range(len(names)):
         points = _points_of(mesh, np.flatnonzero(group == column), run.samples, run.seed, column * run.samples)
         shares[rows, column] = direct_sun(mesh, points, suns, workers=workers).mean(axis=0, dtype=np.float64)
+    invisible = describe_invisible(run.mesh)
     with complete_or_absent(run.output) as file:
         file.write(f"Surface Name,{','.join(names)}\n".encode())
         for (month, day, hour), row in zip(YEAR, shares.tolist(), strict=True):
@@ -84,7 +85,7 @@ def write_shading(run: Shading, workers: int | None = None) -> str:
     report = (
         f"{len(names):,} surfaces, {len(YEAR):,} hours; standard error {error:.2g} while the sun is up, root mean square"
     )
-    return "; ".join([report, *describe_invisible(run.mesh)])
+    return "; ".join([report, *invisible])
 
 
 def _groups(path: Path, mesh: Mesh) -> tuple[list[str], np.ndarray]:

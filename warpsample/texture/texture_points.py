@@ -173,22 +173,27 @@ class TexturePoints(Summary):
             >>> print(t.image_error(ws.ambient_occlusion(triangle, t.points, 16)).max())
             0.0
         """
+        values = self._check_rows(errors.value, "errors") if hasattr(errors, "value") else None
+        if values is not None and values.shape != np.shape(errors.standard_error):
+            shape = np.shape(errors.standard_error)
+            raise ValueError(f"errors: got {shape} standard errors of {values.shape} values, want equal shapes")
         own = raised_errors(errors) if hasattr(errors, "standard_error") else errors
         own = self._check_rows(own, "errors")
         least = np.fmin.reduce(own, axis=None, initial=0)
         if least < 0:
             raise ValueError(f"errors: got {least:g}, want standard errors of at least 0, or NaN for points without a value")
+        if values is not None:
+            own = np.where(np.isfinite(values), own, np.nan)
         if self.samples == 1:
             return self.image(own, gutter=gutter)
-        if not hasattr(errors, "value"):
+        if values is None:
             raise TypeError(
                 f"errors: got {quote(errors)}, want the whole Estimate, because errors of {self.samples} samples per "
                 "texel need its values, too"
             )
         flat = own.reshape(len(self), *own.shape[1:] or (1,))
-        values = self._check_rows(errors.value, "errors").reshape(flat.shape)
         texels = self.texel_rows
-        made = texels.means_and_errors(values, [flat])[1]
+        made = texels.means_and_errors(values.reshape(flat.shape), [flat])[1]
         return texels.fill(made, gutter, own.shape[1:]).astype(np.float32)
 
     @property

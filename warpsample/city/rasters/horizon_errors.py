@@ -23,7 +23,7 @@ _OF_WIDTH = wp.constant(wp.float64(0.1))
 _OF_WIDTH_BY_FEW = wp.constant(wp.float64(0.5))
 _OF_UNSEEN = wp.constant(wp.float64(0.6))
 _OF_FEW = wp.constant(wp.float64(0.3))
-_OF_MISSED = wp.constant(wp.float64(0.25))
+_OF_SEVERAL = wp.constant(wp.float64(0.25))
 _OF_OWN_PLANE = wp.constant(wp.float64(0.95))
 _ROUNDING = wp.constant(wp.float64(2.0**-23))
 
@@ -86,10 +86,11 @@ def add_azimuth(
 
 
 @wp.func
-def variance_of(sums: Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.float64) -> wp.float64:
+def variance_of(sums: Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.float64, together: wp.float64) -> wp.float64:
     """Return the variance of a point's visible sky fraction, estimated from how its horizons vary between azimuths.
 
-    whole: value of the receiver under an unobstructed sky. depth: bound of what azimuths may lose, from `bound_depths`.
+    whole: value of the receiver under an unobstructed sky.
+    depth, together: bounds of what one azimuth and several azimuths may lose, from `bound_depths`.
     """
     gaps = azimuths / (azimuths - ONE)  # the last azimuth is not compared with the first
     change = sums[_CHANGE]
@@ -98,8 +99,11 @@ def variance_of(sums: Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.f
     value = sums[SEEN] / azimuths
     unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
     few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * wp.max(ONE - sums[SEEN], ZERO)
-    missed = _OF_MISSED * depth * depth - change * change
-    return wp.max(wp.max(jumps + widths + unseen, few), missed) / (azimuths * azimuths)
+    missed = wp.max(HALF * depth - change, ZERO)
+    lost = wp.min(together * together, sums[_SQUARES])  # no azimuth loses what it does not see
+    several = _OF_SEVERAL * lost - change * change
+    largest = wp.max(wp.max(few, missed * missed), several)
+    return wp.max(jumps + widths + unseen, largest) / (azimuths * azimuths)
 
 
 @wp.func

@@ -35,7 +35,7 @@ class HorizonRows:
     placement: points, with ids. normals: (P, 3) float32. azimuths: number per point. per_azimuth: rays per azimuth.
     cosine: 1 for weights by the cosine to the normal, 0 for weights by solid angle. skip: 1 to start rays outside empty
     space.
-    depths: (P,) float32, from `bound_depths`.
+    depths: (P, 2) float32, from `bound_depths`.
     value, standard_error, rays, status: (P,) float32, float32, int32, uint8, as in `Seen`.
     """
 
@@ -219,7 +219,9 @@ def horizon_kernel() -> wp.Kernel:
             cast = wp.where(seen.starts != 0 or local != 0, rows.azimuths * rows.per_azimuth, 0)
             if near.starts != 0 or around != 0:
                 whole = wp.where(rows.cosine != 0, HALF + HALF * wp.float64(point.n[2]), ONE)
-                variance = variance_of(sums, azimuths, whole, wp.float64(float_at(rows.depths, point.index)))
+                depth = wp.float64(float_at(rows.depths, wp.int64(2) * point.index))
+                together = wp.float64(float_at(rows.depths, wp.int64(2) * point.index + wp.int64(1)))
+                variance = variance_of(sums, azimuths, whole, depth, together)
             if rows.cosine != 0:
                 own = own_plane_error(point.n, azimuths)
                 variance += own * own

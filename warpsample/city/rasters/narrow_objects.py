@@ -27,11 +27,11 @@ class _Tops:
 
 
 def bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) -> np.ndarray:
-    """Bound how much of the sky of one azimuth narrow objects hide that no azimuth may have hit, (P,) float32.
+    """Bound how much of the sky narrow objects hide that no azimuth may have hit, (P, 2) float32.
 
-    Several objects at similar distances count by the root of the sum of the squares of their depths: their errors are
-    independent, and those of a regular row, where azimuths hit all objects or miss all, are about as large. So the bound may
-    exceed 1.
+    The first column bounds what one azimuth may lose. The second bounds what several azimuths may lose to objects at similar
+    distances, as the root of the sum of the squares of their depths: errors by these objects are independent, and errors by
+    a regular row, where azimuths hit all objects or miss all, are about as large. So the second bound may exceed 1.
 
     Args:
         at: Points on a field of heights, with normals.
@@ -49,7 +49,7 @@ def bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) ->
             many = np.flatnonzero(count > _FEW)
             counted = np.minimum(count[many] - _FEW, _MOST_OF_AZIMUTHS * azimuths)
             together[many] += counted * _depth_of(square[many], up[many], cosine) ** 2
-    return np.maximum(_depth_of(alone, up, cosine), np.sqrt(together)).astype(np.float32)
+    return np.stack([_depth_of(alone, up, cosine), np.sqrt(together)], axis=1).astype(np.float32)
 
 
 def _depth_of(square: np.ndarray, up: np.ndarray, cosine: bool) -> np.ndarray:

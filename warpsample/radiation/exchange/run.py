@@ -30,8 +30,9 @@ def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dic
     """
     check_factors_file(output, "--output", mesh, groups)
     found = view_factors(load_mesh(mesh), groups=_read_groups(groups), progress=True, **options)
+    invisible = describe_invisible(mesh)
     found.save(output)
-    return "\n  ".join([f"{output}: {summary(found)}", *describe_invisible(mesh)])
+    return "\n  ".join([f"{output}: {summary(found)}", *invisible])
 
 
 def _read_groups(path: Path | None) -> Any:
