@@ -4,13 +4,14 @@ Python handles a signal between two of its own steps. A call of a compiler or of
 """
 
 import signal
+import sys
 import threading
 import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 from warpsample.cli.streams import print_error, show_cursor
-from warpsample.host.interrupts import written
 
 SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT") if hasattr(signal, name))
 
@@ -38,7 +39,7 @@ def listening() -> Iterator[None]:
     usual = (signal.SIG_DFL, signal.default_int_handler)
     is_main = threading.current_thread() is threading.main_thread()
     before = {number: signal.getsignal(number) for number in SIGNALS if is_main and signal.getsignal(number) in usual}
-    written.clear()
+    _written().clear()
     try:
         for number in before:
             signal.signal(number, _hear)
@@ -74,13 +75,18 @@ def heard() -> bool:
     return _State.number is not None
 
 
+def _written() -> list[Path]:
+    """Return a list with the output file that was completed last; importing the module takes too long for a first step."""
+    return getattr(sys.modules.get("warpsample.host.files"), "written", [])
+
+
 def _report(error: BaseException) -> int:
     """Print why a signal ended the command, and return the exit status, 128 + the signal's number."""
     _State.reported = True
     show_cursor()
     number = _State.number or signal.SIGINT
     by = "" if number == signal.SIGINT else f" by {signal.Signals(number).name}"
-    what = written[0] if written else "nothing"
+    what = _written()[0] if _written() else "nothing"
     print_error((isinstance(error, KeyboardInterrupt) and str(error)) or f"interrupted{by}; {what} was written")
     return 128 + number
 

@@ -24,7 +24,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from warpsample.host.interrupts import uninterrupted, written
+from warpsample.host.interrupts import uninterrupted
 
 try:
     import fcntl
@@ -38,6 +38,10 @@ _OUR_PARTS = re.compile(
     r"\d+\.[0-9a-f]{8}\.part"
 )  # number of a process and eight random digits; files with other names belong to users
 _LONGEST = 40  # characters of a name within the name of its part: file systems take 255 bytes
+
+
+written: list[Path] = []
+"""The output file that was completed last, for the message of a command that a signal ends."""
 
 
 class WriteError(OSError):

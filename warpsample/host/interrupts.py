@@ -13,9 +13,6 @@ from typing import Any, TypeVar
 
 T = TypeVar("T")
 
-written: list[Any] = []
-"""Path of the output file that was completed last, for the message of a command that a signal ends."""
-
 
 def uninterrupted(work: Callable[[], T], stop: Callable[[], None] | None = None) -> T:
     """Call `work` and return its result; exceptions of signal handlers (Ctrl-C) are raised only afterwards.
