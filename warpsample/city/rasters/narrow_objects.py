@@ -86,14 +86,16 @@ def _look_at_rings(points: np.ndarray, part: _Tops, gaps: float, reach: float) -
         opened = _open_heights(terrain)
         own = np.subtract(terrain, opened, out=np.zeros(terrain.shape), where=terrain > -np.inf)
         once = _square_once(own)
-        window, inside = (2 * min(int(radius), max(tops.shape)) + 1 for radius in (np.ceil(2.0 * gaps), gaps))
-        sums = [size**2 * filters.uniform_filter(squares + once, size, mode="constant") for size in (window, inside)]
-        highest = filters.maximum_filter(np.maximum(narrow, own), window, mode="constant")
-        count = np.divide(sums[0] - sums[1], highest**2, out=np.zeros(tops.shape), where=highest > 0.0)
-        at = (rows >> level) * tops.shape[1] + (columns >> level)
-        above = filters.maximum_filter(tops, window, mode="constant", cval=-np.inf).take(at) - points[:, 2]
-        slope = np.minimum(highest.take(at), above).clip(0.0) / (gaps * cell)
-        yield slope * slope, count.take(at)
+        found = np.maximum(narrow, own)
+        if found.any():
+            window, inside = (2 * min(int(radius), max(tops.shape)) + 1 for radius in (np.ceil(2.0 * gaps), gaps))
+            sums = [size**2 * filters.uniform_filter(squares + once, size, mode="constant") for size in (window, inside)]
+            highest = filters.maximum_filter(found, window, mode="constant")
+            count = np.divide(sums[0] - sums[1], highest**2, out=np.zeros(tops.shape), where=highest > 0.0)
+            at = (rows >> level) * tops.shape[1] + (columns >> level)
+            above = filters.maximum_filter(tops, window, mode="constant", cval=-np.inf).take(at) - points[:, 2]
+            slope = np.minimum(highest.take(at), above).clip(0.0) / (gaps * cell)
+            yield slope * slope, count.take(at)
         narrow = np.maximum(np.sqrt(0.5) * narrow, own)
         tops, terrain, narrow = (_pool(each, np.maximum, -np.inf) for each in (tops, opened, narrow))
         squares = _pool(0.5 * squares + once, np.add, 0.0)
