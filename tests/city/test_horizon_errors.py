@@ -154,9 +154,9 @@ def test_bars_beside_a_row_of_equal_objects_are_right(every, width, count):
 
 
 def test_bars_in_a_wood_are_not_far_too_wide():
-    """60 cells between trees of 20 m on 40 % of all cells, by 2 seeds. Trees behind trees hide nothing.
+    """60 cells between trees of 20 m on 40 % of all cells, by 2 seeds. Trees that stand behind trees hide nothing.
 
-    Where they counted, bars were 22 and 17 times too wide with 64 and 256 rays. 5.6 and 3 were seen.
+    Where such trees counted, bars were 22 and 17 times too wide with 64 and 256 rays. 5.6 and 3 times were seen.
     """
     rng = np.random.default_rng(11)
     heights = np.where(rng.random((121, 121)) < 0.4, 20.0, 0.0)
@@ -166,7 +166,7 @@ def test_bars_in_a_wood_are_not_far_too_wide():
     right = exact_sky(heights, cells)[1]
     found = np.array([shares(VISIBLE_SKY, mesh, points, right, count, 2) for count in (64, 256)])
     assert found[:, 0].min() > 0.92, found
-    assert (found[:, 3] < 64.0 * found[:, 2]).all(), found
+    assert (found[:, 2] / found[:, 3]).min() > 1.0 / 64.0, found  # bars of at most eight errors
 
 
 @pytest.mark.parametrize(("depth", "width"), [(1, 1), (3, 3), (1, 8)])

@@ -141,3 +141,19 @@ def test_a_signal_while_writing_leaves_the_old_file(call, ball, tmp_path, monkey
     assert len(seen[0]) == 1  # there was something to remove
     assert output.read_text() == "old"
     assert set(tmp_path.iterdir()) == {ball, output}
+
+
+def test_a_mesh_that_changes_while_its_rays_are_cast_ends_no_bake(call, tmp_path, monkeypatch):
+    """The file was opened again after the output was written, and the command ended with 2."""
+    path, output = tmp_path / "in.glb", tmp_path / "out.npz"
+    path.write_bytes(trimesh.creation.box().export(file_type="glb"))
+    cast = bake.bake
+
+    def empty_the_file_after(*arguments):
+        report = cast(*arguments)
+        path.write_bytes(b"")
+        return report
+
+    monkeypatch.setattr(bake, "bake", empty_the_file_after)
+    status, _, err = call("bake", path, "-o", output, "--samples", 16)
+    assert (status, err, output.is_file()) == (0, "", True)

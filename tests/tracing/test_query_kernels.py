@@ -40,8 +40,7 @@ for kernel in kernels[: int(sys.argv[1])]:
 """
 
 
-@pytest.mark.thorough
-@pytest.mark.parametrize("count", [2, 5])
+@pytest.mark.parametrize("count", [pytest.param(2, marks=pytest.mark.slow), pytest.param(5, marks=pytest.mark.thorough)])
 def test_the_hot_loops_are_vectorised(count, tmp_path, child_environment):
     """The compiler's own remarks say so.
 

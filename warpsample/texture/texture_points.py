@@ -173,11 +173,12 @@ class TexturePoints(Summary):
             >>> print(t.image_error(ws.ambient_occlusion(triangle, t.points, 16)).max())
             0.0
         """
-        values = self._check_rows(errors.value, "errors") if hasattr(errors, "value") else None
-        if values is not None and values.shape != np.shape(errors.standard_error):
-            shape = np.shape(errors.standard_error)
-            raise ValueError(f"errors: got {shape} standard errors of {values.shape} values, want equal shapes")
-        own = raised_errors(errors) if hasattr(errors, "standard_error") else errors
+        values, own = None, errors
+        if hasattr(errors, "standard_error") and hasattr(errors, "value"):
+            values, shape = self._check_rows(errors.value, "errors"), np.shape(errors.standard_error)
+            if values.shape != shape:
+                raise ValueError(f"errors: got {shape} standard errors of {values.shape} values, want equal shapes")
+            own = raised_errors(errors)
         own = self._check_rows(own, "errors")
         least = np.fmin.reduce(own, axis=None, initial=0)
         if least < 0:
