@@ -5,14 +5,19 @@ import inspect
 import pickle
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from functools import wraps
 from importlib import import_module
+from threading import Barrier
+from time import sleep
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import warp as wp
 import weights_of_tests as functions
 from docstrings import failures, flaws, sections
+from hangs import HANGS
 
 import warpsample as ws
 from warpsample import cluster, funcs
@@ -310,3 +315,30 @@ def test_integrals_over_lobes_by_point_have_the_same_bits():
     found = cluster.integrate(points, funcs.square_to_cosine_hemisphere_pdf, 16, distribution=lobe, chunk=110).compute()
     whole = ws.integrate(points, funcs.square_to_cosine_hemisphere_pdf, 16, distribution=lobe)
     assert np.array_equal(found.value, whole.value)
+
+
+def test_two_threads_send_a_mesh_once(mesh, monkeypatch):
+    """One of two equal tasks may be forgotten while the other is computed."""
+    sending, sent, both = import_module("warpsample.cluster.sending"), [], Barrier(2)
+
+    class Future:
+        status = "pending"
+
+    class Client:
+        id, status = "of a test", "running"
+
+        def submit(self, function, value, key):
+            sent.append(key)
+            sleep(0.05)  # in which the other thread would send it, too
+            return Future()
+
+    monkeypatch.setattr(sending, "current_client", Client)
+
+    def send(_):
+        both.wait(HANGS)
+        return sending.shared_by_key(SimpleNamespace(shared={"mesh": mesh}))[1]
+
+    with ThreadPoolExecutor(2) as threads:
+        (one,), (other,) = threads.map(send, range(2))
+    assert one is other
+    assert len(sent) == 1

@@ -1,6 +1,7 @@
 """Transfer of large arguments to the workers of a Dask Client."""
 
 import sys
+import threading
 from collections import deque
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -15,6 +16,7 @@ from warpsample.cluster.job import Job
 _KEPT = 4  # futures kept alive: if one is released and sent again, a late release message would delete the new copy
 _futures: WeakValueDictionary[tuple[str, str], Any] = WeakValueDictionary()
 _last_futures: deque[Any] = deque(maxlen=_KEPT)
+_sending = threading.Lock()  # two calls in threads would each send the same mesh
 _QUIETLY = {"distributed.admin.large-graph-warning-threshold": "1PiB"}  # no warning: the data are sent once for all calls
 
 
@@ -85,16 +87,19 @@ def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
     if client is None:
         tasks = {f"{name}-{tokenize(value)}": value for name, value in job.shared.items()}
         return tasks, list(tasks)
-    called = []
-    for value in job.shared.values():
-        key = client.id, tokenize(value)
-        future = _futures.get(key)
-        if future is None or future.status not in ("pending", "finished"):
-            with dask.config.set(_QUIETLY):
-                future = _futures[key] = client.submit(_return_unchanged, value, key=f"{type(value).__name__}-{key[1]}")
-            _last_futures.append(future)
-        called.append(future)
-    return {}, called
+    with _sending:
+        return {}, [_send(client, value) for value in job.shared.values()]
+
+
+def _send(client: Any, value: Any) -> Any:
+    """Send an argument to a Client, unless it was sent before; return its future."""
+    key = client.id, tokenize(value)
+    future = _futures.get(key)
+    if future is None or future.status not in ("pending", "finished"):
+        with dask.config.set(_QUIETLY):
+            future = _futures[key] = client.submit(_return_unchanged, value, key=f"{type(value).__name__}-{key[1]}")
+        _last_futures.append(future)
+    return future
 
 
 def _return_unchanged(value: Any) -> Any:
