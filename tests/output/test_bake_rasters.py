@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
+import warpsample as ws
+
 rasterio = pytest.importorskip("rasterio")
 raster_cases = pytest.importorskip("raster_cases")
 tile_files = import_module("warpsample.output.rasters.tile_files")
@@ -81,6 +83,21 @@ def test_each_model_is_computed(dsm, call, model):
     assert (status, err) == (0, "")
     with rasterio.open("sky.tif") as file:
         assert np.isnan(file.read(1)).sum() == 1
+
+
+@pytest.mark.slow
+def test_crowns_transmit_another_fraction_in_each_month(dsm, call):
+    """A message named 12 fractions, which the command could not take."""
+    pytest.importorskip("pvlib")
+    crowns = raster_cases.write_tif("crowns.tif", 6.0 * np.eye(24, 30, dtype=np.float32))
+    months = [month / 20 for month in range(12)]
+    given = ("bake", "dsm.tif", "-o", "sun.tif", "--quantity", "sun-hours", "--weather", "athens", "--canopy", crowns)
+    assert call(*given, "--transmittance", ",".join(map(str, months)))[0] == 0
+    right = ws.rasters.sun_hours("dsm.tif", "athens", canopy=crowns, transmittance=months).value
+    with rasterio.open("sun.tif") as file:
+        assert np.array_equal(file.read(1), right.astype(np.float32), equal_nan=True)
+    status, _, said = call(*given, "--transmittance", "0.5,0.2")
+    assert (status, said[:38]) == (2, "error: --transmittance: got (0.5, 0.2)")
 
 
 @pytest.mark.skipif(tile_files.fcntl is None, reason="Windows does not lock folders")

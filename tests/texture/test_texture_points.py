@@ -1,5 +1,6 @@
 """Images of numbers at texels: closed forms, seams, gutters, mips, errors, and the same bits by parts."""
 
+import pickle
 from types import SimpleNamespace
 
 import numpy as np
@@ -251,3 +252,11 @@ def test_the_image_of_no_points_is_0():
         t = ws.texture_points(mesh, np.full((1, 3, 2), np.nan), 8, samples=samples)
         assert np.array_equal(t.image(np.zeros(0)), np.zeros((8, 8)))
         assert np.array_equal(t.image(np.zeros((0, 3))), np.zeros((8, 8, 3)))
+
+
+def test_points_of_texels_travel_to_other_processes():
+    mesh, uv = two_charts()
+    t = ws.texture_points(mesh, uv, 16)
+    found = pickle.loads(pickle.dumps(t))
+    assert found.options.memory == t.options.memory
+    assert np.array_equal(found.image(found.points.position), t.image(t.points.position))

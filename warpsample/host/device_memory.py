@@ -52,6 +52,10 @@ class Memory:
     device: wp.Device
     in_place: bool
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the device by its name, because a wp.Device holds pointers."""
+        return _memory_of, (self.device.alias, self.in_place)
+
     @classmethod
     def of(cls, device: Any, given: Array | None = None, argument: str = "") -> "Memory":
         """Choose the device of a call: the named one, by default that of a wp.array among the arguments, else the CPU.
@@ -92,6 +96,15 @@ class Memory:
     def loan(self) -> "Loan":
         """Return a context manager that holds the device memory of one part of a call."""
         return Loan(self)
+
+
+def _memory_of(name: str, in_place: bool) -> Memory:
+    """Return a pickled `Memory`.
+
+    Raises:
+        ValueError: this machine has no device of that name.
+    """
+    return Memory(check_device(name, cpu()), in_place)
 
 
 class Loan:

@@ -10,7 +10,8 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.tracing.placed_points import PlacedPoints
 
 _MOST_CELLS = 2048  # of a grid of highest faces along a side
-_MOST_FACES = 1 << 20  # whose places are computed at a time
+_FACES = 1 << 14  # whose places are computed at a time
+_POINTS = 1 << 13  # whose depths are computed at a time
 _SHORTEST = 1e-30  # length of a normal, so that 0 / 0 gives 0
 _WALL = 1e-2  # area of a wall in the map, at most, as a fraction of the products of its sides; 0 but for rounding
 _LINE = 5  # cells; an object that is shorter in all directions is narrow
@@ -24,6 +25,23 @@ class _Tops:
     heights: np.ndarray
     low: np.ndarray
     cell: float
+
+
+@dataclass(frozen=True, eq=False)
+class _Ring:
+    """Narrow objects in a ring around each cell of a grid, in the grid's order.
+
+    tops: (C,) heights of the highest face in the ring or nearer. highest: (C,) greatest height of an object there above the
+    terrain around it. count: (C,) numbers of objects in the ring, which are sums of squared heights, divided by that of the
+    highest object. radius: inner radius. level: number of times that cells were doubled. columns: columns of the grid.
+    """
+
+    tops: np.ndarray
+    highest: np.ndarray
+    count: np.ndarray
+    radius: float
+    level: int
+    columns: int
 
 
 def bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) -> np.ndarray:
@@ -40,16 +58,35 @@ def bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) ->
         reach: Largest distance of an object.
     """
     assert at.mesh is not None
-    points = np.nan_to_num(np.asarray(at.points.position, np.float64))
-    up = (at.normal[:, 2] / np.maximum(np.linalg.norm(at.normal, axis=1), _SHORTEST)).clip(_SHORTEST, 1.0)
+    parts = [(part, list(_look_at_rings(part, azimuths / np.pi, reach))) for part in _split_by_size(at.mesh)]
+    depths = np.empty((len(at.normal), 2), np.float32)
+    for start in range(0, len(depths), _POINTS):
+        rows = slice(start, start + _POINTS)
+        points = np.nan_to_num(np.asarray(at.points.position[rows], np.float64))
+        normal = at.normal[rows]
+        up = (normal[:, 2] / np.maximum(np.linalg.norm(normal, axis=1), _SHORTEST)).clip(_SHORTEST, 1.0)
+        depths[rows] = _depths_at(points, up, parts, azimuths, cosine).T
+    return depths
+
+
+def _depths_at(
+    points: np.ndarray, up: np.ndarray, parts: list[tuple[_Tops, list[_Ring]]], azimuths: int, cosine: bool
+) -> np.ndarray:
+    """Compute the two bounds at points, (2, P), from the rings of all parts. up: (P,) upward components of normals."""
     alone, together = np.zeros(len(points)), np.zeros(len(points))
-    for part in _split_by_size(at.mesh):
-        for square, count in _look_at_rings(points, part, azimuths / np.pi, reach):
+    for part, rings in parts:
+        rows, columns = (
+            ((points[:, :2] - part.low) / part.cell).clip(0.0, np.array(part.heights.shape) - 1.0).astype(np.int64).T
+        )
+        for ring in rings:
+            cell = (rows >> ring.level) * ring.columns + (columns >> ring.level)
+            slope = np.minimum(ring.highest.take(cell), ring.tops.take(cell) - points[:, 2]).clip(0.0) / ring.radius
+            square, count = slope * slope, ring.count.take(cell)
             alone += square
             many = np.flatnonzero(count > _FEW)
             counted = np.minimum(count[many] - _FEW, _MOST_OF_AZIMUTHS * azimuths)
             together[many] += counted * _depth_of(square[many], up[many], cosine) ** 2
-    return np.stack([_depth_of(alone, up, cosine), np.sqrt(together)], axis=1).astype(np.float32)
+    return np.stack([_depth_of(alone, up, cosine), np.sqrt(together)])
 
 
 def _depth_of(square: np.ndarray, up: np.ndarray, cosine: bool) -> np.ndarray:
@@ -58,8 +95,8 @@ def _depth_of(square: np.ndarray, up: np.ndarray, cosine: bool) -> np.ndarray:
     return (up * sine + np.sqrt(1.0 - up * up)) * sine if cosine else sine
 
 
-def _look_at_rings(points: np.ndarray, part: _Tops, gaps: float, reach: float) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Bound slopes from points to the tops of narrow objects and count the objects, ring by ring around the points.
+def _look_at_rings(part: _Tops, gaps: float, reach: float) -> Iterator[_Ring]:
+    """Find the tops of narrow objects and count the objects, ring by ring around the cells of a grid.
 
     A narrow object is at most four cells of a grid wide, and terrain is the grid without narrow objects. So slopes, ridges,
     walls and wide buildings, which azimuths hit, are terrain. An object's height is that above the terrain around it. The
@@ -69,19 +106,16 @@ def _look_at_rings(points: np.ndarray, part: _Tops, gaps: float, reach: float) -
     on, the object's height counts by sqrt(1/2) less per ring.
 
     Args:
-        points: (P, 3) positions.
         part: Heights.
         gaps: Number of halves of a gap between two azimuths in one radian.
         reach: Largest distance of an object.
 
     Yields:
-        (P,) squares of the slope to the highest object in the ring or nearer, and (P,) numbers of objects in the ring, which
-        are sums of squared heights, divided by that of the highest object.
+        rings with narrow objects.
     """
     filters = imported("scipy.ndimage")
     terrain = tops = part.heights
     narrow, squares, cell, level = np.zeros(tops.shape), np.zeros(tops.shape), part.cell, 0
-    rows, columns = ((points[:, :2] - part.low) / cell).clip(0.0, np.array(tops.shape) - 1.0).astype(np.int64).T
     while max(tops.shape) > 1 and gaps * cell < 2.0 * reach:
         opened = _open_heights(terrain)
         own = np.subtract(terrain, opened, out=np.zeros(terrain.shape), where=terrain > -np.inf)
@@ -92,10 +126,8 @@ def _look_at_rings(points: np.ndarray, part: _Tops, gaps: float, reach: float) -
             sums = [size**2 * filters.uniform_filter(squares + once, size, mode="constant") for size in (window, inside)]
             highest = filters.maximum_filter(found, window, mode="constant")
             count = np.divide(sums[0] - sums[1], highest**2, out=np.zeros(tops.shape), where=highest > 0.0)
-            at = (rows >> level) * tops.shape[1] + (columns >> level)
-            above = filters.maximum_filter(tops, window, mode="constant", cval=-np.inf).take(at) - points[:, 2]
-            slope = np.minimum(highest.take(at), above).clip(0.0) / (gaps * cell)
-            yield slope * slope, count.take(at)
+            above = filters.maximum_filter(tops, window, mode="constant", cval=-np.inf)
+            yield _Ring(above.ravel(), highest.ravel(), count.ravel(), gaps * cell, level, tops.shape[1])
         narrow = np.maximum(np.sqrt(0.5) * narrow, own)
         tops, terrain, narrow = (_pool(each, np.maximum, -np.inf) for each in (tops, opened, narrow))
         squares = _pool(0.5 * squares + once, np.add, 0.0)
@@ -145,7 +177,7 @@ def _split_by_size(mesh: Mesh) -> list[_Tops]:
     low, high = mesh.vertices[:, :2].min(axis=0), mesh.vertices[:, :2].max(axis=0)
     if (high - low).max() <= _MOST_CELLS * cell:
         return [_find_tops(mesh, mesh.faces, low, high, cell)]
-    chunks = np.array_split(mesh.faces, len(mesh.faces) // _MOST_FACES + 1)
+    chunks = np.array_split(mesh.faces, len(mesh.faces) // _FACES + 1)
     wide = np.concatenate([(np.ptp(mesh.vertices[chunk, :2], axis=1) > 2.0 * longest).any(axis=1) for chunk in chunks])
     parts = []
     for chosen, least in ((~wide, cell), (wide, 2.0 * longest)):
@@ -163,14 +195,15 @@ def _find_tops(mesh: Mesh, faces: np.ndarray, low: np.ndarray, high: np.ndarray,
 
     low, high: least and greatest x and y of the faces. cell: width of the grid's cells.
     """
-    heights = np.full(np.ceil((high - low) / cell - 0.01).clip(1.0).astype(np.int64), -np.inf)
-    places, tops = ((mesh.vertices[:, :2] - low) / cell).astype(np.float32).T.copy(), mesh.vertices[:, 2]
-    for chunk in np.array_split(faces, len(faces) // _MOST_FACES + 1):
-        corners = chunk.T.copy()
+    shape = np.ceil((high - low) / cell - 0.01).clip(1.0).astype(np.int64)
+    heights = np.full(shape.prod(), -np.inf)
+    places, tops = ((mesh.vertices[:, :2] - low) / cell).astype(np.float32).T.copy(), mesh.vertices[:, 2].copy()
+    for start in range(0, len(faces), _FACES):
+        corners = faces[start : start + _FACES].T.copy()
         x, y = (place.take(corners) for place in places)
         one, other = (x[1] - x[0]) * (y[2] - y[0]), (x[2] - x[0]) * (y[1] - y[0])
-        flat = np.flatnonzero(np.abs(one - other) > _WALL * (np.abs(one) + np.abs(other)))
-        middles = [place[:, flat].mean(axis=0).astype(np.int64) for place in (x, y)]
-        middle = np.minimum(middles, np.array([heights.shape]).T - 1)  # a strip of 0.01 cells has no cell of its own
-        np.maximum.at(heights, tuple(middle), tops.take(corners[:, flat]).max(axis=0))
-    return _Tops(heights, low, cell)
+        row, column = ((place.sum(axis=0) / np.float32(3.0)).astype(np.int64) for place in (x, y))
+        cells = np.minimum(row, shape[0] - 1) * shape[1] + np.minimum(column, shape[1] - 1)  # a strip of 0.01 cells has none
+        is_flat = np.abs(one - other) > _WALL * (np.abs(one) + np.abs(other))
+        np.maximum.at(heights, cells, np.where(is_flat, tops.take(corners).max(axis=0), -np.inf))
+    return _Tops(heights.reshape(shape), low, cell)

@@ -91,10 +91,12 @@ _RASTER_OPTIONS = ("model", "receiver", "canopy", "trunk", "tile", "margin", "fa
 
 
 def _to_plain(name: str, value: Any) -> Any:
-    """Return a path as a string, a numeric trunk or transmittance as a float, and other values unchanged."""
+    """Return a path as a string, a numeric trunk as a float, transmittances as floats, and other values unchanged."""
     if name in ("trunk", "transmittance"):
+        texts = str(value).split(",") if name == "transmittance" else [value]
         try:
-            return float(value)
+            numbers = tuple(map(float, texts))
+            return numbers[0] if len(numbers) == 1 else numbers
         except ValueError:
             return value
     return str(value) if isinstance(value, Path) else value
