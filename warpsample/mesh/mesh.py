@@ -161,7 +161,7 @@ class Mesh(Summary):
     def bounds(self) -> np.ndarray:
         """Smallest and largest coordinates of the vertices that faces use, (2, 3) float64."""
         vertices = self.vertices if self.used.all() else self.vertices[self.used]
-        return np.stack([vertices.min(axis=0), vertices.max(axis=0)])
+        return np.array([[axis.min() for axis in vertices.T], [axis.max() for axis in vertices.T]])  # 6 times min(axis=0)
 
     @once_property
     def diagonal(self) -> float:

@@ -174,7 +174,7 @@ def _split_by_size(mesh: Mesh) -> list[_Tops]:
     corners = mesh.vertices[mesh.faces[:4], :2]
     sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     cell, longest = float(min(sides[sides > 0.0], default=np.inf)), sides.max()
-    low, high = mesh.vertices[:, :2].min(axis=0), mesh.vertices[:, :2].max(axis=0)
+    low, high = mesh.bounds[:, :2]
     if (high - low).max() <= _MOST_CELLS * cell:
         return [_find_tops(mesh, mesh.faces, low, high, cell)]
     chunks = np.array_split(mesh.faces, len(mesh.faces) // _FACES + 1)

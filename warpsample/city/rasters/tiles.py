@@ -182,8 +182,9 @@ class RasterRun:
         points, cells = surface.points(self.receiver)
         place = np.stack(np.divmod(cells, grid.height.shape[1])) + [[part.start] for part in window]
         inside = np.all([(at >= part.start) & (at < part.stop) for at, part in zip(place, span, strict=True)], axis=0)
-        place = place[:, inside]
-        points = replace(points.take(inside), id=place[0] * shape[1] + place[1])
+        if not inside.all():
+            place, points = place[:, inside], points.take(inside)
+        points = replace(points, id=place[0] * shape[1] + place[1])
         return points, place - [[part.start] for part in span], cut_fringe(surface, window, kept)
 
     def _build_foreground(self, ground: Part, grid: Grid, window: Span) -> Foreground:
