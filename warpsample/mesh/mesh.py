@@ -161,7 +161,8 @@ class Mesh(Summary):
     def bounds(self) -> np.ndarray:
         """Smallest and largest coordinates of the vertices that faces use, (2, 3) float64."""
         vertices = self.vertices if self.used.all() else self.vertices[self.used]
-        return np.array([[axis.min() for axis in vertices.T], [axis.max() for axis in vertices.T]])  # 6 times min(axis=0)
+        axes = vertices.T  # min(axis=0) of vertices takes 6 times as long
+        return np.array([[axis.min() for axis in axes], [axis.max() for axis in axes]])
 
     @once_property
     def diagonal(self) -> float:
