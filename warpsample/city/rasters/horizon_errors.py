@@ -21,10 +21,12 @@ _OF_JUMP = wp.constant(wp.float64(1.0 / 16.0))
 _OF_SPIKE = wp.constant(wp.float64(0.35))
 _OF_WIDTH = wp.constant(wp.float64(0.1))
 _OF_WIDTH_BY_FEW = wp.constant(wp.float64(0.5))
+_OF_WIDTH_IN_COURTS = wp.constant(wp.float64(0.08))
 _OF_UNSEEN = wp.constant(wp.float64(0.6))
 _OF_FEW = wp.constant(wp.float64(0.3))
 _OF_SEVERAL = wp.constant(wp.float64(0.25))
 _OF_OWN_PLANE = wp.constant(wp.float64(0.95))
+_LEAST = wp.constant(wp.float64(1e-30))
 _ROUNDING = wp.constant(wp.float64(2.0**-23))
 
 
@@ -95,7 +97,9 @@ def variance_of(sums: Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.f
     gaps = azimuths / (azimuths - ONE)  # the last azimuth is not compared with the first
     change = sums[_CHANGE]
     jumps = gaps * (_OF_JUMP * (sums[_JUMPS] + change * change) + _OF_SPIKE * sums[_SPIKES])
-    widths = (_OF_WIDTH + _OF_WIDTH_BY_FEW / azimuths) * sums[_WIDTHS]
+    # In deep courtyards the last intervals are wider than all that is seen.
+    deep = wp.clamp(sums[_RANGE] / wp.max(sums[SEEN], _LEAST) - ONE, ZERO, ONE)
+    widths = (_OF_WIDTH + wp.max(_OF_WIDTH_BY_FEW / azimuths, _OF_WIDTH_IN_COURTS * deep)) * sums[_WIDTHS]
     value = sums[SEEN] / azimuths
     unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
     few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * wp.max(ONE - sums[SEEN], ZERO)
