@@ -96,8 +96,15 @@ def test_crowns_transmit_another_fraction_in_each_month(dsm, call):
     right = ws.rasters.sun_hours("dsm.tif", "athens", canopy=crowns, transmittance=months).value
     with rasterio.open("sun.tif") as file:
         assert np.array_equal(file.read(1), right.astype(np.float32), equal_nan=True)
-    status, _, said = call(*given, "--transmittance", "0.5,0.2")
-    assert (status, said[:38]) == (2, "error: --transmittance: got (0.5, 0.2)")
+        tag = file.tags()["transmittance"]
+    assert tag == " ".join(map(str, months))
+    assert call(*given, "-o", "again.tif", "--transmittance", tag)[0] == 0  # as the tag and the error of --resume name them
+    with rasterio.open("again.tif") as file:
+        assert np.array_equal(file.read(1), right.astype(np.float32), equal_nan=True)
+    refused = {"0.5,0.2": (0.5, 0.2), "0.5 0.2": (0.5, 0.2), " 0.5, 0.2 ": (0.5, 0.2), "0.5,,0.2": "0.5,,0.2"}
+    for text, value in (refused | {"-1": -1.0, "my 5 leaves.npy": "my 5 leaves.npy", "": ""}).items():
+        status, _, said = call(*given, "--transmittance", text)
+        assert (status, said.split(", want")[0]) == (2, f"error: --transmittance: got {value!r}")
 
 
 @pytest.mark.skipif(tile_files.fcntl is None, reason="Windows does not lock folders")

@@ -221,6 +221,38 @@ def test_an_occlusion_is_by_the_set_that_its_transform_names(call, tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("options", "key", "containers"),
+    [
+        (["--samples", 4], "occlusionTexture", []),
+        (["--samples", 4, "--quantity", "bent-normals"], "bentNormalTexture", ["extras"]),
+        (["--quantity", "thickness"], "thicknessTexture", ["extensions", "KHR_materials_volume"]),
+    ],
+)
+def test_a_replaced_texture_reference_keeps_its_extras(call, tmp_path, options, key, containers):
+    """But no extensions, such as the texture transform of the replaced picture. The other material has no extras."""
+    materials = [
+        {key: {"index": 0, "extensions": {"KHR_texture_transform": {}}, "extras": {"kept": 1}}},
+        {key: {"index": 0}},
+    ]
+    for container in reversed(containers):
+        materials = [{container: material} for material in materials]
+    attributes = {"POSITION": 0, "TEXCOORD_0": 1}
+    primitives = [{"attributes": attributes, "indices": 2, "material": number} for number in (0, 1)]
+    tree = {"meshes": [{"primitives": primitives[:1]}, {"primitives": primitives[1:]}], "materials": materials}
+    tree["nodes"] = [{"mesh": 0}, {"mesh": 1, "translation": [0, 9, 0]}]
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb(tree, [corner()[1], SQUARE, TWO]))
+    assert call("bake", path, "-o", tmp_path / "out.glb", "--texture", 8, *options)[0] == 0
+    made = opened(tmp_path / "out.glb")[0]["materials"]
+    for container in containers:
+        made = [material[container] for material in made]
+    assert [{**material[key], "index": None} for material in made] == [
+        {"index": None, "extras": {"kept": 1}},
+        {"index": None},
+    ]
+
+
+@pytest.mark.parametrize(
     ("options", "why"),
     [
         (["--texture", "big"], "--texture: got 'big', want a size in texels, such as 1024 or 1024x512"),

@@ -1,6 +1,7 @@
 """Errors of texels whose rays all agree, although a small plate hides a part of the sky."""
 
 import dataclasses
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -92,3 +93,26 @@ def test_a_texel_without_a_value_has_the_error_of_the_texel_that_fills_it(sample
     wants = r"^errors: got \(\d+, 3\) standard errors of \(\d+,\) values, want equal shapes$"
     with pytest.raises(ValueError, match=wants):
         t.image_error(dataclasses.replace(found, standard_error=np.ones((len(t), 3))))
+
+
+@pytest.mark.parametrize("samples", [1, 4])
+def test_infinite_errors_of_finite_values_stay_infinite(samples):
+    """One sample per texel gave 0, or the error of a neighbour. NaN is a point without a value."""
+    mesh, uv = floor_below_a_plate()
+    t = ws.texture_points(mesh, uv, SIDE, samples=samples)
+    column = t.texel % SIDE
+    error = np.where(column < 4, np.inf, np.where(column < 6, np.nan, 0.25))
+    value = np.where(column == 5, np.inf, 1.0)
+    found = t.image_error(SimpleNamespace(value=value, standard_error=error))
+    known = column[column >= 6]
+    assert np.isinf(found[:, :4]).all()
+    assert np.array_equal(found[:, known], np.full((SIDE, len(known)), np.float32(0.25 / samples)))
+    assert np.isinf(t.image_error(SimpleNamespace(value=np.ones(len(t)), standard_error=np.full(len(t), np.inf)))).all()
+    if samples == 1:
+        assert np.array_equal(t.image_error(error), found)
+        assert np.array_equal(found[:, 4:6], np.broadcast_to(np.float32([np.inf, 0.25]), (SIDE, 2)))
+        errors = np.stack([error, np.where(column == 8, np.inf, 0.5)], axis=1)
+        found = t.image_error(errors)
+        assert np.array_equal(found[0, 8], np.float32([0.25, np.inf]))
+        assert np.isinf(found[:, :4, 0]).all()
+        assert (found[:, :4, 1] == 0.5).all()

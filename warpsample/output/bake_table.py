@@ -165,7 +165,7 @@ OPTIONS: dict[str, Option] = {
         LIGHT,
         "Fraction of light that faces transmit, 0 to 1: a number, NAME.npy with one number per face, or numbers by part, "
         "such as leaf=0.2,glass=0.8. Default: 0. For a raster, the fraction that tree crowns transmit, or 12 for the months "
-        "or 365 for the days, with commas between them. Default: 0.03.",
+        "or 365 for the days, separated by commas or blanks. Default: 0.03.",
     ),
     "lod": Option(str, _CITY_PANEL, "Level of detail to read, such as 2.2. Default: the highest of each object.", _on(CITY)),
     "split": Option(bool, _CITY_PANEL, "Write one result per polygon, instead of one per semantic surface.", _on(CITY)),

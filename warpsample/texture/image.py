@@ -97,7 +97,7 @@ class TexelRows:
         """
         mean, count = self.means(values)
         if self.samples == 1:
-            return [mean, *(self.means(own)[0] for own in owns)]
+            return [mean, *map(self.copy_errors, owns)]
         squares, _ = self.means(values, lambda some, texel: np.square(some - mean.take(texel, axis=0)))
         spread = np.sqrt(squares / np.maximum(count - 1, 1)[:, None])
         single = np.flatnonzero(count == 1)
@@ -107,6 +107,13 @@ class TexelRows:
         for error in errors:
             error[count == 0] = np.nan
         return [mean, *errors]
+
+    def copy_errors(self, errors: np.ndarray) -> np.ndarray:
+        """Return the errors (P, C) of points, one per texel, as (texels, C) float64; inf stays inf, NaN without a point."""
+        found = np.full((self.texels, errors.shape[1]), np.nan)
+        for rows, texel in self.blocks():
+            found[texel] = np.abs(errors[rows])  # -0.0 becomes 0.0
+        return found
 
     def ray_errors(self, values: np.ndarray, raised: np.ndarray, unbiased: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the parts of two kinds of standard errors that come from rays, (texels, C) float64, NaN without a value.

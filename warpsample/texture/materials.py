@@ -43,10 +43,15 @@ class Slot:
         return holder.part(self.key) if holder is not None and self.key in holder else None
 
     def set_info(self, material: dict[str, Any], info: dict[str, Any], more: dict[str, Any]) -> None:
-        """Set this slot's texture info in a material, and the members `more` of the object that holds the info."""
+        """Set this slot's texture info in a material, and the members `more` of the object that holds the info.
+
+        The new texture info keeps the `extras` of the replaced one.
+        """
         for key in self.containers:
             material = material.setdefault(key, {})
-        material |= {self.key: info, **more}
+        replaced = material.get(self.key)
+        kept = {"extras": replaced["extras"]} if isinstance(replaced, dict) and "extras" in replaced else {}
+        material |= {self.key: info | kept, **more}
 
 
 OCCLUSION = Slot("occlusion", "occlusionTexture")
@@ -117,7 +122,7 @@ def add_texture(
         holder = "/".join(("/materials", str(number), *slot.containers))
         if drop_channels(file.tree, [f"{holder}/{key}" for key in (slot.key, *more)]):
             yield f"the animation of {named} is left out"
-        slot.set_info(material, dict(texture), more)
+        slot.set_info(material, texture, more)
 
 
 def name_group(file: GlbFile, group: list[Primitive]) -> str:

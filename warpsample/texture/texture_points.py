@@ -162,7 +162,8 @@ class TexturePoints(Summary):
             gutter: Fill distance, as for `image`. Default: "all".
 
         Returns:
-            (H, W) or (H, W, C) float32. A filled texel has the error of its source texel.
+            (H, W) or (H, W, C) float32. A filled texel has the error of its source texel. Infinite errors stay
+            infinite.
 
         Raises:
             TypeError, ValueError: `errors` or `gutter` is invalid, for example a negative error.
@@ -185,15 +186,14 @@ class TexturePoints(Summary):
             raise ValueError(f"errors: got {least:g}, want standard errors of at least 0, or NaN for points without a value")
         if values is not None:
             own = np.where(np.isfinite(values), own, np.nan)
+        flat, texels = own.reshape(len(self), *own.shape[1:] or (1,)), self.texel_rows
         if self.samples == 1:
-            return self.image(own, gutter=gutter)
+            return texels.fill(texels.copy_errors(flat), gutter, own.shape[1:]).astype(np.float32)
         if values is None:
             raise TypeError(
                 f"errors: got {quote(errors)}, want the whole Estimate, because errors of {self.samples} samples per "
                 "texel need its values, too"
             )
-        flat = own.reshape(len(self), *own.shape[1:] or (1,))
-        texels = self.texel_rows
         made = texels.means_and_errors(values.reshape(flat.shape), [flat])[1]
         return texels.fill(made, gutter, own.shape[1:]).astype(np.float32)
 

@@ -31,9 +31,15 @@ def load_mesh(path: str | PathLike[str], *, transmittance: Any = None, reflectan
     Several meshes in one file are joined into one, each as its scene places it, or as its joints pose it (glTF). Polygons
     are cut into triangles. Corners of an .stl with equal coordinates become one vertex. Coordinates keep all digits of the
     file. Names become `part` and `parts`: objects, groups and materials of an .obj, solids of an .stl, nodes of a glTF,
-    prims of USD. A truncated file raises an error, with two exceptions that no reader can detect: an .obj that ends between
-    two lines, and an .obj, .off or text .ply that ends within its very last number. Numbers that were changed are not
-    detected, either. "courtyard", if no file has that name, is an example: four buildings around a yard, in metres.
+    prims of USD. "courtyard", if no file has that name, is an example: four buildings around a yard, in metres.
+
+    A truncated file raises an error, with these exceptions, because the remaining text is valid:
+
+    - an .obj that ends between two lines, or within its last line, such as after three of five corners of a face;
+    - a text .stl that ends between two solids, or within the name after `endsolid`;
+    - an .obj, .off or text .ply that ends within its very last number.
+
+    Changed numbers are not detected, either.
 
     Args:
         path: Path of the file, or "courtyard".

@@ -21,7 +21,8 @@ _WORDS = {"solid", "facet", "outer", "vertex", "endloop", "endfacet", "endsolid"
 def read(path: Path) -> Named:
     """Read vertices, faces and named parts of an .stl file; corners with equal coordinates become one vertex.
 
-    Solids of a text file become named parts.
+    Solids of a text file become named parts. A text file declares no number of solids, so a file that ends between two
+    solids, or within the name after `endsolid`, raises no error.
 
     Raises:
         ValueError: A size other than the header declares, unknown words, or facets, loops or solids without an end.

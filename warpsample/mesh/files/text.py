@@ -30,7 +30,8 @@ def read_obj(path: Path) -> Named:
     Faces with the same object, group and material ("o", "g", "usemtl") form a part. Its name joins these names by "/".
 
     An .obj declares no counts, so a truncated file cannot always be detected. Detected are a line with too few numbers, a
-    face with fewer than three corners or with corners of different kinds, and a face with missing vertices.
+    face with fewer than three corners or with corners of different kinds, and a face with missing vertices. A file that ends
+    after three or more corners of its last face raises no error.
 
     Raises:
         ValueError: A line that cannot be read; the message gives the number of the line.

@@ -1,5 +1,6 @@
 """`warpsample bake` of a raster: compute tile by tile into a folder or store that can be resumed, then write the output."""
 
+import re
 import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
@@ -91,9 +92,12 @@ _RASTER_OPTIONS = ("model", "receiver", "canopy", "trunk", "tile", "margin", "fa
 
 
 def _to_plain(name: str, value: Any) -> Any:
-    """Return a path as a string, a numeric trunk as a float, transmittances as floats, and other values unchanged."""
+    """Return a path as a string, a numeric trunk as a float, transmittances as floats, and other values unchanged.
+
+    Several transmittances are separated by commas or, as in messages and in attributes of outputs, by blanks.
+    """
     if name in ("trunk", "transmittance"):
-        texts = str(value).split(",") if name == "transmittance" else [value]
+        texts = re.split(r"\s*,\s*|\s+", str(value).strip()) if name == "transmittance" else [value]
         try:
             numbers = tuple(map(float, texts))
             return numbers[0] if len(numbers) == 1 else numbers
