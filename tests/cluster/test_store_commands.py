@@ -131,7 +131,8 @@ def test_bad_input_is_one_line(call, tmp_path, monkeypatch, arguments, message):
     assert err.startswith(f"error: {message}")
     assert err.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
-    assert current_client() is None  # nor does one that found no scheduler stay behind
+    assert current_client() is None  # nor does one that found no scheduler stay behind,
+    assert dask.config.get("scheduler") == "sync"  # by which later calls without a Client failed
 
 
 def test_only_a_finished_store_of_that_mesh_is_exported(call, path, cube, tmp_path):

@@ -1,5 +1,6 @@
 """Choice of the Dask scheduler of a command: threads of this process, local processes, or a cluster at an address."""
 
+import gc
 import logging
 import signal
 from collections.abc import Iterator
@@ -103,6 +104,7 @@ def _connect(client: Any, address: str) -> Any:
         return client(address, timeout=_PATIENCE)
     except (OSError, ValueError, TypeError) as error:
         reason = str(error).splitlines()[0]
-        raise ConnectionError(
-            f"cluster: got {address!r}, where no scheduler answers, want the address of a running Dask scheduler: {reason}"
-        ) from None
+    gc.collect()  # else the Client that failed stays Dask's current one
+    raise ConnectionError(
+        f"cluster: got {address!r}, where no scheduler answers, want the address of a running Dask scheduler: {reason}"
+    )
