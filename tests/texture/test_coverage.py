@@ -117,6 +117,19 @@ def test_slivers_between_centres_have_texels():
         assert np.unique(t.texel % 20).tolist() == list(range(3, 17))
 
 
+@pytest.mark.parametrize(
+    ("height", "width", "count"),
+    [(0.1, 0.9, 2), (3.9, 0.9, 2), (4.1, 0.9, 0), (100.0, 0.9, 0), (0.1, 1.1, 0), (0.1, 1e-7, 2)],
+)
+def test_faces_much_narrower_in_the_image_than_on_the_mesh_are_counted(height, width, count):
+    """A quad of 1 m x `height`, in the image `width` x 32 texels; by the scale along its height it is 32 / height wide."""
+    corners = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    for turn in (0, 1, 2):
+        faces = np.roll([[0, 1, 2], [0, 2, 3]], turn, axis=1)
+        mesh = ws.Mesh(np.column_stack([corners * [1.0, height], np.zeros(4)]), faces)
+        assert ws.texture_points(mesh, (corners * [width / 64, 0.5])[faces], 64).report.squeezed == count
+
+
 def test_what_is_wrong_with_coordinates_is_counted_and_named():
     faces = np.arange(21).reshape(-1, 3)
     vertices = np.random.default_rng(1).uniform(size=(21, 3))

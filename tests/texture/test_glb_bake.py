@@ -160,6 +160,24 @@ def test_a_set_that_has_no_place_for_some_faces_is_not_taken(call, tmp_path, num
     assert re.search(", set 0( .set 1 is passed over: [^)]*.)?: ", baked(call, path)[1])
 
 
+def test_a_set_with_u_wrapped_from_1_to_0_is_not_taken(call, tmp_path):
+    """A strip of four quads of 0.5 m, the last one 6e-8 wide in the image, as by rounding to float32 before u is wrapped.
+
+    Such a set was taken: one column of texels had all values of the last quad.
+    """
+    x = np.arange(5, dtype=np.float32)
+    wall = np.stack([np.repeat(0.5 * x, 2), np.tile(np.float32([0, 1]), 5), np.zeros(10, np.float32)], axis=1)
+    u = np.float32([0, 0.3, 0.6, 1 - 2**-24, 1])
+    uv = np.stack([np.repeat(u, 2), np.tile(np.float32([0, 1]), 5)], axis=1)
+    faces = np.concatenate([[i, i + 2, i + 3, i, i + 3, i + 1] for i in range(0, 8, 2)]).astype(np.uint16)
+    primitive = {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}
+    tree = {"meshes": [{"primitives": [primitive]}], "nodes": [{"mesh": 0}], "materials": [{}]}
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb(tree, [wall, uv, faces]))
+    why = "2 faces more than eight texels wide on the mesh are less than one wide in it"
+    assert f"new coordinates, set 1 (set 0 is passed over: {why}): " in baked(call, path)[1]
+
+
 @pytest.mark.parametrize("material", [0, 1])
 @pytest.mark.parametrize("uv", ["auto", "new"])
 def test_a_primitive_without_an_area_or_a_face_gets_no_picture(call, tmp_path, uv, material):

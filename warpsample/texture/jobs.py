@@ -26,9 +26,10 @@ _FLAWS = {
     "overlapped": "overlapping texels, which show one of several faces",
     "outside": "faces partly or wholly outside the image",
     "zero_area": "faces without an area in the image",
+    "squeezed": "faces more than eight texels wide on the mesh but less than one in the image",
     "mirrored": "mirrored faces",
 }
-_REFUSED = ("overlapped", "outside", "zero_area")
+_REFUSED = ("overlapped", "outside", "zero_area", "squeezed")
 SCENES = (".glb", ".gltf")
 """Suffixes of files whose materials receive the pictures."""
 

@@ -9,6 +9,7 @@ from warpsample.mesh.mesh import Mesh
 
 _OUTSIDE = 1e-6  # of the image: tolerance for coordinates 0 and 1 rounded to float32
 _FLAT = 2.0**-48  # of the product of two edge lengths: a smaller area is rounding error (16 float64 epsilons)
+_WIDE = 8.0  # texels; a face of this width whose image is narrower than one texel is squeezed
 
 
 @dataclass(frozen=True)
@@ -23,8 +24,10 @@ class TextureReport:
         zero_area: number of faces without an area in the image, which have no texels.
         mirrored: number of faces mirrored in the image, which is no flaw.
         without_uv: number of faces with coordinates that are not finite, which have no texels.
-        named: names of the mesh parts with overlapped, outside, zero_area, mirrored and without_uv faces, keyed by these
-            words; empty for a mesh without parts.
+        squeezed: number of faces narrower than a texel in the image that would be wider than eight texels at the scale of
+            one of their two long edges there. A row of texels has all their values.
+        named: names of the mesh parts with overlapped, outside, zero_area, mirrored, without_uv and squeezed faces, keyed by
+            these words; empty for a mesh without parts.
     """
 
     covered: int
@@ -33,6 +36,7 @@ class TextureReport:
     zero_area: int
     mirrored: int
     without_uv: int
+    squeezed: int
     named: Mapping[str, tuple[str, ...]]
 
 
@@ -51,6 +55,30 @@ def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
         "mirrored": finite & ~flat & (area > 0.0),  # v points down
         "without_uv": ~finite,
     }
+
+
+def find_squeezed_faces(mesh: Mesh, corners: np.ndarray) -> np.ndarray:
+    """Return the mask of faces that the image shows much narrower than they are, (F,), as where u is wrapped from 1 to 0.
+
+    A squeezed face is narrower than a texel in the image. At the scale of one of its two long edges there, it would be wider
+    than eight texels.
+
+    Args:
+        mesh: Mesh.
+        corners: (F, 3, 2) texture coordinates of face corners in texels, NaN for faces without coordinates.
+    """
+    edges = np.roll(corners, -1, axis=1) - corners
+    lengths = np.sqrt((edges**2).sum(axis=2))
+    longest = lengths.max(axis=1)
+    area = np.abs(edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0])  # twice the area
+    narrow = np.flatnonzero((area > _FLAT * longest**2) & (area < longest))
+    ends = mesh.vertices[mesh.faces[narrow]]
+    squares = ((np.roll(ends, -1, axis=1) - ends) ** 2).sum(axis=2)
+    is_long = lengths[narrow] > 0.5 * longest[narrow, None]
+    is_wide = 2.0 * mesh.face_areas[narrow, None] * lengths[narrow] > _WIDE * squares
+    squeezed = np.zeros(len(corners), np.bool_)
+    squeezed[narrow] = (is_long & is_wide).any(axis=1)
+    return squeezed
 
 
 def build_report(mesh: Mesh, covered: int, overlapped: int, flaws: Mapping[str, np.ndarray]) -> TextureReport:

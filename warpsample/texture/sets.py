@@ -107,7 +107,7 @@ class Texels:
         A number takes the set of that number. "new" returns a ChosenSet without points. "auto" takes the first of these:
 
         1. the set `first`, which the faces already use for such a picture, if no face is outside the image and
-           no face with an area in space is flat in the image;
+           no face with an area in space is flat or squeezed in the image;
         2. the lowest set for which the same is true and no faces overlap;
         3. with `lenient`, the lowest set with texels and with no face outside the image;
         4. a ChosenSet without points, for new coordinates.
@@ -169,7 +169,11 @@ class Texels:
             return f"faces overlap in {counts}, and auto accepts none" + (
                 f"; --uv {number} takes it" if str(number) in UV_CHOICES else ""
             )
-        return "faces have no area in it" if self._is_flat(number, rows) else None
+        if self._is_flat(number, rows):
+            return "faces have no area in it"
+        if report.squeezed:
+            return f"{report.squeezed:,} faces more than eight texels wide on the mesh are less than one wide in it"
+        return None
 
     def _is_named(self, number: int, rows: Iterable[slice]) -> bool:
         """Return whether the file has a set of texture coordinates, perhaps with NaN, for some of the given faces."""

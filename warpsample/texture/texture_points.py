@@ -18,7 +18,7 @@ from warpsample.mesh.surface import SurfacePoints, check_uv
 from warpsample.mesh.tangents import compute_tangents
 from warpsample.texture.claims import MOST_TEXELS, claim_points, compute_weights
 from warpsample.texture.image import TexelRows
-from warpsample.texture.report import TextureReport, build_report, find_face_flaws
+from warpsample.texture.report import TextureReport, build_report, find_face_flaws, find_squeezed_faces
 from warpsample.texture.shading import NORMALS, compute_corner_normals, shade_points
 from warpsample.texture.uv.charts import label_charts
 
@@ -275,7 +275,8 @@ def texture_points(
     options = CallOptions.of(1, device=device, workers=workers)
     flaws, corners = find_face_flaws(uv), uv * np.array(size, np.float64)
     claims = claim_points(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
-    report = build_report(mesh, claims.covered, claims.overlapped, flaws | {"overlapped": claims.overlapping})
+    flaws |= {"overlapped": claims.overlapping, "squeezed": find_squeezed_faces(mesh, corners)}
+    report = build_report(mesh, claims.covered, claims.overlapped, flaws)
     turned = None if unused else turned
     along = _corner_tangents(mesh, uv, turned) if check_flag(tangents, "tangents") else None
     return TexturePoints(mesh, corners, size, samples, normals, turned, claims.id, claims.face, report, options, along)
