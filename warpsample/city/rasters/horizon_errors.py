@@ -5,7 +5,7 @@ The terms of the variance are explained in README.md.
 
 import warp as wp
 
-from warpsample.maths.numerics import HALF, ONE, ZERO
+from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 
 Sums = wp.types.vector(length=11, dtype=wp.float64)
 """Sums over the azimuths of a point, and values of the latest azimuth that are compared with the next azimuth."""
@@ -21,11 +21,14 @@ _OF_JUMP = wp.constant(wp.float64(1.0 / 16.0))
 _OF_SPIKE = wp.constant(wp.float64(0.35))
 _OF_WIDTH = wp.constant(wp.float64(0.1))
 _OF_WIDTH_BY_FEW = wp.constant(wp.float64(0.5))
+_OF_WIDTH_IN_A_RUN = wp.constant(wp.float64(0.25))
 _OF_WIDTH_IN_COURTS = wp.constant(wp.float64(0.08))
 _OF_UNSEEN = wp.constant(wp.float64(0.6))
 _OF_FEW = wp.constant(wp.float64(0.3))
 _OF_SEVERAL = wp.constant(wp.float64(0.25))
 _OF_OWN_PLANE = wp.constant(wp.float64(0.95))
+_RUN_OF_TURN = wp.constant(wp.float64(1.0 / 8.0))
+_LEAST_RUN = wp.constant(wp.float64(25.0))
 _LEAST = wp.constant(wp.float64(1e-30))
 _ROUNDING = wp.constant(wp.float64(2.0**-23))
 
@@ -45,13 +48,29 @@ def seen_above(sine: wp.float64, along: wp.float64, up: wp.float64, cosine: wp.i
 
 
 @wp.func
+def _growth(run: wp.float64, azimuths: wp.float64) -> wp.float64:
+    """Return what one more azimuth adds to the term of the last rays, after `run` azimuths of equal intervals."""
+    if run > wp.max(_LEAST_RUN, _RUN_OF_TURN * azimuths):
+        return _OF_WIDTH_IN_A_RUN
+    return wp.sqrt(run + ONE) - wp.sqrt(run)
+
+
+@wp.func
 def add_azimuth(
-    sums: Sums, low: wp.float64, high: wp.float64, free: wp.bool, along: wp.float64, up: wp.float64, cosine: wp.int32
+    sums: Sums,
+    azimuths: wp.float64,
+    low: wp.float64,
+    high: wp.float64,
+    free: wp.bool,
+    along: wp.float64,
+    up: wp.float64,
+    cosine: wp.int32,
 ) -> Sums:
     """Return the sums for value and variance with one more azimuth, whose horizon is between `low` and `high`.
 
     Args:
         sums: Sums over the preceding azimuths, in their order around the point.
+        azimuths: Number of azimuths of the point.
         low, high: Sines of elevation.
         free: Whether the last ray hit nothing.
         along, up: Components of the normal along the azimuth and upwards.
@@ -78,7 +97,7 @@ def add_azimuth(
             sums[_CHANGE] = wp.max(sums[_CHANGE], above_high - seen_above(sums[_LOW], along, up, cosine))
     width = above_low - above_high
     sums[_RANGE] += width
-    sums[_WIDTHS] += width * width * (wp.sqrt(run + ONE) - wp.sqrt(run))
+    sums[_WIDTHS] += width * width * _growth(run, azimuths)
     sums[_JUMPS] += jump * jump
     sums[_LOW] = low
     sums[_HIGH] = high
@@ -100,6 +119,8 @@ def variance_of(sums: Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.f
     # In deep courtyards the last intervals are wider than all that is seen.
     deep = wp.clamp(sums[_RANGE] / wp.max(sums[SEEN], _LEAST) - ONE, ZERO, ONE)
     widths = (_OF_WIDTH + wp.max(_OF_WIDTH_BY_FEW / azimuths, _OF_WIDTH_IN_COURTS * deep)) * sums[_WIDTHS]
+    if sums[_RUN] == azimuths and azimuths > _LEAST_RUN:  # equal intervals all around, as in a round pit
+        widths *= TWO - deep
     value = sums[SEEN] / azimuths
     unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
     few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * wp.max(ONE - sums[SEEN], ZERO)

@@ -167,7 +167,8 @@ def _add_chunk(rows: HorizonRows, point: ShadingPoint, sums: Sums, length: wp.in
         free = (blocked & ray_set(k)) == NO_RAYS
         low = wp.float64(own[_LOW + k])
         high = wp.float64(own[_HIGH + k])
-        sums = add_azimuth(sums, low, high, free, along, wp.float64(point.n[2]), rows.cosine)
+        up = wp.float64(point.n[2])
+        sums = add_azimuth(sums, wp.float64(rows.azimuths), low, high, free, along, up, rows.cosine)
     return sums
 
 
