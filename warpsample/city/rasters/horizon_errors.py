@@ -25,10 +25,14 @@ _OF_WIDTH_IN_A_RUN = wp.constant(wp.float64(0.25))
 _OF_WIDTH_IN_COURTS = wp.constant(wp.float64(0.08))
 _OF_UNSEEN = wp.constant(wp.float64(0.6))
 _OF_FEW = wp.constant(wp.float64(0.3))
+_FEWEST = wp.constant(wp.float64(8.0))
+_SEEN_OFTEN = wp.constant(wp.float64(3.0))
+_SURE = wp.constant(wp.float64(24.0))
+_DARK = wp.constant(wp.float64(25.0))
 _OF_SEVERAL = wp.constant(wp.float64(0.25))
 _OF_OWN_PLANE = wp.constant(wp.float64(0.95))
 _RUN_OF_TURN = wp.constant(wp.float64(1.0 / 8.0))
-_LEAST_RUN = wp.constant(wp.float64(25.0))
+_LEAST_RUN = wp.constant(wp.float64(40.0))
 _LEAST = wp.constant(wp.float64(1e-30))
 _ROUNDING = wp.constant(wp.float64(2.0**-23))
 
@@ -123,7 +127,11 @@ def variance_of(sums: Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.f
         widths *= TWO - deep
     value = sums[SEEN] / azimuths
     unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
-    few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * wp.max(ONE - sums[SEEN], ZERO)
+    unseen_ends = wp.max(ONE - sums[SEEN], ZERO)
+    if azimuths > _FEWEST:
+        often = _SEEN_OFTEN - sums[SEEN] * wp.max(ONE, _DARK / azimuths)
+        unseen_ends = wp.max(unseen_ends, wp.min(ONE, _SURE / azimuths) * often)
+    few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * unseen_ends
     missed = wp.max(HALF * depth - change, ZERO)
     lost = wp.min(together * together, sums[_SQUARES])  # no azimuth loses what it does not see
     several = _OF_SEVERAL * lost - change * change

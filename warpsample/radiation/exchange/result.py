@@ -113,8 +113,8 @@ class ViewFactors(Summary):
             temperature: Temperatures in kelvin: (N,), (N, k) for k times, or one number. For named surfaces also a
                 dictionary from each name to a number or to (k,).
             emissivity: Emissivities above 0 and up to 1: (N,), a dictionary from each name, or one number.
-            outside: Temperature in kelvin of the black surroundings outside the mesh: one number, or (k,). Default: None,
-                for a closed room.
+            outside: Temperature in kelvin of the black surroundings outside the mesh: one number, or (k,) if `temperature`
+                is (N, k). Default: None, for a closed room.
 
         Returns:
             the net flux in W/m² and the power in W of each surface; positive where the surface cools.
