@@ -130,6 +130,12 @@ def test_faces_much_narrower_in_the_image_than_on_the_mesh_are_counted(height, w
         assert ws.texture_points(mesh, (corners * [width / 64, 0.5])[faces], 64).report.squeezed == count
 
 
+@pytest.mark.parametrize("tangents", [False, True])
+def test_faces_without_coordinates_have_no_points(tangents):
+    triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    assert len(ws.texture_points(triangle, np.full((1, 3, 2), np.nan), 8, tangents=tangents)) == 0
+
+
 def test_what_is_wrong_with_coordinates_is_counted_and_named():
     faces = np.arange(21).reshape(-1, 3)
     vertices = np.random.default_rng(1).uniform(size=(21, 3))

@@ -63,6 +63,45 @@ def test_a_mesh_that_ends_xatlas_is_reported(monkeypatch):
         ws.unwrap(SPHERE, 64)
 
 
+WAITING = """
+import numpy as np
+
+
+class Atlas:
+    width = height = 8
+    chart_count, texels_per_unit = 1, 1.0
+
+    def add_mesh(self, vertices, faces):
+        pass
+
+    def generate(self, pack_options):
+        pass
+
+    def get_mesh(self, number):
+        return np.arange(3), np.array([[0, 1, 2]]), np.zeros((3, 2), np.float32)
+
+    def __del__(self):
+        __import__("time").sleep(1000.0)
+
+
+class PackOptions:
+    pass
+"""
+
+
+@pytest.mark.parametrize("size", [4, 8])
+def test_an_atlas_that_is_never_destroyed_stops_nothing(monkeypatch, tmp_path, size):
+    """Destroying an atlas of xatlas waits forever for one of its threads, once in some thousand times."""
+    (tmp_path / "xatlas.py").write_text(WAITING)
+    monkeypatch.syspath_prepend(tmp_path)
+    triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    if size == 8:
+        assert len(ws.unwrap(triangle, size)[0].faces) == 1
+    else:
+        with pytest.raises(ValueError, match="^size: got 4, want a larger image"):
+            ws.unwrap(triangle, size)
+
+
 def test_what_cannot_be_unwrapped_is_named(monkeypatch):
     with pytest.raises(ValueError, match=r"^size: got 8, want a larger image: 6 charts, 4 texels apart, take \d+ texels$"):
         ws.unwrap(trimesh.creation.box(), 8)

@@ -58,6 +58,8 @@ def compute_tangents(position: np.ndarray, normal: np.ndarray, uv: np.ndarray) -
         normal: (F, 3, 3) unit corner normals.
         uv: (F, 3, 2) texture coordinates, v downward; bitangents point upward.
     """
+    if not len(position):  # bincount of nothing gives integers
+        return np.zeros((0, 3, 4))
     rows = np.concatenate([position, normal, uv], axis=2).reshape(-1, 8) + 0.0  # + 0.0 turns -0 into 0
     vertex = np.unique(rows, axis=0, return_inverse=True)[1].reshape(-1, 3)
     own, upright, flat = _compute_u_directions(position, uv)

@@ -1,19 +1,21 @@
 """Program that unwraps meshes with xatlas into one image; it runs in a separate process because some meshes crash xatlas."""
 
+import os
 import sys
 from io import BytesIO
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 
 from warpsample.host.extras import REFUSED
 
 _TRIES = 12
+_alive: list[Any] = []  # all atlases: destroying one can wait forever for a thread of xatlas
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
 
 
-def main(size: int, padding: int) -> None:
-    """Read meshes from standard input, unwrap the meshes, and write charts to standard output, as .npz archives.
+def main(size: int, padding: int) -> NoReturn:
+    """Read meshes from standard input, unwrap the meshes, write charts to standard output, as .npz archives, and exit.
 
     The input has vertices and faces of each mesh: "v0", "f0", "v1", ... The output has "share", the (2,) used fractions of
     the image's width and height, and for each mesh "old0", the original vertex of each new vertex, "uv0", texture
@@ -24,14 +26,21 @@ def main(size: int, padding: int) -> None:
     try:
         share, atlas = _packed(parts, size, padding)
     except ValueError as error:
-        sys.stdout.buffer.write(str(error).encode())
-        sys.stdout.flush()
-        sys.exit(REFUSED)
+        _answer(str(error).encode(), REFUSED)
     arrays = {"share": share}
     for i in range(len(parts)):
         old, faces, uv = atlas.get_mesh(i)
         arrays |= {f"old{i}": old, f"f{i}": faces, f"uv{i}": uv}
-    np.savez(sys.stdout.buffer, **arrays)
+    stream = BytesIO()
+    np.savez(stream, **arrays)
+    _answer(stream.getvalue(), 0)
+
+
+def _answer(content: bytes, status: int) -> NoReturn:
+    """Write bytes to standard output and end the process without destroying any atlas."""
+    sys.stdout.buffer.write(content)
+    sys.stdout.flush()
+    os._exit(status)
 
 
 def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> tuple[np.ndarray, Any]:
@@ -45,6 +54,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     wanted = 0.0
     for _ in range(_TRIES):
         atlas = xatlas.Atlas()
+        _alive.append(atlas)
         for vertices, faces in parts:
             atlas.add_mesh(vertices, faces)
         options = xatlas.PackOptions()
