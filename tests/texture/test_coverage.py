@@ -130,6 +130,16 @@ def test_faces_much_narrower_in_the_image_than_on_the_mesh_are_counted(height, w
         assert ws.texture_points(mesh, (corners * [width / 64, 0.5])[faces], 64).report.squeezed == count
 
 
+def test_a_face_that_is_thin_on_the_mesh_is_not_squeezed():
+    """xatlas rounds the chart of a thin disc's rim up to one texel. Such faces were counted, by their shortest edges."""
+    thin = ws.Mesh([[0, 0, 0], [0.245, 0, 0], [0, 0.01, 0]], [[0, 1, 2]])
+    uv = np.array([[[0.0, 0.0], [1.5, 0.0], [0.0, 0.65]]])
+    assert ws.texture_points(thin, uv / 16, 16).report.squeezed == 0
+    uv[0, 0, 0] = np.inf
+    with np.errstate(all="raise"):
+        assert ws.texture_points(thin, uv / 16, 16).report.squeezed == 0
+
+
 @pytest.mark.parametrize("tangents", [False, True])
 def test_faces_without_coordinates_have_no_points(tangents):
     triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])

@@ -9,6 +9,7 @@ from warpsample.mesh.mesh import Mesh
 
 _OUTSIDE = 1e-6  # of the image: tolerance for coordinates 0 and 1 rounded to float32
 _FLAT = 2.0**-48  # of the product of two edge lengths: a smaller area is rounding error (16 float64 epsilons)
+_LONG = 0.8  # of the longest edge of a face in the image
 _WIDE = 8.0  # texels; a face of this width whose image is narrower than one texel is squeezed
 
 
@@ -25,7 +26,7 @@ class TextureReport:
         mirrored: number of faces mirrored in the image, which is no flaw.
         without_uv: number of faces with coordinates that are not finite, which have no texels.
         squeezed: number of faces narrower than a texel in the image that would be wider than eight texels at the scale of
-            one of their two long edges there. A row of texels has all their values.
+            their longest edge there, or of an edge nearly as long. A row of texels has all their values.
         named: names of the mesh parts with overlapped, outside, zero_area, mirrored, without_uv and squeezed faces, keyed by
             these words; empty for a mesh without parts.
     """
@@ -60,13 +61,14 @@ def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
 def find_squeezed_faces(mesh: Mesh, corners: np.ndarray) -> np.ndarray:
     """Return the mask of faces that the image shows much narrower than they are, (F,), as where u is wrapped from 1 to 0.
 
-    A squeezed face is narrower than a texel in the image. At the scale of one of its two long edges there, it would be wider
-    than eight texels.
+    A squeezed face is narrower than a texel in the image. At the scale of its longest edge there, or of one nearly as long,
+    it would be wider than eight texels.
 
     Args:
         mesh: Mesh.
-        corners: (F, 3, 2) texture coordinates of face corners in texels, NaN for faces without coordinates.
+        corners: (F, 3, 2) texture coordinates of face corners in texels, not finite for faces without coordinates.
     """
+    corners = np.where(np.isfinite(corners).all(axis=(1, 2), keepdims=True), corners, 0.0)
     edges = np.roll(corners, -1, axis=1) - corners
     lengths = np.sqrt((edges**2).sum(axis=2))
     longest = lengths.max(axis=1)
@@ -74,7 +76,7 @@ def find_squeezed_faces(mesh: Mesh, corners: np.ndarray) -> np.ndarray:
     narrow = np.flatnonzero((area > _FLAT * longest**2) & (area < longest))
     ends = mesh.vertices[mesh.faces[narrow]]
     squares = ((np.roll(ends, -1, axis=1) - ends) ** 2).sum(axis=2)
-    is_long = lengths[narrow] > 0.5 * longest[narrow, None]
+    is_long = lengths[narrow] > _LONG * longest[narrow, None]
     is_wide = 2.0 * mesh.face_areas[narrow, None] * lengths[narrow] > _WIDE * squares
     squeezed = np.zeros(len(corners), np.bool_)
     squeezed[narrow] = (is_long & is_wide).any(axis=1)
