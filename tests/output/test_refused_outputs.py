@@ -1,5 +1,6 @@
 """An output that cannot be written, or is an input, is refused before anything is read or computed."""
 
+import json
 import os
 import sys
 import threading
@@ -43,6 +44,59 @@ def test_an_input_is_no_output(call, cube, tmp_path, monkeypatch, uncomputed, co
     assert (status, out) == (2, "")
     assert err == f"error: --output: got {str(output)!r}, which is the input {str(cube)!r}, want another file\n"
     assert cube.read_bytes() == before
+
+
+SQUARE_PLY = """ply
+format ascii 1.0
+comment TextureFile of walls.png
+element vertex 3
+property float x
+property float y
+property float z
+element face 1
+property list uchar int vertex_indices
+end_header
+0 0 0
+1 0 0
+0 1 0
+3 0 1 2
+"""
+SQUARE_USD = """#usda 1.0
+def Mesh "m" {
+    int[] faceVertexCounts = [3]
+    int[] faceVertexIndices = [0, 1, 2]
+    point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+}
+def Shader "s" {
+    asset inputs:file = @./of walls.png@
+}
+"""
+SQUARE_CITY = {
+    "type": "CityJSON",
+    "version": "2.0",
+    "transform": {"scale": [1, 1, 1], "translate": [0, 0, 0]},
+    "CityObjects": {
+        "b": {"type": "Building", "geometry": [{"type": "MultiSurface", "lod": "2", "boundaries": [[[0, 1, 2]]]}]}
+    },
+    "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
+    "appearance": {"textures": [{"type": "PNG", "image": "of walls.png"}]},
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "content"), [("in.ply", SQUARE_PLY), ("in.usda", SQUARE_USD), ("in.city.json", json.dumps(SQUARE_CITY))]
+)
+def test_nor_is_a_picture_that_a_mesh_names(call, tmp_path, uncomputed, name, content):
+    """Such pictures of .ply, USD and CityJSON files were replaced."""
+    mesh, picture = tmp_path / name, tmp_path / "of walls.png"
+    mesh.write_text(content)
+    picture.write_bytes(b"picture")
+    status, _, err = call("bake", mesh, "-o", picture, *([] if name == "in.city.json" else ["--texture", 8]))
+    assert (status, err) == (
+        2,
+        f"error: --output: got {str(picture)!r}, which is the input {str(picture)!r}, want another file\n",
+    )
+    assert picture.read_bytes() == b"picture"
 
 
 def test_nor_are_a_light_or_a_mesh_that_is_looked_at(call, cube, tmp_path, uncomputed, can_render, script, capsys):

@@ -1,20 +1,22 @@
-"""Lists the files that a mesh file refers to: buffers, materials and pictures."""
+"""Lists the files that a mesh file or CityJSON refers to: buffers, materials and pictures."""
 
 import os
 from collections.abc import Iterator
 from contextlib import suppress
+from itertools import takewhile
 from pathlib import Path
 from urllib.parse import unquote
 
 from warpsample.host.json_tree import Part, parsed
 from warpsample.mesh.files.gltf_data import binary, is_embedded
+from warpsample.mesh.files.usd import list_assets
 
 _PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm")  # first words of lines with a picture in an .mtl
 _WORDS = 20  # largest number of words of such a line that is read
 
 
 def list_linked_files(path: Path | None) -> list[Path]:
-    """Return the paths of the files that a .gltf, .glb or .obj refers to: buffers, materials and pictures.
+    """Return the paths of the files that a .gltf, .glb, .obj, .ply, USD or CityJSON file refers to, such as pictures.
 
     Returns an empty list for other formats and for files that cannot be read; reading such a file raises the error.
     """
@@ -40,6 +42,24 @@ def _gltf(path: Path) -> Iterator[str]:
 def _tree(path: Path) -> Part:
     """Return the JSON of a .gltf or .glb file, as a `Part`."""
     return binary(path, with_data=False)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())
+
+
+def _ply(path: Path) -> Iterator[str]:
+    """Yield the pictures that comments in the header of a .ply file name."""
+    for line in takewhile(lambda line: line != "end_header", _lines(path)):
+        words = line.split(maxsplit=2)
+        if words[:2] == ["comment", "TextureFile"]:
+            yield from words[2:]
+
+
+def _city(path: Path) -> Iterator[str]:
+    """Yield the pictures that the appearance of a CityJSON file names, or those of each feature of a sequence."""
+    content = path.read_bytes()
+    if b'"image"' in content:
+        for text in content.splitlines() if path.suffix.lower() == ".jsonl" else [content]:
+            tree = parsed(text)
+            textures = tree.part("appearance").parts("textures") if "appearance" in tree else []
+            yield from (texture.text("image") for texture in textures)
 
 
 def _obj(path: Path) -> Iterator[str]:
@@ -69,4 +89,6 @@ def _lines(path: Path) -> Iterator[str]:
         yield from (os.fsdecode(line).strip() for line in file)
 
 
-_READERS = {".obj": _obj, ".glb": _gltf, ".gltf": _gltf}
+_READERS = {".obj": _obj, ".ply": _ply, ".glb": _gltf, ".gltf": _gltf, ".json": _city, ".jsonl": _city} | dict.fromkeys(
+    (".usd", ".usda", ".usdc"), list_assets
+)

@@ -17,6 +17,10 @@ from warpsample.mesh.parts import Named
 from warpsample.mesh.usd_stage import NORMALS, UP
 
 _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh import usd_stage; usd_stage.main({file!r}, {what!r})"
+_ASSETS = (
+    "import sys; sys.path[:] = {path!r}; from pxr import UsdUtils; "
+    "print(*sum(UsdUtils.ExtractExternalReferences({file!r}), []), sep='\\0', end='')"
+)
 _LONGEST = 200  # characters of an error message, which may quote an array of the file
 
 
@@ -62,6 +66,14 @@ def read_normals(path: Path) -> np.ndarray:
 def read_up_axis(path: Path) -> str:
     """Read the axis that points up in a USD file, "Y" or "Z", with the errors of `read`."""
     return _run_usd_stage(path, UP).decode()
+
+
+def list_assets(path: Path) -> list[str]:
+    """Return the names of the pictures, layers and other files that a USD file refers to; none if it cannot be read."""
+    if find_spec("pxr") is None:
+        return []
+    status, found = run_program(_ASSETS.format(path=sys.path, file=str(path)))
+    return [] if status else [name for name in found.decode(errors="surrogateescape").split("\0") if name]
 
 
 def _run_usd_stage(path: Path, what: str = "") -> bytes:
