@@ -82,6 +82,15 @@ def test_crates_that_share_a_wall_or_an_edge_are_closed(name, boxes, named):
     assert np.array_equal(inside(mesh, points), under)
 
 
+@pytest.mark.parametrize("height", [2.0, 1.0])
+def test_a_crate_twice_or_on_its_plinth_is_closed(height):
+    """All edges, or those below, belong to four faces, so both are one body. A ray from inside crosses it twice."""
+    boxes = [trimesh.creation.box(bounds=[(-1, -1, -1), (1, 1, top)]) for top in (2.0, height)]
+    mesh = floor_and(*((box.vertices, box.faces) for box in boxes))
+    points = ws.sample_surface(ws.Mesh(mesh.vertices, mesh.faces[:2]), 2000, seed=1)
+    assert np.array_equal(inside(mesh, points), (np.abs(points.position[:, :2]) < 1.0).all(axis=1))
+
+
 def test_each_body_is_taken_alone():
     """A closed ball beside an open one, and faces without an area within: only the closed one has an inside."""
     faces = np.concatenate([BALL.faces, [[0, 0, 1]]])

@@ -86,7 +86,7 @@ class Closed:
     def count_bodies(
         self, points: SurfacePoints, face: np.ndarray, workers: int | None = None
     ) -> tuple[np.ndarray, np.ndarray, int]:
-        """Count the closed bodies that contain each point, by the parity of ray crossings, without the point's own body.
+        """Count the closed bodies that contain each point, by ray crossings, without the point's own body.
 
         Args:
             points: P points.
@@ -104,27 +104,30 @@ class Closed:
             return nested, unsure, 0
         some, own = points.take(rows), own[rows]
         directions = sample_directions(some, _RAYS, seed=_SEED, sequence="sobol", workers=workers).vectors
-        first, second = (self._count_by_parity(some, directions[:, ray], own, workers) for ray in (0, 1))
+        first, second = (self._count_by_crossings(some, directions[:, ray], own, workers) for ray in (0, 1))
         nested[rows], unsure[rows] = first, (first != second).any(axis=1)
         doubt = np.flatnonzero(unsure[rows])
         if len(doubt):
-            third = self._count_by_parity(some.take(doubt), directions[doubt, 2], own[doubt], workers)
+            third = self._count_by_crossings(some.take(doubt), directions[doubt, 2], own[doubt], workers)
             nested[rows[doubt]] = np.median([first[doubt], second[doubt], third], axis=0)
         return nested, unsure, 2 * len(rows) + len(doubt)
 
-    def _count_by_parity(
+    def _count_by_crossings(
         self, points: SurfacePoints, directions: np.ndarray, own: np.ndarray, workers: int | None
     ) -> np.ndarray:
         """Return how many outward-facing and inward-facing bodies contain each point, (P, 2), by one ray per point.
 
-        A body counts if the ray crosses its faces an odd number of times; a point's own body does not count.
+        A body counts if the ray leaves it more often than it enters it, or less often if its faces face inward: 1 time for a
+        body alone, and 1 or 2 times for two bodies that share vertices. A point's own body does not count.
         """
         hits = trace_all(self.mesh, points, np.ascontiguousarray(directions), workers=workers)
         body, outward = self.bodies
         ray, met = np.repeat(np.arange(len(points)), np.diff(hits.first)), body[hits.face]
+        outwards = np.sign((directions[ray] * self.mesh.cross_products[hits.face]).sum(axis=1))
         counted = (met >= 0) & (met != own[ray])
-        pairs, times = np.unique(ray[counted] * len(outward) + met[counted], return_counts=True)
-        ray, met = np.divmod(pairs[times % 2 == 1], len(outward))
+        pairs, pair = np.unique(ray[counted] * len(outward) + met[counted], return_inverse=True)
+        windings = np.bincount(pair, outwards[counted], minlength=len(pairs))
+        ray, met = np.divmod(pairs[windings != 0.0], len(outward))
         kinds = (ray[outward[met]], ray[~outward[met]])
         return np.stack([np.bincount(kind, minlength=len(points)) for kind in kinds], axis=1).astype(np.int32)
 
