@@ -84,14 +84,20 @@ SQUARE_CITY = {
 
 
 @pytest.mark.parametrize(
-    ("name", "content"), [("in.ply", SQUARE_PLY), ("in.usda", SQUARE_USD), ("in.city.json", json.dumps(SQUARE_CITY))]
+    ("name", "content"),
+    [
+        ("in.ply", SQUARE_PLY),
+        ("in.usda", SQUARE_USD),
+        ("in.city.json", json.dumps(SQUARE_CITY)),
+        ("in.jsonl", "\n\n".join(json.dumps(SQUARE_CITY | {"type": kind}) for kind in ("CityJSON", "CityJSONFeature"))),
+    ],
 )
 def test_nor_is_a_picture_that_a_mesh_names(call, tmp_path, uncomputed, name, content):
     """Such pictures of .ply, USD and CityJSON files were replaced."""
     mesh, picture = tmp_path / name, tmp_path / "of walls.png"
     mesh.write_text(content)
     picture.write_bytes(b"picture")
-    status, _, err = call("bake", mesh, "-o", picture, *([] if name == "in.city.json" else ["--texture", 8]))
+    status, _, err = call("bake", mesh, "-o", picture, *([] if "json" in name else ["--texture", 8]))
     assert (status, err) == (
         2,
         f"error: --output: got {str(picture)!r}, which is the input {str(picture)!r}, want another file\n",

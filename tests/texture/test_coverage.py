@@ -140,6 +140,22 @@ def test_a_face_that_is_thin_on_the_mesh_is_not_squeezed():
         assert ws.texture_points(thin, uv / 16, 16).report.squeezed == 0
 
 
+@pytest.mark.parametrize("layers", [1, 2])
+def test_an_overlap_is_found_where_all_centres_lie_on_edges(layers):
+    """Two sheets at one place of the image, with vertices at the centres of texels: they counted as free of overlaps."""
+    i, j = np.divmod(np.arange(64), 8)
+    place = np.column_stack([i, j]).astype(np.float64)
+    corner = np.flatnonzero((i < 7) & (j < 7))
+    faces = np.concatenate([corner[:, None] + (0, 8, 9), corner[:, None] + (0, 9, 1)])
+    mesh = ws.Mesh(
+        np.concatenate([np.column_stack([place, np.full(64, z)]) for z in range(layers)]),
+        np.concatenate([faces + 64 * z for z in range(layers)]),
+    )
+    uv = np.concatenate([((place + 0.5) / 8)[faces]] * layers)
+    report = ws.texture_points(mesh, uv, 8).report
+    assert report.overlapped == (49 if layers == 2 else 0)
+
+
 @pytest.mark.parametrize("tangents", [False, True])
 def test_faces_without_coordinates_have_no_points(tangents):
     triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])

@@ -81,7 +81,8 @@ def _check(run: BakeRun, quantity: Quantity) -> None:
 def input_files(run: BakeRun, quantity: Quantity) -> list[Path]:
     """Return the paths of all files that a `warpsample bake` command reads."""
     files = [run.options.get(option) for option in quantity.files]
-    files += [Path(run.context)] if run.context else []
+    context = Path(run.context) if run.context else None
+    files += [context, *list_linked_files(context)]
     return [Path(file) for file in (run.mesh, *list_linked_files(run.mesh), *files) if file is not None]
 
 

@@ -26,8 +26,8 @@ class Claims:
         id: (P,) uint64, point numbers in ascending order: (row * width + column) * samples + sample.
         face: (P,) int32, the face of each point.
         covered: number of texels with at least one point.
-        overlapped: number of texels whose centres are strictly inside two or more faces.
-        overlapping: (F,) bool, faces that contain the centre of an overlapped texel.
+        overlapped: number of texels with a point within 0.001 texels of the centre that is inside two or more faces.
+        overlapping: (F,) bool, faces that contain this point of an overlapped texel.
     """
 
     id: np.ndarray

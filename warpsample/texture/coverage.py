@@ -14,6 +14,7 @@ _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
 _HALF = wp.constant(wp.float64(0.5))
 _STRICTLY = wp.constant(wp.float64(1e-6))  # texels; smaller overlaps are rounding at a shared edge
+_ASIDE = wp.constant(wp.vec2d(4.37e-4, 2.91e-4))  # texels; a centre may lie on edges of all faces that contain it
 _FARTHEST = wp.constant(wp.uint64(0x7F800000))  # the bits of infinity, larger than the bits of every finite positive float32
 _LAST_FACE = wp.constant(wp.uint64(0xFFFFFFFF))
 _WORD = wp.constant(wp.uint64(32))
@@ -159,7 +160,7 @@ def claim_texels() -> wp.Kernel:
     - `nearest` (texels,) uint64, 0 on input: the largest key of the faces that a bilinear lookup reads the texel for;
     - `owners` (texels, samples) uint32, 0 on input: F minus the lowest face that contains the sample; unused with one
     sample;
-    - `centre_counts` (texels,) int32, 0 on input: number of faces that contain the texel's centre.
+    - `centre_counts` (texels,) int32, 0 on input: number of faces that contain a point very near the texel's centre.
     """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -197,7 +198,7 @@ def claim_texels() -> wp.Kernel:
                 if _is_near(e, t, _ONE):
                     found = find_nearest(t, e, p)
                     wp.atomic_max(keys, texel, _claim_key(found[3], face))
-                    if _is_strictly_inside(e, t):
+                    if _is_strictly_inside(edge_values(t, p + _ASIDE), t):
                         wp.atomic_add(counts, texel, 1)
                     if samples > 1 and _is_near(e, t, _HALF):
                         for k in range(samples):
@@ -236,8 +237,8 @@ def mark_overlaps() -> wp.Kernel:
         for y in range(first, wp.min(first + rows, last)):
             for x in range(left, right):
                 if int_at(centre_counts, y * width + x) > 1:
-                    e = edge_values(t, wp.vec2d(wp.float64(x) + _HALF, wp.float64(y) + _HALF))
-                    if _is_strictly_inside(e, t):
+                    p = wp.vec2d(wp.float64(x) + _HALF, wp.float64(y) + _HALF)
+                    if _is_strictly_inside(edge_values(t, p + _ASIDE), t):
                         found = wp.int32(1)
         if found == 1:
             view = wp.array(ptr=marks + wp.uint64(face) * wp.uint64(4), shape=(1,), dtype=wp.int32)

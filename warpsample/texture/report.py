@@ -19,8 +19,8 @@ class TextureReport:
 
     Attributes:
         covered: number of texels with at least one point.
-        overlapped: number of texels whose centres are strictly inside two or more faces. Such a texel shows the face of the
-            lowest number.
+        overlapped: number of texels in which two or more faces overlap within 0.001 texels of the centre. Such a texel shows
+            the face of the lowest number.
         outside: number of faces partly or wholly outside the image. The part outside has no texels.
         zero_area: number of faces without an area in the image, which have no texels.
         mirrored: number of faces mirrored in the image, which is no flaw.

@@ -12,6 +12,7 @@ from warpsample.mesh.files.gltf_data import binary, is_embedded
 from warpsample.mesh.files.usd import list_assets
 
 _PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm")  # first words of lines with a picture in an .mtl
+_LONGEST = 1 << 16  # bytes of a line that are read at a time
 _WORDS = 20  # largest number of words of such a line that is read
 
 
@@ -23,7 +24,8 @@ def list_linked_files(path: Path | None) -> list[Path]:
     reader = _READERS.get(path.suffix.lower()) if path is not None else None
     with suppress(OSError, TypeError, ValueError):
         if reader is not None and path is not None and path.is_file():  # reading a pipe may never end
-            return [path.parent / name for name in reader(path) if "\0" not in name]
+            names = [name for name in reader(path) if "\0" not in name]
+            return [path.parent / name for name in dict.fromkeys([*names, *(each.replace("\\", "/") for each in names)])]
     return []
 
 
@@ -53,13 +55,18 @@ def _ply(path: Path) -> Iterator[str]:
 
 
 def _city(path: Path) -> Iterator[str]:
-    """Yield the pictures that the appearance of a CityJSON file names, or those of each feature of a sequence."""
+    """Yield the pictures that the appearances of a CityJSON file or of a sequence of features name."""
     content = path.read_bytes()
-    if b'"image"' in content:
-        for text in content.splitlines() if path.suffix.lower() == ".jsonl" else [content]:
-            tree = parsed(text)
-            textures = tree.part("appearance").parts("textures") if "appearance" in tree else []
-            yield from (texture.text("image") for texture in textures)
+    if b"image" not in content and b"\\u" not in content:
+        return
+    try:
+        trees = [parsed(content)]
+    except ValueError:  # one JSON object in each line
+        trees = [parsed(line) for line in content.split(b"\n") if line.strip()]
+    for tree in trees:
+        for texture in tree.part("appearance").parts("textures") if tree.content.get("appearance") else []:
+            if "image" in texture:
+                yield from {name := texture.text("image"), unquote(name.removeprefix("file:"))}
 
 
 def _obj(path: Path) -> Iterator[str]:
@@ -69,6 +76,8 @@ def _obj(path: Path) -> Iterator[str]:
             for library in _names(line):
                 yield library
                 with suppress(OSError, ValueError):
+                    if not (path.parent / library).is_file():
+                        continue
                     for other in _lines(path.parent / library):
                         if other.lower().startswith(_PICTURES):
                             yield from (str(Path(library).parent / name) for name in _names(other))
@@ -84,9 +93,9 @@ def _names(line: str) -> list[str]:
 
 
 def _lines(path: Path) -> Iterator[str]:
-    """Yield the lines of a file, without surrounding spaces."""
+    """Yield the lines of a file, without surrounding spaces; lines of more than 64 KiB in parts."""
     with path.open("rb") as file:
-        yield from (os.fsdecode(line).strip() for line in file)
+        yield from (os.fsdecode(line).strip() for line in iter(lambda: file.readline(_LONGEST), b""))
 
 
 _READERS = {".obj": _obj, ".ply": _ply, ".glb": _gltf, ".gltf": _gltf, ".json": _city, ".jsonl": _city} | dict.fromkeys(

@@ -19,7 +19,8 @@ from warpsample.mesh.usd_stage import NORMALS, UP
 _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh import usd_stage; usd_stage.main({file!r}, {what!r})"
 _ASSETS = (
     "import sys; sys.path[:] = {path!r}; from pxr import UsdUtils; "
-    "print(*sum(UsdUtils.ExtractExternalReferences({file!r}), []), sep='\\0', end='')"
+    "layers, assets, missing = UsdUtils.ComputeAllDependencies({file!r}); "
+    "print(*(layer.realPath for layer in layers), *assets, *missing, sep='\\0', end='')"
 )
 _LONGEST = 200  # characters of an error message, which may quote an array of the file
 
@@ -69,7 +70,7 @@ def read_up_axis(path: Path) -> str:
 
 
 def list_assets(path: Path) -> list[str]:
-    """Return the names of the pictures, layers and other files that a USD file refers to; none if it cannot be read."""
+    """Return the paths of all pictures, layers and other files that a USD file needs; none if it cannot be read."""
     if find_spec("pxr") is None:
         return []
     status, found = run_program(_ASSETS.format(path=sys.path, file=str(path)))
