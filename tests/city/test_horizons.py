@@ -33,8 +33,9 @@ def cliffs():
 def test_the_mean_and_its_bar_are_right(cliffs, case, count):
     """Over cells and seeds the error's mean is 0 within four of its own, and its square about that of the bars.
 
-    Bars are what jumps between horizons let expect. The error's squares are 0.2 to 1.1 of those of bars: lumps of this rough
-    surface count as narrow objects, and its deep cells see little. The reference's own error is taken off.
+    Bars are what jumps between horizons let expect. The error's squares are 0.35 to 1.1 of those of bars, and down to 0.2 of
+    visible skies: lumps of this surface count as narrow objects, and its deep cells see little. The reference's own error is
+    taken off.
     """
     mesh, cases = cliffs
     quantity, points, right = cases[case]
@@ -44,7 +45,7 @@ def test_the_mean_and_its_bar_are_right(cliffs, case, count):
     known = np.mean(right.standard_error.astype(np.float64) ** 2)
     means = off.mean(axis=1)
     assert abs(means.mean()) < 4.5 * np.hypot(means.std(ddof=1) / np.sqrt(SEEDS), np.sqrt(known / len(points)))
-    assert 0.15 < ((off**2).mean() - known) / (bar**2).mean() < 1.4
+    assert (0.15 if quantity is VISIBLE_SKY else 0.3) < ((off**2).mean() - known) / (bar**2).mean() < 1.4
     azimuths, rays = azimuths_and_rays(count)
     assert {int(n) for n in found[0].rays} <= {0, azimuths * rays}
     assert azimuths * rays <= count
@@ -104,7 +105,7 @@ def test_open_ground_sees_all_of_the_sky():
     found = rasters.sky_view_factor((0.7 * column, NORTH_UP, None), 4096, receiver="surface")
     right = 0.5 + 0.5 / np.hypot(1.0, 0.7)
     error = float(found.standard_error[20, 20])
-    assert error < 5e-4
+    assert error < 5e-4  # long runs of equal intervals count more: 3e-4
     assert float(found.value[20, 20]) == pytest.approx(right, abs=4.0 * error + 1e-5)
     assert rasters.sky_view_factor((0.05 * column, NORTH_UP, None), 64, receiver="surface").value.max() < 1.0
 

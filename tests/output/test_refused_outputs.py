@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from warpsample.cli import commands
+from warpsample.mesh.files.linked_files import list_linked_files
 from warpsample.output import bake, export, source
 from warpsample.plotting import rendering
 
@@ -103,6 +104,16 @@ def test_nor_is_a_picture_that_a_mesh_names(call, tmp_path, uncomputed, name, co
         f"error: --output: got {str(picture)!r}, which is the input {str(picture)!r}, want another file\n",
     )
     assert picture.read_bytes() == b"picture"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no named pipes")
+def test_libraries_of_an_obj_may_have_backslashes_and_are_no_pipes(tmp_path):
+    """The first was replaced; reading the second never ended."""
+    (tmp_path / "in.obj").write_text("mtllib in.mtl\nmtllib pipe.mtl\n")
+    (tmp_path / "in.mtl").write_text("newmtl a\nmap_Kd of\\walls.png\n")
+    os.mkfifo(tmp_path / "pipe.mtl")
+    found = list_linked_files(tmp_path / "in.obj")
+    assert {tmp_path / name for name in ("in.mtl", "pipe.mtl", "of/walls.png")} <= set(found)
 
 
 def test_nor_are_a_light_or_a_mesh_that_is_looked_at(call, cube, tmp_path, uncomputed, can_render, script, capsys):

@@ -25,6 +25,7 @@ _OF_WIDTH_IN_A_RUN = wp.constant(wp.float64(0.25))
 _OF_WIDTH_IN_COURTS = wp.constant(wp.float64(0.08))
 _OF_UNSEEN = wp.constant(wp.float64(0.6))
 _OF_FEW = wp.constant(wp.float64(0.3))
+# Numbers of M, the term of slots whose ends few azimuths see: N, the sum S, and two numbers that are divided by N.
 _FEWEST = wp.constant(wp.float64(8.0))
 _SEEN_OFTEN = wp.constant(wp.float64(3.0))
 _SURE = wp.constant(wp.float64(24.0))

@@ -10,8 +10,8 @@ import numpy as np
 from warpsample.host.extras import REFUSED
 
 _TRIES = 12
-_alive: list[Any] = []  # all atlases: destroying one can wait forever for a thread of xatlas
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
+_alive: list[Any] = []  # all atlases: destroying one can wait forever for a thread of xatlas
 
 
 def main(size: int, padding: int) -> NoReturn:
