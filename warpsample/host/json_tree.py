@@ -110,6 +110,19 @@ def parsed(content: bytes) -> Part:
     return Part(found)
 
 
+def split_documents(content: bytes) -> list[bytes]:
+    """Return the JSON texts in a file: the lines of a sequence such as CityJSONSeq, or the whole content of another file.
+
+    A sequence has several lines, and its first line is a JSON document.
+    """
+    first, _, rest = content.partition(b"\n")
+    try:
+        is_sequence = bool(first.strip() and rest.strip() and json.loads(first))
+    except (ValueError, RecursionError):
+        is_sequence = False
+    return [first, *rest.split(b"\n")] if is_sequence else [content]
+
+
 def check_finite(tree: Part) -> None:
     """Raise a ValueError for the first number that is infinite in float64, as 1e400: JSON has no infinite numbers."""
     left: list[tuple[str, Any]] = [("", tree.content)]

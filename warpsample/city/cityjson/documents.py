@@ -9,7 +9,7 @@ import secrets
 from collections.abc import Callable
 from typing import Any
 
-from warpsample.host.json_tree import Part, parsed
+from warpsample.host.json_tree import Part, parsed, split_documents
 
 _HEAD, _FEATURE = "CityJSON", "CityJSONFeature"
 _VERSION = re.compile(r"[12]\.\d")
@@ -22,7 +22,7 @@ def read_each(content: bytes, read: Callable[[int, Part], None]) -> None:
         ValueError: a document is damaged or has another type or version, or `read` raises a TypeError or ValueError. For a
             sequence, the message names the line.
     """
-    lines, number = _split_lines(content), 0
+    lines, number = split_documents(content), 0
     for at, line in enumerate(lines, 1):
         if line.strip():
             try:
@@ -38,7 +38,7 @@ def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None])
     Members keep their order and numbers their spelling; white space between members is removed.
     """
     made, number = [], 0
-    for line in _split_lines(content):
+    for line in split_documents(content):
         text = line.strip()
         if text:
             made.append(_edit_text(text, lambda found, number=number: edit(number, found)) + line[len(line.rstrip()) :])
@@ -46,19 +46,6 @@ def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None])
         else:
             made.append(line)
     return b"\n".join(made)
-
-
-def _split_lines(content: bytes) -> list[bytes]:
-    """Return the JSON texts in a file: the lines of a CityJSON sequence, or the whole content of another file.
-
-    A sequence has several lines, and its first line is a JSON document.
-    """
-    first, _, rest = content.partition(b"\n")
-    try:
-        is_sequence = bool(first.strip() and rest.strip() and json.loads(first))
-    except (ValueError, RecursionError):
-        is_sequence = False
-    return [first, *rest.split(b"\n")] if is_sequence else [content]
 
 
 def _check_header(tree: Part, kind: str) -> Part:

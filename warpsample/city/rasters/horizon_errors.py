@@ -25,11 +25,12 @@ _OF_WIDTH_IN_A_RUN = wp.constant(wp.float64(0.25))
 _OF_WIDTH_IN_COURTS = wp.constant(wp.float64(0.08))
 _OF_UNSEEN = wp.constant(wp.float64(0.6))
 _OF_FEW = wp.constant(wp.float64(0.3))
-# Numbers of M, the term of slots whose ends few azimuths see: N, the sum S, and two numbers that are divided by N.
-_FEWEST = wp.constant(wp.float64(8.0))
-_SEEN_OFTEN = wp.constant(wp.float64(3.0))
-_SURE = wp.constant(wp.float64(24.0))
-_DARK = wp.constant(wp.float64(25.0))
+# M, the term of slots whose ends few azimuths see, is for more azimuths than _FEWEST_AZIMUTHS and for sums of the azimuths'
+# values below _LARGEST_SUM. It counts in full up to _AZIMUTHS_IN_FULL; with fewer than _AZIMUTHS_OF_SUM the sum counts more.
+_FEWEST_AZIMUTHS = wp.constant(wp.float64(8.0))
+_LARGEST_SUM = wp.constant(wp.float64(3.0))
+_AZIMUTHS_IN_FULL = wp.constant(wp.float64(24.0))
+_AZIMUTHS_OF_SUM = wp.constant(wp.float64(25.0))
 _OF_SEVERAL = wp.constant(wp.float64(0.25))
 _OF_OWN_PLANE = wp.constant(wp.float64(0.95))
 _RUN_OF_TURN = wp.constant(wp.float64(1.0 / 8.0))
@@ -129,9 +130,9 @@ def variance_of(sums: Sums, azimuths: wp.float64, whole: wp.float64, depth: wp.f
     value = sums[SEEN] / azimuths
     unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
     unseen_ends = wp.max(ONE - sums[SEEN], ZERO)
-    if azimuths > _FEWEST:
-        often = _SEEN_OFTEN - sums[SEEN] * wp.max(ONE, _DARK / azimuths)
-        unseen_ends = wp.max(unseen_ends, wp.min(ONE, _SURE / azimuths) * often)
+    if azimuths > _FEWEST_AZIMUTHS:
+        below = _LARGEST_SUM - sums[SEEN] * wp.max(ONE, _AZIMUTHS_OF_SUM / azimuths)
+        unseen_ends = wp.max(unseen_ends, wp.min(ONE, _AZIMUTHS_IN_FULL / azimuths) * below)
     few = _OF_FEW * (sums[_SQUARES] + sums[_RANGE] / azimuths) * unseen_ends
     missed = wp.max(HALF * depth - change, ZERO)
     lost = wp.min(together * together, sums[_SQUARES])  # no azimuth loses what it does not see

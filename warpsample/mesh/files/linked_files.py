@@ -7,7 +7,7 @@ from itertools import takewhile
 from pathlib import Path
 from urllib.parse import unquote
 
-from warpsample.host.json_tree import Part, parsed
+from warpsample.host.json_tree import Part, parsed, split_documents
 from warpsample.mesh.files.gltf_data import binary, is_embedded
 from warpsample.mesh.files.usd import list_assets
 
@@ -56,17 +56,12 @@ def _ply(path: Path) -> Iterator[str]:
 
 def _city(path: Path) -> Iterator[str]:
     """Yield the pictures that the appearances of a CityJSON file or of a sequence of features name."""
-    content = path.read_bytes()
-    if b"image" not in content and b"\\u" not in content:
-        return
-    try:
-        trees = [parsed(content)]
-    except ValueError:  # one JSON object in each line
-        trees = [parsed(line) for line in content.split(b"\n") if line.strip()]
-    for tree in trees:
-        for texture in tree.part("appearance").parts("textures") if tree.content.get("appearance") else []:
-            if "image" in texture:
-                yield from {name := texture.text("image"), unquote(name.removeprefix("file:"))}
+    for text in split_documents(path.read_bytes()):
+        if b"image" in text or b"\\u" in text:  # most documents name no picture, and parsing takes time
+            tree = parsed(text)
+            for texture in tree.part("appearance").parts("textures") if tree.content.get("appearance") else []:
+                if isinstance(name := texture.content.get("image"), str):
+                    yield from {name, unquote(name.removeprefix("file:"))}
 
 
 def _obj(path: Path) -> Iterator[str]:
