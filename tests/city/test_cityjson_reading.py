@@ -71,6 +71,23 @@ def test_a_sequence_has_vertices_of_its_own_on_each_line(tmp_path):
     assert city.mesh.bounds[1, 0] == pytest.approx(85060.5)
 
 
+def test_a_line_with_a_transform_of_its_own_is_read_by_it(tmp_path):
+    """Another tile's line, joined to a sequence without a conversion of its vertices."""
+    head = cases.house(CityObjects={}, vertices=[])
+    moved = {"scale": [0.002, 0.001, 0.001], "translate": [7.0, 8.0, 9.0]}
+    feature = cases.house(type="CityJSONFeature", id="a", transform=moved)
+    city = ws.load_city(cases.written(tmp_path / "a.city.jsonl", head, feature))
+    stored = np.array(cases.VERTICES)
+    assert np.allclose(city.mesh.bounds, [stored.min(axis=0), stored.max(axis=0)] * np.array(moved["scale"]) + [7, 8, 9])
+
+
+def test_a_city_of_ground_surfaces_alone_gets_no_points(tmp_path):
+    ground = {"surfaces": [{"type": "GroundSurface"}], "values": [0] * len(cases.FACES)}
+    city = load(tmp_path, cases.house({"type": "MultiSurface", "lod": 2, "boundaries": cases.FACES, "semantics": ground}))
+    with pytest.raises(ValueError, match="^mesh: got a city of GroundSurfaces alone, which get no points, want"):
+        city.points()
+
+
 def test_every_depth_of_boundaries_and_of_semantics(tmp_path):
     flat = [0, 1, *[2] * 8]
     surfaces = cases.SEMANTICS["surfaces"]

@@ -151,8 +151,8 @@ class Head:
         return np.stack([scale, translate])
 
     def points(self, tree: Part) -> np.ndarray:
-        """Read the vertices of a JSON document in world coordinates, (V, 3) float64."""
-        scale, translate = self.transform
+        """Read the vertices of a JSON document in world coordinates, (V, 3) float64; its own transform has priority."""
+        scale, translate = (Head(tree) if "transform" in tree else self).transform
         return _read_rows(tree.values("vertices"), tree.at("vertices")) * scale + translate
 
 

@@ -26,12 +26,12 @@ def spread_points(mesh: Mesh, areas: np.ndarray, count: int | None, seed: int) -
         seed: seed of the random numbers.
 
     Raises:
-        TypeError, ValueError: `count` is invalid, or no triangle has an area.
+        TypeError, ValueError: `count` is invalid, or all areas are 0.
         MemoryError: the points need more memory than is free.
     """
     placed = areas > 0.0
     if not placed.any():
-        raise ValueError("mesh: got a city whose surfaces have no area, want at least one surface with an area")
+        raise ValueError("mesh: got a city of GroundSurfaces alone, which get no points, want at least one other surface")
     least = _LEAST
     if count is None:
         faces = np.count_nonzero(placed)
