@@ -113,6 +113,34 @@ def test_a_new_file_is_not_read_with_the_masks_of_an_older_one(dsm, child_enviro
     assert not (folder / "new.tif").exists()
 
 
+@pytest.mark.parametrize("option", ["source", "canopy", "far"])
+@pytest.mark.parametrize("suffix", [".ovr", ".msk", ".aux.xml"])
+def test_no_input_is_removed_with_the_masks_of_an_older_file(dsm, option, suffix, call, monkeypatch):
+    monkeypatch.chdir(dsm.parent)
+    older, used = dsm.with_name("sky.tif"), dsm.with_name(f"sky.tif{suffix}")
+    for path in (older, used):
+        path.write_bytes(dsm.read_bytes())
+    inputs = [used.name] if option == "source" else [dsm.name, f"--{option}", used.name]
+    status, _, said = call("bake", *inputs, "-o", older.name, "--quantity", "sky", "--samples", 4)
+    assert status == 2
+    assert f"error: --output: got 'sky.tif' next to {used.name}, which GDAL would read as part of it" in said
+    assert used.read_bytes() == older.read_bytes() == dsm.read_bytes()
+
+
+def test_overviews_beside_the_target_of_a_link_are_removed(dsm, call, monkeypatch):
+    """And those beside the link: GDAL finds the former when the target is opened, and the latter when the link is."""
+    monkeypatch.chdir(dsm.parent)
+    target, link = dsm.parent / "data/sky.tif", dsm.parent / "link.tif"
+    target.parent.mkdir()
+    older = [target, target.with_name("sky.tif.ovr"), dsm.parent / "link.tif.msk"]
+    for path in older:
+        path.write_text("old")
+    link.symlink_to(target)
+    status, said, _ = call("bake", "dsm.tif", "-o", link.name, "--quantity", "sky", "--samples", 4)
+    assert (status, [path.exists() for path in older]) == (0, [True, False, False])
+    assert "removed link.tif.msk, sky.tif.ovr: overviews, masks or statistics of the file" in " ".join(said.split())
+
+
 def test_options_of_rasters_are_refused_for_meshes(tmp_path, call):
     status, _, said = call("bake", "courtyard", "-o", tmp_path / "a.ply", "--tile", "9")
     assert (status, said) == (2, "error: --tile: got 9 for courtyard; the option applies only to rasters\n")

@@ -1,5 +1,6 @@
 """Calls from any thread and after a fork give the kernels, trees and results of a single thread."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -48,6 +49,12 @@ def test_a_pool_answers_slices_after_its_parent_has_used_threads(alone):
 @pytest.mark.slow
 def test_a_fork_waits_for_what_is_being_made(alone):
     alone("fork_while_making")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+def test_a_fork_waits_for_a_matrix_product(alone):
+    alone("fork_while_multiplying")
 
 
 @pytest.mark.thorough

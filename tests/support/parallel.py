@@ -2,6 +2,7 @@
 
 import multiprocessing
 import os
+import signal
 import sys
 import threading
 import time
@@ -140,6 +141,32 @@ def fork_while_making():
                     return False
     finally:
         stop.set()
+        thread.join()
+    return True
+
+
+def fork_while_multiplying():
+    """Forks while another thread finds sky patches, by a matrix product: OpenBLAS ends its threads at a fork."""
+    from warpsample.radiation.sky.patches import patches_at
+
+    sky, directions, stop = ws.sky_patches("tregenza"), np.tile(np.float32([[0.0, 0.0, 1.0]]), (300_000, 1)), False
+
+    def multiply():
+        while not stop:
+            patches_at(sky, directions)
+
+    thread = threading.Thread(target=multiply)
+    thread.start()
+    try:
+        for _ in range(20):
+            child = os.fork()
+            if child == 0:
+                signal.alarm(int(HANGS))
+                os._exit(0 if (patches_at(sky, directions) == len(sky) - 1).all() else 3)
+            if os.waitpid(child, 0)[1] != 0:
+                return False
+    finally:
+        stop = True
         thread.join()
     return True
 

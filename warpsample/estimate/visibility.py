@@ -14,6 +14,7 @@ from warpsample.estimate.result import Estimate, Share
 from warpsample.estimate.weights import DIRECTION, OPEN, build_sky_integrand
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import as_unit
+from warpsample.host.locks import multiply
 from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placed_points import PlacedPoints
@@ -149,7 +150,7 @@ def sky_view_factor(
     found = estimate(plan, RaySum(build_sky_integrand(axis), reach=reach, result=Share))
     normal = np.asarray(points.normal, np.float64)
     with np.errstate(invalid="ignore"):
-        cosine = normal @ axis / np.linalg.norm(normal, axis=1)
+        cosine = multiply(normal, axis) / np.linalg.norm(normal, axis=1)
     below = np.where(found.status == 0, 0.5 - 0.5 * cosine, 0.0).astype(np.float32)
     return SkyView(**{item.name: getattr(found, item.name) for item in fields(found)}, below_horizon=below)
 

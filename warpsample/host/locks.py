@@ -1,4 +1,4 @@
-"""Thread-safe caching: values that are computed once per process, by one thread at a time."""
+"""Thread-safe caching, of values that are computed once per process by one thread at a time, and work that a fork awaits."""
 
 import os
 import threading
@@ -20,12 +20,19 @@ there. A fork waits for the lock, so that the child finds each of these either c
 _importing = threading.RLock()  # held while parts of this package are imported, which make things: taken before `making`
 
 
+algebra = threading.RLock()
+"""Held during linear algebra with large arrays, which a fork waits for. OpenBLAS ends its threads at a fork: a fork during a
+product and the product itself would never end."""
+
+
 def _hold() -> None:
     _importing.acquire()
     making.acquire()
+    algebra.acquire()
 
 
 def _let_go() -> None:
+    algebra.release()
     making.release()
     _importing.release()
 
@@ -43,6 +50,12 @@ def make(work: Callable[[], T], lock: Any = making) -> T:
             return work()
 
     return uninterrupted(work_alone)
+
+
+def multiply(a: Any, b: Any) -> Any:
+    """Return the matrix product a @ b of large arrays; a fork waits until it is computed."""
+    with algebra:
+        return a @ b
 
 
 @cache

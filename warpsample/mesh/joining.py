@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from warpsample.host.engine import check_memory
+from warpsample.host.locks import multiply
 from warpsample.mesh.parts import Named, named_parts
 
 _MOST = 2**31 - 1  # vertices, because faces are int32
@@ -79,7 +80,7 @@ def _transform_part(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarra
     if matrix is None:
         return points, triangles
     with np.errstate(all="ignore"):  # `Mesh` refuses coordinates that are not finite
-        placed = points @ matrix[:3, :3]
+        placed = multiply(points, matrix[:3, :3])
         placed += matrix[3, :3]
     return placed, outward(triangles, matrix)
 

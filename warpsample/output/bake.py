@@ -5,7 +5,6 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from warpsample.city.cityjson.city import City
 from warpsample.estimate.quantities.record import Numbers, Quantity
 from warpsample.estimate.result import PointStatus, Skipped
 from warpsample.host.device_memory import Memory
@@ -42,13 +41,13 @@ def bake(source: Source, record: RunRecord) -> str:
         a report for the terminal, in lines.
 
     Raises:
-        TypeError, ValueError: an option of the quantity that cannot be used.
+        TypeError, ValueError: an option of the quantity that cannot be used, or an input .glb that has changed meanwhile.
         KeyboardInterrupt: the run is interrupted; the message states how many points are done.
         WriteError: the file cannot be written.
     """
     run, points = source.run, source.points
     found = _compute(source, record)
-    notes = _write(Baked(run, source.mesh, points, found), source.city)
+    notes = _write(Baked(run, source.mesh, points, found), source)
     first = f"{run.output}: {record.title} of {len(points):,} {run.at or 'points'}"
     return "\n  ".join([first, *record.describe(), *_describe_skips(found), *source.notes, *notes])
 
@@ -87,17 +86,18 @@ def compute_parts(points: Takeable, numbers: Numbers, size: int, record: RunReco
         yield part
 
 
-def _write(baked: Baked, city: City | None) -> list[str]:
+def _write(baked: Baked, source: Source) -> list[str]:
     """Write the output file and the .html report of a `warpsample bake` command; return a sentence on the report."""
     run = baked.run
     if is_by_parts(run):
-        write_parts(baked, city)
+        write_parts(baked, source.city)
     else:
         with complete_or_absent(run.output) as file:
             writers_of(baked.quantity)[run.output.suffix](file, baked)
+            source.state.check()
     if run.report is None:
         return []
-    write_report(run.report, baked, city)
+    write_report(run.report, baked, source.city)
     return [f"{run.report}: a report with histogram and arguments, and a picture if this machine can draw one"]
 
 

@@ -26,6 +26,7 @@ from warpsample.mesh.files.uv import find_uv
 from warpsample.mesh.points.arrays import Rows, carry_to_points, read_array
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.mesh.tangents import face_tangents, vertex_tangents
+from warpsample.output.input_state import InputState
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.output.places import check_places, points_on
 from warpsample.output.run_record import RunRecord
@@ -83,6 +84,7 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
     """
     _check(run)
     check_workers(workers)
+    state = InputState.of(run.mesh)
     mesh = load_mesh(run.mesh)
     if run.points is not None and run.output.suffix == ".npz":  # a cloud is held by memory, below
         ways = run.points * run.samples
@@ -101,6 +103,7 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
     with complete_or_absent(run.output) as file:
         if run.output.suffix == ".npz":
             status = _write_archive(file, points, lobe, run, workers)
+            state.check()  # the file's hash was computed after its mesh was read
         else:
             status = _write_cloud(file, points, lobe, run, workers, scale=CLOUD_SCALE * mesh.diagonal)
     skipped = {Status(code): int(n) for code, n in enumerate(np.bincount(status)) if code and n}

@@ -23,6 +23,7 @@ from warpsample.output.bake_rules import check_table, is_by_parts
 from warpsample.output.bake_table import CITY
 from warpsample.output.baked import BakeRun, check_glb
 from warpsample.output.faces_option import with_optics
+from warpsample.output.input_state import InputState
 from warpsample.output.kept_glb import describe_kept_file, keeps
 from warpsample.output.places import check_places, points_on
 from warpsample.output.quantities import quantity_of
@@ -40,6 +41,7 @@ class Source:
         mesh: Mesh, with the transmittance and reflectance of its faces.
         city: City of which the mesh is the surface, or None.
         points: Points to compute at.
+        state: State of the input file when it was read, if the output is a copy of it with values added.
         notes: Sentences on the parts of a .glb that the output replaces.
     """
 
@@ -48,6 +50,7 @@ class Source:
     mesh: Mesh
     city: City | None
     points: SurfacePoints
+    state: InputState
     notes: tuple[str, ...] = ()
 
 
@@ -59,12 +62,12 @@ def read_source(run: BakeRun) -> Source:
     """
     quantity = quantity_of(run.quantity)
     _check(run, quantity)
-    city = None
+    city, state = None, InputState.of(run.mesh if _keeps_input(run) else None)
     if run.kind == CITY:
         city = load_city(run.mesh, lod=run.lod, split=run.split, context=_read_context(run.context))
     mesh = with_optics(load_mesh(run.mesh) if city is None else city.mesh, **run.optics)
     notes = _check_glb(run, mesh)
-    return Source(run, quantity, mesh, city, _place_points(run, mesh, city), tuple(notes))
+    return Source(run, quantity, mesh, city, _place_points(run, mesh, city), state, tuple(notes))
 
 
 def _check(run: BakeRun, quantity: Quantity) -> None:
@@ -98,9 +101,14 @@ def _read_context(name: str | None) -> Any:
         return surface(name)
 
 
+def _keeps_input(run: BakeRun) -> bool:
+    """Return whether the output is a copy of the input .glb with values added."""
+    return run.kind != CITY and keeps(run.mesh, run.output, run.at)
+
+
 def _check_glb(run: BakeRun, mesh: Mesh) -> list[str]:
     """Check that the output .glb can hold the values; return sentences on content of the input that is not kept."""
-    if run.kind != CITY and keeps(run.mesh, run.output, run.at):
+    if _keeps_input(run):
         return describe_kept_file(run.mesh)
     if run.output.suffix == ".glb":
         check_glb(run, mesh)

@@ -19,6 +19,7 @@ from warpsample.city.cityjson.units import Units
 from warpsample.host.arguments import quote
 from warpsample.host.engine import check_memory
 from warpsample.host.json_tree import Part
+from warpsample.host.locks import multiply
 from warpsample.mesh.holes import Outlines
 from warpsample.mesh.indexed import LARGEST
 
@@ -244,7 +245,7 @@ def _place_template(
     used, corners = np.unique(outlines.corners, return_inverse=True)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         corners = _reverse_rings(corners, outlines.sizes)
-    copies = template[used] @ matrix[:3, :3].T + matrix[:3, 3] + points[anchors[0]]
+    copies = multiply(template[used], matrix[:3, :3].T) + matrix[:3, 3] + points[anchors[0]]
     return Outlines(corners, outlines.sizes, outlines.rings), copies
 
 

@@ -1,5 +1,6 @@
 """Writer of results as cloud-optimized GeoTIFFs (COG), with tiles, overviews, and a description of the numbers."""
 
+import os
 import shutil
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -14,20 +15,30 @@ from rasterio.errors import RasterioError
 from rasterio.windows import Window
 
 from warpsample.city.rasters.tiles import RasterRun, Span
-from warpsample.host.files import WriteError, complete_or_absent
+from warpsample.host.files import WriteError, complete_or_absent, is_same
 
 _BLOCK = 512  # cells along the sides of the file's own tiles
 _SIDECARS = (".msk", ".ovr", ".aux.xml")  # masks, overviews and statistics, which GDAL would read as those of the new file
 _HOW = {"compress": "DEFLATE", "overview_resampling": "AVERAGE", "blocksize": _BLOCK, "bigtiff": "IF_SAFER"}
 
 
-def check_sidecars(path: Path, argument: str) -> None:
-    """Raise a ValueError for a new GeoTIFF beside old files that GDAL reads as its masks, overviews or statistics."""
-    older = [file.name for suffix in _SIDECARS if (file := Path(f"{path}{suffix}")).exists()]
-    if older and not path.exists():
-        raise ValueError(
-            f"{argument}: got {str(path)!r} next to {older[0]}, which GDAL would read as part of it; want another name"
-        )
+def check_sidecars(path: Path, argument: str, inputs: Iterable[Path]) -> None:
+    """Raise a ValueError for a GeoTIFF beside files that GDAL would read as its masks, overviews or statistics.
+
+    Those of an older GeoTIFF with this name are accepted, unless they are inputs: `write_cog` removes them.
+    """
+    inputs = list(inputs)
+    for older in _list_sidecars(path):
+        if not path.exists() or any(is_same(older, file) for file in inputs):
+            raise ValueError(
+                f"{argument}: got {str(path)!r} next to {older.name}, which GDAL would read as part of it; want another name"
+            )
+
+
+def _list_sidecars(path: Path) -> list[Path]:
+    """Return the existing sidecar files of a GeoTIFF; of a link also those of its target."""
+    names = dict.fromkeys(f"{base}{suffix}" for base in (path, os.path.realpath(path)) for suffix in _SIDECARS)
+    return [sidecar for sidecar in map(Path, names) if sidecar.exists()]
 
 
 def write_cog(
@@ -61,8 +72,7 @@ def write_cog(
         _write_plain(folder / "plain.tif", run, about, tiles())
         rasterio.shutil.copy(folder / "plain.tif", folder / "cog.tif", driver="COG", predictor="FLOATING_POINT", **_HOW)
         _check_written(folder / "cog.tif", run, tiles())
-        older = [Path(f"{path}{suffix}") for suffix in _SIDECARS] if path.exists() else []
-        removed = [sidecar for sidecar in older if sidecar.exists()]
+        removed = _list_sidecars(path) if path.exists() else []
         with complete_or_absent(path) as stream, (folder / "cog.tif").open("rb") as made:
             shutil.copyfileobj(made, stream, 1 << 24)
         for sidecar in removed:

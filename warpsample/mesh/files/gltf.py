@@ -14,6 +14,7 @@ import numpy as np
 
 from warpsample.host.arguments import quote
 from warpsample.host.json_tree import Part, parsed
+from warpsample.host.locks import multiply
 from warpsample.mesh.files.gltf_data import Data, binary
 from warpsample.mesh.files.gltf_scene import VISIBILITY, count_invisible, iterate_nodes
 from warpsample.mesh.files.skins import Skin, posed
@@ -190,7 +191,7 @@ def turn_normals(normals: np.ndarray, matrix: np.ndarray) -> np.ndarray:
 
 def _times(vectors: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """Multiply vectors (V, 3) by one (3, 3) matrix, or by one matrix per vector."""
-    return vectors @ rows if rows.ndim == 2 else np.einsum("vi,vij->vj", vectors, rows)
+    return multiply(vectors, rows) if rows.ndim == 2 else np.einsum("vi,vij->vj", vectors, rows)
 
 
 def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray | None, str]]:

@@ -6,6 +6,7 @@ import numpy as np
 
 from warpsample.host.arguments import check_choice, check_number, quote
 from warpsample.host.arrays import as_unit
+from warpsample.host.locks import multiply
 from warpsample.host.neighbours import as_ndarray
 from warpsample.mesh.flat_parts import axes_in_plane, flat_parts
 from warpsample.mesh.mesh import Mesh, as_mesh
@@ -85,19 +86,19 @@ def _check_faces(value: Any, faces: int) -> np.ndarray:
 def _above_ground(mesh: Mesh, spacing: float, height: float, chosen: np.ndarray, upward: np.ndarray) -> SurfacePoints:
     """Return points at a height above the chosen faces, in a horizontal grid whose position does not depend on the mesh."""
     axes = np.stack(axes_in_plane(upward[None], upward))[:, 0]
-    found = lattice_points((mesh.vertices @ axes.T / spacing - 0.5)[mesh.faces])
-    corners = (mesh.vertices @ upward)[mesh.faces[found.triangle]]
+    found = lattice_points((multiply(mesh.vertices, axes.T) / spacing - 0.5)[mesh.faces])
+    corners = multiply(mesh.vertices, upward)[mesh.faces[found.triangle]]
     z = corners[:, 0] + (found.weights[:, 1:] * (corners[:, 1:] - corners[:, :1])).sum(axis=1)  # level faces stay level
     order = np.lexsort([found.triangle, z, found.place[:, 0], found.place[:, 1]])
     face, place, z = found.triangle[order], found.place[order], z[order]
-    facing = mesh.face_normals[face].astype(np.float64) @ upward
+    facing = multiply(mesh.face_normals[face].astype(np.float64), upward)
     kept = chosen[face] & (facing > _LEAST_UP)
     kept &= _is_free(place, z, facing, height, _CLOSE * mesh.diagonal)
     first = np.flatnonzero(kept)
     again = np.zeros(len(first), bool)  # the same crossing, found again by a face that shares an edge
     again[1:] = (place[first[1:]] == place[first[:-1]]).all(axis=1) & (np.diff(z[first]) <= _CLOSE * mesh.diagonal)
     rows = first[~again]
-    position = (place[rows] + 0.5) * spacing @ axes + (z[rows] + height)[:, None] * upward
+    position = multiply((place[rows] + 0.5) * spacing, axes) + (z[rows] + height)[:, None] * upward
     normal = np.tile(upward.astype(np.float32), (len(rows), 1))
     return SurfacePoints(position, normal, None if height else face[rows].astype(np.int32))
 

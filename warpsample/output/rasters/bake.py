@@ -164,7 +164,7 @@ def check_raster_files(run: BakeRun, job: RasterJob) -> None:
         check_rendering()
     if run.output.suffix != STORE:
         check_output(run.output, "--output", *job.files)
-        check_sidecars(run.output, "--output")
+        check_sidecars(run.output, "--output", job.files)
     check_report(run.report, run.output, *job.files)
 
 

@@ -36,7 +36,8 @@ def bake_texture(source: TextureSource, record: RunRecord) -> str:
         a report for the terminal, in lines.
 
     Raises:
-        ValueError: no texel has a value; or with `--strict`, more than half of a chart is inside closed bodies.
+        ValueError: an input file has changed since it was read; no texel has a value; or with `--strict`, more than half of
+            a chart is inside closed bodies.
         KeyboardInterrupt: the run is interrupted; the message states how many points are done.
         WriteError: the file cannot be written.
     """
@@ -60,7 +61,13 @@ def _compute(source: TextureSource, record: RunRecord) -> list[list[PlacedTextur
     fill = partial(fill_texture, run=source.run, how=source.how, closed=closed, high=source.high, record=record)
     points = sum(len(job.points) * (1 + max((len(one.others) for one in job.group), default=0)) for job in source.jobs)
     with record.count(points, f"{source.run.output} is as it was before"):
-        return [pictures_of(job, fill, source.how) for job in source.jobs]
+        try:  # coordinates, normals and tangents are read from the files again
+            found = [pictures_of(job, fill, source.how) for job in source.jobs]
+        except (TypeError, ValueError, OSError):
+            source.state.check()
+            raise
+    source.state.check()
+    return found
 
 
 def _refuse_without_values(source: TextureSource, found: list[list[PlacedTexture]]) -> None:

@@ -11,12 +11,14 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.thickness import Thickness
 from warpsample.estimate.result import ExactResult
 from warpsample.host.engine import check_workers
+from warpsample.mesh.part_means import shared_variance
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.bake import compute_parts, part_size
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import quantity_of
 from warpsample.output.run_record import RunRecord
 from warpsample.texture.high import HighMesh
+from warpsample.texture.image import TexelRows
 from warpsample.texture.inside import Closed, Enclosed
 from warpsample.texture.jobs import SCENES, TextureJob
 from warpsample.texture.materials import slot_for_quantity
@@ -97,30 +99,45 @@ def fill_texture(
         found = numbers(places, 0)  # the points have ids
         return replace(found, value=convert(found.value, places.normal, points.face[rows], part.barycentric))
 
-    kept, rays, bad = [], 0, 0
+    kept, runs, rays, bad = [], list[np.ndarray](), 0, 0
     for part in compute_parts(points, of_part, part_size(quantity, options), record):
         kept.append((np.where(part.status == 0, part.value.T, np.nan).T, raised_errors(part), part.standard_error))
+        if how.samples > 1 and getattr(part, "reflected_runs", None) is not None:
+            runs.append(part.reflected_runs)
         rays, bad = rays + int(part.rays.sum(dtype=np.int64)), bad + int(np.count_nonzero(part.status))
     value, error, unbiased = (np.concatenate(arrays) for arrays in zip(*kept, strict=True))
     del kept
     buried = bodies.find_buried(np.isfinite(value.reshape(len(value), -1)).all(axis=1)) & ~missed
     within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, bodies.inside & ~buried & ~missed, missed))
     value[buried] = np.nan
-    pictures = _images(job, how, value, error, unbiased, is_compared=is_compared)
+    pictures = _images(job, how, value, error, unbiased, runs, is_compared=is_compared)
     charts = bodies.count_mostly_buried(buried)
     counts = {"mostly_inside": charts, "inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
     return Filled(job, *pictures, **counts, rays=rays, inside_rays=bodies.rays)
 
 
 def _images(
-    job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray, unbiased: np.ndarray, *, is_compared: bool
+    job: TextureJob,
+    how: TextureOptions,
+    value: np.ndarray,
+    error: np.ndarray,
+    unbiased: np.ndarray,
+    runs: list[np.ndarray],
+    *,
+    is_compared: bool,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, tuple[np.ndarray, np.ndarray], np.ndarray, float]:
-    """Return the fields `value`, `error`, `unbiased`, `noise`, `own` and `mean` of `Filled`."""
+    """Return the fields `value`, `error`, `unbiased`, `noise`, `own` and `mean` of `Filled`.
+
+    `runs` holds, in parts, the light that faces reflect in each of its independent runs; empty without such light.
+    """
     known, texels = np.isfinite(value), job.points.texel_rows
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
     error[~known] = unbiased[~known] = np.nan
     rows = [some.reshape(len(value), -1) for some in (value, error, unbiased)]
     means, *errors = texels.means_and_errors(rows[0], rows[1:])
+    if runs:
+        shared = _shared_errors(np.concatenate(runs), known, texels)
+        errors = [np.hypot(one, shared) for one in errors]
     own_texels = np.isfinite(means).all(axis=1).reshape(how.size[::-1])
 
     def fill(some: np.ndarray, gutter: Any, kind: Any = np.float32) -> np.ndarray:
@@ -134,6 +151,20 @@ def _images(
         least, own = texels.ray_errors(*rows)
         noise = fill(least, 0), fill(own, 0)
     return image, raised, plain, noise, own_texels, mean
+
+
+def _shared_errors(runs: np.ndarray, known: np.ndarray, texels: TexelRows) -> np.ndarray:
+    """Return the errors of the texels' means due to the reflected light that all points share, (texels, C) float64.
+
+    The samples of a texel have this error in common, so that their spread does not contain it.
+
+    Args:
+        runs: (P, C, R) reflected light at the points in each of R independent runs.
+        known: (P,) or (P, C) bool, False for values that are left out of the means.
+        texels: Texels of the points.
+    """
+    runs[~known.reshape(len(runs), -1).all(axis=1)] = np.nan
+    return np.sqrt(shared_variance(np.stack([texels.means(run)[0] for run in np.moveaxis(runs, 2, 0)]), axis=0))
 
 
 def _converter(

@@ -11,6 +11,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.output.bake_rules import check_table
 from warpsample.output.baked import BakeRun
 from warpsample.output.faces_option import with_optics
+from warpsample.output.input_state import InputState
 from warpsample.output.quantities import quantity_of
 from warpsample.output.source import input_files
 from warpsample.output.textures.choice import texture_options
@@ -39,6 +40,7 @@ class TextureSource:
 
     Attributes:
         run: Arguments of the command.
+        state: State of the input files before they were read.
         how: Options of the texture.
         jobs: Textures to compute.
         file: glTF file to write the textures into, or None for an image.
@@ -49,6 +51,7 @@ class TextureSource:
     """
 
     run: BakeRun
+    state: InputState
     how: TextureOptions
     jobs: list[TextureJob]
     file: GlbFile | None
@@ -67,6 +70,7 @@ def read_texture_source(run: BakeRun) -> TextureSource:
     check_table(run)
     how = texture_options(run)
     _check(run, how)
+    state = InputState.of(run.mesh, how.high)
     mesh = load_mesh(run.mesh)
     high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
     traced = with_optics(mesh if high is None else high.mesh, **run.optics)
@@ -74,7 +78,7 @@ def read_texture_source(run: BakeRun) -> TextureSource:
         run.mesh, traced if high is None else mesh, how, run.output.suffix, slot_for_quantity(run.quantity)
     )
     notes = [] if file is None else _check_scene(file, run, how, jobs)
-    return TextureSource(run, how, jobs, file, high, traced, notes, _coarse(jobs, traced, how))
+    return TextureSource(run, state, how, jobs, file, high, traced, notes, _coarse(jobs, traced, how))
 
 
 def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[str]:

@@ -13,6 +13,7 @@ import warp as wp
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.interrupts import uninterrupted
+from warpsample.host.locks import multiply
 from warpsample.host.progress import begin
 from warpsample.host.sharing import share
 from warpsample.mesh.mesh import Mesh
@@ -75,7 +76,7 @@ class Casting:
         """Share of each face's hemisphere above the horizon, (F,) float64; None if `up` is None."""
         if self.up is None:
             return None
-        return np.clip(0.5 + 0.5 * (self.mesh.face_normals.astype(np.float64) @ self.up), 0.0, 1.0)
+        return np.clip(0.5 + 0.5 * multiply(self.mesh.face_normals.astype(np.float64), self.up), 0.0, 1.0)
 
     def counts(self, rows: np.ndarray, surfaces: np.ndarray | None) -> tuple[HitCounts, np.ndarray]:
         """Cast rays from the faces with the given numbers; return counts of the surfaces hit, and a mask of casting faces.

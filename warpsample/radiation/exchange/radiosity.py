@@ -7,7 +7,7 @@ import numpy as np
 
 from warpsample.host.arguments import quote
 from warpsample.host.arrays import as_real
-from warpsample.host.locks import imported
+from warpsample.host.locks import algebra, imported
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -81,7 +81,10 @@ def _solve_corrections(matrix: "csr_array", lacking: np.ndarray, share: np.ndarr
     linear = imported("scipy.sparse.linalg")
     operator, gmres = linear.LinearOperator, linear.gmres
     equations = operator(matrix.shape, matvec=lambda leaving: leaving - share * (matrix @ leaving), dtype=np.float64)
-    return np.stack([gmres(equations, column, restart=_PRODUCTS, maxiter=1, atol=0.0)[0] for column in lacking.T], axis=1)
+    with algebra:
+        return np.stack(
+            [gmres(equations, column, restart=_PRODUCTS, maxiter=1, atol=0.0)[0] for column in lacking.T], axis=1
+        )
 
 
 def _check_finite(value: Any, argument: str) -> np.ndarray:

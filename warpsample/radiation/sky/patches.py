@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from warpsample.host.arguments import check_choice, quote
 from warpsample.host.arrays import as_unit
-from warpsample.host.locks import read_only
+from warpsample.host.locks import multiply, read_only
 from warpsample.host.summary import Summary
 
 MULTIPLES = {"tregenza": 1, "reinhart2": 2, "reinhart4": 4}
@@ -96,7 +96,7 @@ def sky_patches(name: str = "tregenza", *, up: Any = (0.0, 0.0, 1.0), north: Any
 
 def patches_at(sky: SkyPatches, directions: np.ndarray) -> np.ndarray:
     """Return the number of the sky patch that contains each of (M, 3) unit directions, (M,) int64; -1 below the horizon."""
-    east, north, up = sky.frame @ directions.T.astype(np.float64)
+    east, north, up = multiply(sky.frame, directions.T.astype(np.float64))
     number = np.bincount(sky.rows)
     first = np.cumsum(number) - number
     row = np.searchsorted(np.sin(np.radians(sky.altitudes[first[1:], 0])), up, side="right")

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.host.locks import imported
+from warpsample.host.locks import imported, multiply
 from warpsample.radiation.reflection.lobe_shares import Targets
 from warpsample.radiation.reflection.patches import Patches
 from warpsample.radiation.reflection.reflections import Probes
@@ -94,4 +94,4 @@ def direct_light(at: PlacedPoints, options: RayOptions, light: Light, series: bo
     normal = at.normal.astype(np.float64)
     length = np.linalg.norm(normal, axis=1, keepdims=True)
     normal = np.divide(normal, length, out=np.zeros_like(normal), where=np.isfinite(length) & (length > 0.0))
-    return lit * (np.maximum(normal @ light.sun.T, 0.0) * light.direct)
+    return lit * (np.maximum(multiply(normal, light.sun.T), 0.0) * light.direct)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_number
+from warpsample.host.locks import multiply
 from warpsample.radiation.sky.patches import SkyPatches, sky_patches
 from warpsample.radiation.weather.perez import perez_sky
 from warpsample.radiation.weather.weather import Weather, read_weather
@@ -81,4 +82,5 @@ def sun_directions(weather: Weather, axes: np.ndarray) -> np.ndarray:
     """
     altitude, azimuth = weather.sun_altitude, weather.sun_azimuth
     level = np.cos(altitude)
-    return np.stack([level * np.sin(azimuth), level * np.cos(azimuth), np.sin(altitude)], axis=1) @ axes
+    local = np.stack([level * np.sin(azimuth), level * np.cos(azimuth), np.sin(altitude)], axis=1)
+    return multiply(local, axes)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.extras import missing
-from warpsample.host.locks import imported
+from warpsample.host.locks import imported, multiply
 from warpsample.radiation.exchange.matrix_files import read_matrix
 from warpsample.radiation.sky.patches import MULTIPLES, SkyPatches, sky_patches
 from warpsample.radiation.weather.weather import Weather
@@ -27,7 +27,7 @@ def perez_sky(weather: Weather, patches: str) -> np.ndarray:
         return np.zeros((len(share), 0))
     shape = len(share), len(weather.hours)
     radiance = _run_gendaymtx(_pyradiance(), _format_wea(weather), MULTIPLES[patches], shape).astype(np.float64)
-    received = np.pi * (share @ radiance)
+    received = np.pi * multiply(share, radiance)
     dark = received == 0.0  # gendaymtx returns 0 below 1e-4 W/m²
     radiance *= np.where(dark, 0.0, weather.diffuse_horizontal) / np.where(dark, 1.0, received)
     return radiance

@@ -1,0 +1,57 @@
+"""Inputs that another program replaces while a command reads them several times: an error, and the output stays."""
+
+import pytest
+import trimesh
+
+from warpsample.output import bake, export
+from warpsample.output.textures import images
+
+
+def written(path, height=1.0):
+    trimesh.creation.box((1.0, height, 1.0)).export(path)
+    return path
+
+
+def replacing(monkeypatch, module, name, path, other):
+    """`module.name` first replaces the file, as a program that exports it again does."""
+    first = getattr(module, name)
+
+    def replaced(*arguments, **options):
+        if other.exists():
+            other.replace(path)
+        return first(*arguments, **options)
+
+    monkeypatch.setattr(module, name, replaced)
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "command", "output"),
+    [
+        (bake, "compute_parts", ("bake", "--quantity", "ao", "--samples", 4, "--at", "vertices"), "out.glb"),
+        (images, "compute_parts", ("bake", "--quantity", "bent-normals", "--samples", 4, "--texture", 64), "out.glb"),
+        (images, "compute_parts", ("bake", "--quantity", "ao", "--samples", 4, "--texture", 64), "out.npz"),
+        (export, "points_on", ("directions", "--at", "faces", "--samples", 4), "out.npz"),
+    ],
+)
+def test_an_input_that_is_replaced_meanwhile_is_an_error(module, name, command, output, tmp_path, call, monkeypatch):
+    path, other, out = written(tmp_path / "box.glb"), written(tmp_path / "other.glb", 3.0), tmp_path / output
+    arguments = (command[0], path, "-o", out, *command[1:])
+    assert call(*arguments)[0] == 0
+    before = out.read_bytes()
+    replacing(monkeypatch, module, name, path, other)
+    status, _, said = call(*arguments)
+    assert status == 2
+    assert (
+        f"error: mesh: got {str(path)!r}, changed since the run began, want files that stay the same until its end" in said
+    )
+    assert out.read_bytes() == before
+
+
+def test_an_input_that_is_read_once_may_change(tmp_path, call, monkeypatch):
+    path, other, out = written(tmp_path / "box.ply"), written(tmp_path / "other.ply", 3.0), tmp_path / "out.ply"
+    arguments = ("bake", path, "-o", out, "--quantity", "ao", "--samples", 4, "--at", "faces")
+    assert call(*arguments)[0] == 0
+    before = out.read_bytes()
+    replacing(monkeypatch, bake, "compute_parts", path, other)
+    assert call(*arguments)[0] == 0
+    assert out.read_bytes() == before
