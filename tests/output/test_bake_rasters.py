@@ -1,5 +1,6 @@
 """`bake` of rasters into files: a GeoTIFF without Dask, a picture, a report, and what `info` prints."""
 
+import os
 import subprocess
 import sys
 from importlib import import_module
@@ -122,6 +123,33 @@ def test_of_two_runs_that_start_together_one_keeps_its_folder(tmp_path):
             pass
         first.path.mkdir()
     assert first.path.is_dir()  # the folder of yet another run
+
+
+def test_a_run_that_is_killed_while_it_removes_its_folder_can_be_resumed(tmp_path, monkeypatch):
+    """The attributes, which tell that the folder is ours, are removed last."""
+    store = tile_files.TileFiles(tmp_path / "sky.tif", resume=True)
+    (store.path / "cog").mkdir(parents=True)
+    names = (tile_files.ABOUT, tile_files.DIGESTS, "tile-0.npz", "tile-1.npz", "cog/plain.tif")
+    for name in names:
+        (store.path / name).write_bytes(b"")
+    unlink, left = os.unlink, 0
+
+    def unlink_some(*arguments, **options):
+        nonlocal left
+        if left == 0:
+            raise OSError("killed")
+        left -= 1
+        unlink(*arguments, **options)
+
+    monkeypatch.setattr(os, "unlink", unlink_some)
+    for _ in names:  # the first run removes nothing, and each later one a file
+        with pytest.raises(OSError, match="killed"):
+            store.remove()
+        with store.locked():
+            assert (store.path / tile_files.ABOUT).is_file()
+        left = 1
+    store.remove()
+    assert not store.path.exists()
 
 
 @pytest.mark.parametrize("resume", [False, True])

@@ -208,6 +208,15 @@ def test_a_message_says_that_the_parts_are_more_than_the_number():
         patches.patches_of(many, 2e-3)
 
 
+def test_an_edge_that_would_need_too_many_parts_is_named():
+    """Before, its parts were longer than `refine`, without a word, and half the `refine` changed nothing."""
+    strip = ws.as_mesh(([[0.0, 0, 0], [3000, 0, 0], [3000, 8, 0]], [[0, 1, 2]]), reflectance=0.5)
+    wants = r"^refine: got 1, want at least 2\.92\d+: the longest edge, of 3000\.01, is cut into at most 1,024 parts$"
+    with pytest.raises(ValueError, match=wants):
+        patches.patches_of(strip, 1.0)
+    assert len(patches.patches_of(strip, 2.93)) == 2 * 1024**2
+
+
 @pytest.mark.parametrize("refine", [None, np.inf, 0.3])
 def test_rays_meet_the_patches_that_places_are_on(refine):
     mesh = known.pit(np.where(np.arange(10) == 4, 0.0, 0.5))

@@ -67,6 +67,42 @@ def test_points_without_rays_keep_an_error_of_0():
     assert (vectors > 0.0).all()
 
 
+def test_samples_of_a_texel_share_the_error_of_reflected_light():
+    """The spread within a texel does not contain it: of 200 runs, two errors would contain the truth in 1 of 4."""
+    mesh, uv = floor_below_a_plate()
+    t = ws.texture_points(mesh, uv, 4, samples=16)
+    sky = ws.irradiance(ws.as_mesh(mesh, reflectance=0.5), t.points, np.ones((2, 4)), 16)
+    rng, within, without = np.random.default_rng(1), [], []
+    for _ in range(200):
+        own, shared = rng.normal(0.0, 0.1, len(t)), rng.normal(0.0, np.sqrt(8) * 0.2, 8)  # of one run
+        runs = np.tile(shared.astype(np.float32), (len(t), 1, 1))
+        found = dataclasses.replace(sky, value=own + shared.mean(), standard_error=np.full(len(t), 0.1), reflected_runs=runs)
+        wrong = np.abs(t.image(found.value))
+        within.append((wrong <= 2.0 * t.image_error(found)).mean())
+        without.append((wrong <= 2.0 * t.image_error(dataclasses.replace(found, reflected_runs=None))).mean())
+    assert 0.88 < np.mean(within) < 0.95  # eight runs: 91.4 % by Student's t, uncertain by 0.02
+    assert np.mean(without) < 0.3
+
+
+def test_the_command_adds_the_shared_error_too(call, tmp_path):
+    mesh, uv = floor_below_a_plate()
+    corners = "".join(f"vt {u} {1.0 - v}\n" for u, v in np.nan_to_num(uv[:, :, :2].reshape(-1, 2), nan=5.0))
+    faces = [" ".join(f"{v + 1}/{3 * i + k + 1}" for k, v in enumerate(face)) for i, face in enumerate(mesh.faces)]
+    vertices = "".join(f"v {x} {y} {z}\n" for x, y, z in mesh.vertices)
+    path, sky = tmp_path / "a.obj", tmp_path / "sky.npy"
+    path.write_text(vertices + corners + "".join(f"f {face}\n" for face in faces))
+    np.save(sky, np.ones((2, 4, 3)))
+    options = ("--texture", 4, "--uv", "0", "--supersample", 4, "--samples", 64, "--reflectance", 0.9, "--environment", sky)
+    status, _, err = call("bake", path, "-o", tmp_path / "a.npz", "--quantity", "irradiance", *options, "--up", 0, 0, 1)
+    assert (status, err) == (0, "")
+    bright = ws.as_mesh(ws.load_mesh(path), reflectance=0.9)
+    t = ws.texture_points(bright, uv, 4, samples=4)
+    found = ws.irradiance(bright, t.points, np.ones((2, 4, 3)), 16, up=(0, 0, 1))
+    with np.load(tmp_path / "a.npz") as file:
+        assert np.array_equal(file["value"], t.image(found.value))
+        assert np.array_equal(file["standard_error"], t.image_error(found))
+
+
 def test_errors_in_files_are_raised(call, tmp_path):
     vertices, faces = (getattr(floor_below_a_plate()[0], name) for name in ("vertices", "faces"))
     path, output = tmp_path / "a.obj", tmp_path / "a.npz"

@@ -73,6 +73,23 @@ def test_the_mean_of_all_places_is_one_picture(call, tmp_path):
     assert (status, "--instances: got mean for out.npz; the option applies only to .glb and .gltf" in err) == (2, True)
 
 
+@pytest.mark.parametrize("nodes", [[{}, {"translation": [40, 0, 0]}], [{"scale": [0, 1, 0]}, {}, {"scale": [0, 0, 0]}]])
+def test_a_place_without_values_has_no_part_in_the_mean(call, tmp_path, nodes):
+    """It counted as 0: with a finer mesh at one of two places, a free square was half black."""
+    square = np.float32([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)])
+    tree = {"meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}]}
+    tree |= {"nodes": [{"mesh": 0, **node} for node in nodes], "materials": [{"name": "square"}]}
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    path.write_bytes(glb(tree, [square, SQUARE, TWO]))
+    fine = trimesh.Trimesh(square + np.float32([0, 0.01, 0]), TWO.reshape(2, 3), process=False)
+    fine.export(tmp_path / "fine.ply")
+    options = ("--instances", "mean", "--high", tmp_path / "fine.ply", "--cage", 0.1, "--uv", "0")
+    status, out, err = call("bake", path, "-o", output, *RAYS, *options)
+    assert (status, err) == (0, "")
+    assert "mean 1.0000; standard error" in out
+    assert {value for _, _, value in means_of_places(output)} == {1.0}
+
+
 @pytest.mark.parametrize(("uv", "texture"), [("0", 128), ("new", 512)])  # charts of 2 x 80 fill a corner of the latter
 def test_places_that_look_alike_share_a_picture(call, tmp_path, uv, texture):
     """A floor beside a wall, and its mirror image far away: by either coordinates texels are at the same places of both."""

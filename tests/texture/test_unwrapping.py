@@ -7,6 +7,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
+from warpsample.texture.jobs import square_side
 from warpsample.texture.uv import unwrapping
 from warpsample.texture.uv.charts import label_charts
 
@@ -100,6 +101,11 @@ def test_an_atlas_that_is_never_destroyed_stops_nothing(monkeypatch, tmp_path, s
     else:
         with pytest.raises(ValueError, match="^size: got 4, want a larger image"):
             ws.unwrap(triangle, size)
+
+
+def test_a_picture_that_is_not_square_says_why_it_needs_new_coordinates():
+    with pytest.raises(ValueError, match=r"3x9 for new texture coordinates \(set 0 is flat\), want a square, such as 9$"):
+        square_side((3, 9), ["set 0 is flat"])
 
 
 def test_what_cannot_be_unwrapped_is_named(monkeypatch):

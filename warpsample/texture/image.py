@@ -7,6 +7,7 @@ import numpy as np
 
 from warpsample.host.arguments import check_integer
 from warpsample.host.locks import imported, once_property
+from warpsample.mesh.part_means import shared_variance
 
 _MOST_GUTTER = 1 << 20
 _BLOCK = 1 << 22  # points summed at a time
@@ -114,6 +115,19 @@ class TexelRows:
         for rows, texel in self.blocks():
             found[texel] = np.abs(errors[rows])  # -0.0 becomes 0.0
         return found
+
+    def shared_errors(self, values: np.ndarray, runs: np.ndarray) -> np.ndarray:
+        """Return the errors of the texels' means due to the reflected light that all points share, (texels, C) float64.
+
+        The samples of a texel have this error in common, so their spread does not contain it.
+
+        Args:
+            values: (P, C), values at the points, NaN if unknown.
+            runs: (P, C, R), light that faces reflect to the points, in each of R independent runs.
+        """
+        known = np.isfinite(values).all(axis=1, keepdims=True)
+        means = [self.means(np.where(known, run, np.nan))[0] for run in np.moveaxis(runs, 2, 0)]
+        return np.sqrt(shared_variance(np.stack(means), axis=0))
 
     def ray_errors(self, values: np.ndarray, raised: np.ndarray, unbiased: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the parts of two kinds of standard errors that come from rays, (texels, C) float64, NaN without a value.

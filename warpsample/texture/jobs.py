@@ -133,7 +133,7 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
         found = texels.choose_set(rows, name, first=first)
         if found.points is None:
             faced = [one for one in group if len(one.triangles)]
-            charts = charts_for(faced, mesh, square_side(how.size))
+            charts = charts_for(faced, mesh, square_side(how.size, found.passed))
             with convert_read_errors(path):
                 number, uv = add_uv(file, faced, charts, len(mesh.faces))
             remake = partial(_make_points_by_new_uv, texels, uv, faced)
@@ -184,7 +184,7 @@ def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> 
             f"--output: got a {output} for {path.name!r} {found.describe('without texture coordinates that can be used')}, "
             "want .npz, which holds new ones, or .glb for a glTF file"
         )
-    uv = unwrap(mesh, square_side(how.size), padding=PADDING)[1]
+    uv = unwrap(mesh, square_side(how.size, found.passed), padding=PADDING)[1]
     return TextureJob(path.name, texels.points(uv, rows), 0, found.describe("new coordinates"), [])
 
 
@@ -214,14 +214,19 @@ def _read_set_number(info: Part) -> int:
     return number
 
 
-def square_side(size: tuple[int, int]) -> int:
+def square_side(size: tuple[int, int], passed: Sequence[str]) -> int:
     """Return the side of a square image, in texels; new texture coordinates need a square.
+
+    Args:
+        size: width and height.
+        passed: reasons why sets of the file are not used.
 
     Raises:
         ValueError: width and height differ.
     """
     if size[0] != size[1]:
+        why = f" ({'; '.join(passed)})" if passed else ""
         raise ValueError(
-            f"--texture: got {size[0]}x{size[1]} for new texture coordinates, want a square, such as {max(size)}"
+            f"--texture: got {size[0]}x{size[1]} for new texture coordinates{why}, want a square, such as {max(size)}"
         )
     return size[0]

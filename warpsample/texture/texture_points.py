@@ -157,8 +157,9 @@ class TexturePoints(Summary):
         Args:
             errors: `Estimate` at the points, or with one sample per texel standard errors, (P,) or (P, C). Where all rays of
                 a point agree, the error of an `Estimate` is that of its interval, unless the point is proven to be free.
-                With several samples, the errors come from the spread of the values in a texel and are up to 2.5 times too
-                large, since samples are stratified. A texel with a single sample uses the spread in the surrounding texels.
+                With several samples, the errors come from the spread of the values in a texel and from the runs of reflected
+                light. They are up to 5 times too large, since samples are stratified. A texel with a single sample uses the
+                spread in the surrounding texels.
             gutter: Fill distance, as for `image`. Default: "all".
 
         Returns:
@@ -194,7 +195,10 @@ class TexturePoints(Summary):
                 f"errors: got {quote(errors)}, want the whole Estimate, because errors of {self.samples} samples per "
                 "texel need its values, too"
             )
-        made = texels.means_and_errors(values.reshape(flat.shape), [flat])[1]
+        values = values.reshape(flat.shape)
+        made = texels.means_and_errors(values, [flat])[1]
+        if (runs := getattr(errors, "reflected_runs", None)) is not None:
+            made = np.hypot(made, texels.shared_errors(values, runs))
         return texels.fill(made, gutter, own.shape[1:]).astype(np.float32)
 
     @property

@@ -5,7 +5,6 @@ import os
 import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from functools import partial
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile
@@ -128,8 +127,17 @@ class TileFiles:
         return read_about(self.path)
 
     def remove(self) -> None:
-        """Remove the hidden folder with all tiles."""
-        uninterrupted(partial(shutil.rmtree, self.path))
+        """Remove the hidden folder with all tiles; what a killed process leaves of it can be resumed."""
+        uninterrupted(self._remove)
+
+    def _remove(self) -> None:
+        """Remove the folder, and its attributes last: without them its files would be those of a user."""
+        for path in list(self.path.iterdir()):
+            if path.is_dir():
+                shutil.rmtree(path)
+            elif path.name != ABOUT:
+                path.unlink()
+        shutil.rmtree(self.path)
 
 
 def tile_file(folder: Path, index: int) -> Path:

@@ -11,14 +11,12 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.thickness import Thickness
 from warpsample.estimate.result import ExactResult
 from warpsample.host.engine import check_workers
-from warpsample.mesh.part_means import shared_variance
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.bake import compute_parts, part_size
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import quantity_of
 from warpsample.output.run_record import RunRecord
 from warpsample.texture.high import HighMesh
-from warpsample.texture.image import TexelRows
 from warpsample.texture.inside import Closed, Enclosed
 from warpsample.texture.jobs import SCENES, TextureJob
 from warpsample.texture.materials import slot_for_quantity
@@ -136,7 +134,7 @@ def _images(
     rows = [some.reshape(len(value), -1) for some in (value, error, unbiased)]
     means, *errors = texels.means_and_errors(rows[0], rows[1:])
     if runs:
-        shared = _shared_errors(np.concatenate(runs), known, texels)
+        shared = texels.shared_errors(rows[0], np.concatenate(runs))
         errors = [np.hypot(one, shared) for one in errors]
     own_texels = np.isfinite(means).all(axis=1).reshape(how.size[::-1])
 
@@ -151,20 +149,6 @@ def _images(
         least, own = texels.ray_errors(*rows)
         noise = fill(least, 0), fill(own, 0)
     return image, raised, plain, noise, own_texels, mean
-
-
-def _shared_errors(runs: np.ndarray, known: np.ndarray, texels: TexelRows) -> np.ndarray:
-    """Return the errors of the texels' means due to the reflected light that all points share, (texels, C) float64.
-
-    The samples of a texel have this error in common, so that their spread does not contain it.
-
-    Args:
-        runs: (P, C, R) reflected light at the points in each of R independent runs.
-        known: (P,) or (P, C) bool, False for values that are left out of the means.
-        texels: Texels of the points.
-    """
-    runs[~known.reshape(len(runs), -1).all(axis=1)] = np.nan
-    return np.sqrt(shared_variance(np.stack([texels.means(run)[0] for run in np.moveaxis(runs, 2, 0)]), axis=0))
 
 
 def _converter(

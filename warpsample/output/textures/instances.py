@@ -66,14 +66,15 @@ def _mean_of(first: PlacedTexture, others: Iterator[PlacedTexture], gutter: Any)
     for other in others:
         first = _joined(first, other)
         more, times = _sums(other.filled)
-        total, count = total + more, count + times
+        total += more
+        count += times
     if len(first.groups) == 1:
         return first
     points, old = first.filled.job.points, first.filled
-    rows = (total / np.maximum(count, 1)).reshape(3, -1, total.shape[-1])[:, points.texel]
+    rows = (total / np.where(count > 0, count, np.nan)).reshape(3, -1, total.shape[-1])[:, points.texel]
     value, error, unbiased = (points.image(some, gutter=gutter).reshape(old.value.shape) for some in rows)
-    mean = float(value[points.covered].mean())
-    return replace(first, filled=replace(old, value=value, error=error, unbiased=unbiased, mean=mean))
+    mean = float(np.nanmean(rows[0])) if count.any() else float("nan")
+    return replace(first, filled=replace(old, value=value, error=error, unbiased=unbiased, own=count[..., 0] > 0, mean=mean))
 
 
 def _picture(filled: Filled, job: TextureJob) -> PlacedTexture:
@@ -81,10 +82,13 @@ def _picture(filled: Filled, job: TextureJob) -> PlacedTexture:
 
 
 def _sums(filled: Filled) -> tuple[np.ndarray, np.ndarray]:
-    """Return a texture's values and two errors, (3, H, W, C), 0 in unused texels, and the (H, W, 1) count of used texels."""
-    covered = filled.job.points.covered[..., None]
+    """Return values and two errors of a texture, (3, H, W, C), and counts, (H, W, 1).
+
+    The count is 1 for a texel with a value of its own; for other texels all are 0.
+    """
+    own = filled.own[..., None]
     all_three = np.stack([filled.value, filled.error, filled.unbiased]).astype(np.float64)
-    return np.where(covered, all_three.reshape(3, *covered.shape[:2], -1), 0.0), covered.astype(np.int64)
+    return np.where(own, all_three.reshape(3, *own.shape[:2], -1), 0.0), own.astype(np.int64)
 
 
 def place_pictures(file: GlbFile, pictures: list[list[PlacedTexture]]) -> list[list[list[Primitive]]]:

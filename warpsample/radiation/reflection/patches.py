@@ -100,7 +100,7 @@ def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
     """Divide the reflecting faces of a mesh into patches with edges of at most `refine`; return None if no face reflects.
 
     Raises:
-        TypeError, ValueError: `refine` is not a positive length.
+        TypeError, ValueError: `refine` is not a positive length, or divides an edge into too many parts.
         MemoryError: the patches need more memory than is free.
     """
     longest = None if refine is None else check_number(refine, "refine", 1e-12, inf)
@@ -112,8 +112,15 @@ def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
     cuts = _count_cuts(edges, _choose_longest_edge(edges) if longest is None else longest)
     parts = np.square(cuts)
     total = 2 * int(parts.sum())
-    more = "more than " if longest is not None and edges.max(initial=0.0) > _MOST_CUTS * longest else ""
+    largest = edges.max(initial=0.0)
+    is_cut_short = longest is not None and largest > _MOST_CUTS * longest
+    more = "more than " if is_cut_short else ""
     check_memory(_BYTES * total, f"refine: {more}{total:,} parts of faces that reflect", "pass a larger refine=")
+    if is_cut_short:
+        raise ValueError(
+            f"refine: got {longest:g}, want at least {largest / _MOST_CUTS:.6g}: the longest edge, of {largest:.6g}, is cut "
+            f"into at most {_MOST_CUTS:,} parts"
+        )
     face = np.repeat(np.arange(len(cuts)), 2 * parts)
     rank = np.arange(total) - np.repeat(np.cumsum(2 * parts) - 2 * parts, 2 * parts)
     back = rank >= parts[face]
