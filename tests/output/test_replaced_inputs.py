@@ -47,6 +47,22 @@ def test_an_input_that_is_replaced_meanwhile_is_an_error(module, name, command, 
     assert out.read_bytes() == before
 
 
+def test_a_layer_of_usd_that_is_replaced_meanwhile_is_an_error(tmp_path, call, monkeypatch):
+    """Each read of USD is a process of its own, so that seconds pass between positions and coordinates."""
+    layer, other, path, out = (tmp_path / name for name in ("layer.usda", "other.usda", "root.usda", "out.npz"))
+    for where, height in ((layer, 1.0), (other, 3.0)):
+        where.write_text(
+            '#usda 1.0\ndef Mesh "m" {\nint[] faceVertexCounts = [3]\nint[] faceVertexIndices = [0, 1, 2]\n'
+            f"point3f[] points = [(0, 0, 0), (1, 0, 0), (0, {height}, 0)]\n"
+            'texCoord2f[] primvars:st = [(0, 0), (1, 0), (0, 1)] (interpolation = "vertex")\n}\n'
+        )
+    path.write_text("#usda 1.0\n(\nsubLayers = [@./layer.usda@]\n)\n")
+    replacing(monkeypatch, images, "compute_parts", layer, other)
+    status, _, said = call("bake", path, "-o", out, "--quantity", "position", "--texture", 8)
+    assert (status, out.exists()) == (2, False)
+    assert f"error: mesh: got {str(path)!r}, changed since the run began" in said
+
+
 def test_an_input_that_is_read_once_may_change(tmp_path, call, monkeypatch):
     path, other, out = written(tmp_path / "box.ply"), written(tmp_path / "other.ply", 3.0), tmp_path / "out.ply"
     arguments = ("bake", path, "-o", out, "--quantity", "ao", "--samples", 4, "--at", "faces")

@@ -5,12 +5,13 @@ from pathlib import Path
 
 from warpsample.mesh.files.linked_files import list_linked_files
 
+_IN_SEVERAL_FILES = (".glb", ".gltf", ".usd", ".usda", ".usdc")  # formats whose meshes may be in other files
 _PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".ktx2")  # no results depend on them
 
 
 @dataclass(frozen=True)
 class InputState:
-    """Sizes and times of mesh files and of their data files.
+    """Sizes and times of mesh files, and of the buffers and layers that they refer to.
 
     Attributes:
         paths: Paths of the mesh files.
@@ -22,19 +23,20 @@ class InputState:
 
     @classmethod
     def of(cls, *paths: Path | None) -> "InputState":
-        """Return the present state of mesh files and of the buffers that glTF files name; None is ignored."""
+        """Return the present state of mesh files and of the files with their data; None is ignored."""
         given = tuple(path for path in paths if path is not None)
-        return cls(given, tuple(_read_state(file) for path in given for file in (path, *_list_buffers(path))))
+        return cls(given, tuple(_read_state(file) for path in given for file in (path, *_list_data_files(path))))
 
     def check(self) -> None:
         """Raise a ValueError if a file has changed since this state was recorded."""
-        if InputState.of(*self.paths) != self:
+        if any(_read_state(state[0]) != state for state in self.states):
             names = " and ".join(repr(str(path)) for path in self.paths)
             raise ValueError(f"mesh: got {names}, changed since the run began, want files that stay the same until its end")
 
 
-def _list_buffers(path: Path) -> list[Path]:
-    if path.suffix.lower() not in (".glb", ".gltf"):
+def _list_data_files(path: Path) -> list[Path]:
+    """Return the buffers that a glTF file names, or the layers of a USD file."""
+    if path.suffix.lower() not in _IN_SEVERAL_FILES:
         return []
     return [file for file in list_linked_files(path) if file.suffix.lower() not in _PICTURES]
 
