@@ -71,6 +71,23 @@ def test_a_ball_above_a_square(call, tmp_path, ball):
         assert np.abs(found["value"] - np.stack([x, y, z], axis=2)).max() < 1e-3  # the sagitta of the facets is 3e-4
 
 
+@pytest.mark.parametrize("far", [1e4, 1e6])
+def test_a_distant_face_of_the_finer_mesh_moves_no_texel(call, tmp_path, ball, far):
+    """Rays start beside edges by a share of the mesh's size; a distant face made this 13 texels."""
+    low, both = quad(tmp_path / "low.glb"), tmp_path / "far.ply"
+    options = ("--texture", SIZE, "--cage", 1, "--quantity", "position")
+    mesh = trimesh.load(ball)
+    away = np.array([(far, 0, 0), (far, 1e-4 * far, 0), (far, 0, 1e-4 * far)])
+    faces = np.vstack([mesh.faces, len(mesh.vertices) + np.arange(3)])
+    trimesh.Trimesh(np.vstack([mesh.vertices, away]), faces, process=False).export(both)
+    found = []
+    for high in (ball, both):
+        assert call("bake", low, "-o", tmp_path / "out.npz", *options, "--high", high)[0] == 0
+        with np.load(tmp_path / "out.npz") as file:
+            found.append(file["value"])
+    assert np.abs(found[0] - found[1]).max() < 0.01 * 2 * HALF / SIZE
+
+
 def test_what_the_cage_does_not_reach_is_counted_and_filled(call, tmp_path, ball):
     """Rays start at 3 and end at 1: they miss the ball beyond sqrt(3) of its axis."""
     low = quad(tmp_path / "low.glb", half=3.0)

@@ -84,6 +84,19 @@ def test_samples_of_a_texel_share_the_error_of_reflected_light():
     assert np.mean(without) < 0.3
 
 
+def test_sun_hours_of_a_texel_have_an_error_where_its_samples_agree():
+    """A shadow may fall between them. The error was 0 in half of the texels, and wrong by up to 129 hours."""
+    mesh, uv = floor_below_a_plate()
+    options = {"period": ("06-01", "06-30"), "up": (0, 0, 1), "north": (0, 1, 0)}
+    t = ws.texture_points(mesh, uv, SIDE, samples=4)
+    found = ws.sun_hours(mesh, t.points, "athens", **options)
+    needs = t.image(found.unseen_error) > 0.0
+    assert needs.mean() > 0.1
+    assert (t.image_error(found)[needs] >= 0.5 / 4).all()
+    single = ws.texture_points(mesh, uv, SIDE)
+    assert not single.image_error(ws.sun_hours(mesh, single.points, "athens", **options)).any()
+
+
 def test_the_command_adds_the_shared_error_too(call, tmp_path):
     mesh, uv = floor_below_a_plate()
     corners = "".join(f"vt {u} {1.0 - v}\n" for u, v in np.nan_to_num(uv[:, :, :2].reshape(-1, 2), nan=5.0))

@@ -9,6 +9,7 @@ from lookups import lookup, on_surface
 from textured_scenes import changed, opened, picture, rich
 
 import warpsample as ws
+from warpsample.texture import occlusion_picture
 from warpsample.texture.occlusion_picture import read_occlusion
 
 
@@ -58,6 +59,14 @@ def test_what_cannot_be_shown_is_white(baked, tmp_path):
     path.write_bytes(changed(baked.read_bytes(), lambda tree: tree["materials"][1]["occlusionTexture"].update(strength=[2])))
     with pytest.raises(ValueError, match=r"changed.glb.*materials\[1\].occlusionTexture.strength: got \[2\]"):
         read_occlusion(path)
+
+
+@pytest.mark.parametrize(("far", "is_shown"), [(1.0, True), (1.0000002, True), (1.001, False), (np.nan, False)])
+def test_faces_that_a_bake_takes_are_shown(far, is_shown):
+    """Coordinates of 1 that float32 has rounded count as inside the image, as in a bake."""
+    uv = np.array([[[0.0, -2e-7], [far, 0.0], [0.0, 1.0]]])
+    shown = occlusion_picture._join_pictures([np.zeros((8, 8), np.uint8)], [1.0], np.zeros(1, np.int64), [uv])
+    assert (lookup(shown.picture[..., None] / 255, shown.uv[:, 0])[:, 0] == (0.0 if is_shown else 1.0)).all()
 
 
 def test_the_viewer_is_given_it(can_render, baked):

@@ -11,11 +11,12 @@ from warpsample.mesh.files.normals import read_normals, read_smooth_normals
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.shading import compute_corner_normals, shade_points
+from warpsample.tracing.scene import scene_of
 from warpsample.tracing.trace import trace
 
 _ROUNDS = 32  # most faces that a ray passes before the search ends
-_NUDGE = 4e-6  # of the fine mesh's diagonal: the precision of float32 rays
-_STEP = 2e-6  # of the fine mesh's diagonal: distance behind a back face at which a ray starts again
+_NUDGE = 4e-6  # of the fine mesh's size: the precision of float32 rays
+_STEP = 2e-6  # of the fine mesh's size: distance behind a back face at which a ray starts again
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +60,7 @@ class HighMesh:
         """
         inward = -np.asarray(points.normal, np.float64)
         middle = low.vertices[low.faces[points.face]].mean(axis=1) - points.position
-        share = _NUDGE * self.mesh.diagonal / np.maximum(np.linalg.norm(middle, axis=1, keepdims=True), 1e-300)
+        share = _NUDGE * self._sizes_at(points.position) / np.maximum(np.linalg.norm(middle, axis=1, keepdims=True), 1e-300)
         start = points.position + np.minimum(share, 0.5) * middle - self.cage * inward
         face = self._find_front_faces(start, inward, workers)
         missed = face < 0
@@ -71,11 +72,22 @@ class HighMesh:
         position = np.where(missed[:, None], points.position, position)
         return SurfacePoints(position, normal, np.where(missed, -1, on).astype(np.int32), weights, points.id), missed
 
+    def _sizes_at(self, places: np.ndarray) -> np.ndarray:
+        """Return the size of the fine mesh that limits the precision of rays at each place, (P, 1) float64.
+
+        This is the diagonal, unless a few faces are distant from the others and from the place.
+        """
+        scene, whole = scene_of(self.mesh, through=True), self.mesh.diagonal
+        if scene.spread is scene.extent:
+            return np.full((len(places), 1), whole)
+        away = np.linalg.norm(places - scene.centre, axis=1, keepdims=True)
+        return np.minimum(whole, 2.0 * np.maximum(away, np.linalg.norm(scene.spread) / scene.scale))
+
     def _find_front_faces(self, start: np.ndarray, inward: np.ndarray, workers: int | None) -> np.ndarray:
         """Return the first face that each ray hits from the front, (P,), within twice the cage; -1 without a hit."""
         found = np.full(len(start), -1, np.int64)
         travelled, pending = np.zeros(len(start)), np.arange(len(start))
-        step = _STEP * self.mesh.diagonal
+        step = _STEP * self._sizes_at(start)[:, 0]
         for _ in range(_ROUNDS):
             origin = start[pending] + travelled[pending, None] * inward[pending]
             hits = trace(self.mesh, origin, inward[pending].astype(np.float32), workers=workers)
@@ -83,7 +95,7 @@ class HighMesh:
             is_hit = (hits.face >= 0) & (reached <= 2.0 * self.cage)
             front = is_hit & ((self.mesh.face_normals[hits.face] * inward[pending]).sum(axis=1) < 0.0)
             found[pending[front]] = hits.face[front]
-            travelled[pending] = reached + step
+            travelled[pending] = reached + step[pending]
             pending = pending[is_hit & ~front]
             if not len(pending):
                 break

@@ -14,6 +14,7 @@ from warpsample.mesh.files.gltf import iterate_primitives, opened, read_corners,
 from warpsample.mesh.files.gltf_data import Data
 from warpsample.mesh.files.uv import LAST_SET
 from warpsample.texture.pictures import import_library
+from warpsample.texture.report import find_outside_faces
 
 _SIDE = 8192  # largest side of the joined picture, in texels: graphics cards accept this size
 _FORMATS = ("PNG", "JPEG", "WEBP")  # of glTF; Pillow would run another program for some other formats
@@ -110,12 +111,12 @@ def _join_pictures(
     side = min(max(max(picture.shape) for picture in pictures), _SIDE // columns - 2)
     pitch = side + 2
     whole = np.full((columns * pitch, columns * pitch), 255, np.uint8)
-    uv = np.empty((len(kind), 3, 2))
+    uv = np.full((len(kind), 3, 2), np.nan)
     for number, coordinates in enumerate(sets):
         uv[kind == number] = coordinates[kind == number]
-    beyond = ~((uv >= 0.0) & (uv <= 1.0)).all(axis=(1, 2))
-    place = np.where((kind < 0) | beyond, len(pictures), kind)
-    uv[place == len(pictures)] = 0.5
+    is_shown = (kind >= 0) & np.isfinite(uv).all(axis=(1, 2)) & ~find_outside_faces(uv)
+    place = np.where(is_shown, kind, len(pictures))
+    uv = np.clip(np.where(is_shown[:, None, None], uv, 0.5), 0.0, 1.0)
     for number, picture in enumerate(pictures):
         row, column = (pitch * at for at in divmod(number, columns))
         take = [(np.arange(side) * length) // side for length in picture.shape]

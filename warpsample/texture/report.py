@@ -49,13 +49,17 @@ def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
     area = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
     lengths = np.sqrt((first**2).sum(axis=1) * (second**2).sum(axis=1))
     flat = finite & (np.abs(area) <= _FLAT * lengths)
-    outside = (uv < -_OUTSIDE).any(axis=(1, 2)) | (uv > 1.0 + _OUTSIDE).any(axis=(1, 2))
     return {
-        "outside": outside,
+        "outside": find_outside_faces(uv),
         "zero_area": flat,
         "mirrored": finite & ~flat & (area > 0.0),  # v points down
         "without_uv": ~finite,
     }
+
+
+def find_outside_faces(uv: np.ndarray) -> np.ndarray:
+    """Return the (F,) mask of faces with a corner outside the image, by finite texture coordinates (F, 3, 2)."""
+    return (uv < -_OUTSIDE).any(axis=(1, 2)) | (uv > 1.0 + _OUTSIDE).any(axis=(1, 2))
 
 
 def find_squeezed_faces(mesh: Mesh, corners: np.ndarray) -> np.ndarray:

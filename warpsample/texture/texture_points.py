@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from warpsample.estimate.intervals import raised_errors
+from warpsample.estimate.intervals import errors_for_means, raised_errors
 from warpsample.host.arguments import check_choice, check_flag, check_integer, quote
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property
@@ -180,7 +180,7 @@ class TexturePoints(Summary):
             values, shape = self._check_rows(errors.value, "errors"), np.shape(errors.standard_error)
             if values.shape != shape:
                 raise ValueError(f"errors: got {shape} standard errors of {values.shape} values, want equal shapes")
-            own = raised_errors(errors)
+            own = raised_errors(errors) if self.samples == 1 else errors_for_means(errors)
         own = self._check_rows(own, "errors")
         least = np.fmin.reduce(own, axis=None, initial=0)
         if least < 0:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.estimate.intervals import raised_errors
+from warpsample.estimate.intervals import errors_for_means, raised_errors
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.thickness import Thickness
 from warpsample.estimate.result import ExactResult
@@ -97,9 +97,10 @@ def fill_texture(
         found = numbers(places, 0)  # the points have ids
         return replace(found, value=convert(found.value, places.normal, points.face[rows], part.barycentric))
 
+    errors_of = raised_errors if how.samples == 1 else errors_for_means
     kept, runs, rays, bad = [], list[np.ndarray](), 0, 0
     for part in compute_parts(points, of_part, part_size(quantity, options), record):
-        kept.append((np.where(part.status == 0, part.value.T, np.nan).T, raised_errors(part), part.standard_error))
+        kept.append((np.where(part.status == 0, part.value.T, np.nan).T, errors_of(part), part.standard_error))
         if how.samples > 1 and getattr(part, "reflected_runs", None) is not None:
             runs.append(part.reflected_runs)
         rays, bad = rays + int(part.rays.sum(dtype=np.int64)), bad + int(np.count_nonzero(part.status))
