@@ -24,6 +24,11 @@ def sparse(number):
             "the file uses KHR_draco_mesh_compression",
         ),
         (lambda tree: tree["extensionsUsed"].append("EXT_mesh_gpu_instancing"), [], "the file uses EXT_mesh_gpu_instancing"),
+        (
+            lambda tree: tree["nodes"][0].update(extensions={"EXT_mesh_gpu_instancing": {}}),
+            [],
+            "the file uses EXT_mesh_gpu_instancing",
+        ),
         (lambda tree: tree["extensionsUsed"].append("KHR_meshopt_compression"), [], "the file uses KHR_meshopt_compression"),
         (lambda tree: tree["materials"][0].update(occlusionTexture=3), [], r"materials\[0\].occlusionTexture: got 3, want"),
         (lambda tree: tree["materials"][1].update(alphaMode=3), [], r"materials\[1\].alphaMode: got 3, want a text"),

@@ -179,6 +179,19 @@ def test_back_faces_are_passed():
     assert np.array_equal(found.face, np.arange(len(inner.faces)))
 
 
+@pytest.mark.parametrize("backs_first", [False, True])
+def test_front_faces_that_coincide_with_back_faces_are_found(backs_first):
+    """Leaves and cloth have two layers. Rays that met the back layer first passed both: half of the points missed."""
+    ball = trimesh.creation.icosphere(3)
+    both = [ball.faces[:, ::-1], ball.faces] if backs_first else [ball.faces, ball.faces[:, ::-1]]
+    mesh = ws.Mesh(ball.vertices, np.concatenate(both))
+    high = HighMesh(mesh, np.repeat(mesh.face_normals[:, None], 3, axis=1).astype(float), 0.5, "face")
+    low = ws.as_mesh(ball)
+    found, missed = high.project(ws.face_centers(low), low)
+    assert not missed.any()
+    assert np.array_equal(found.face, np.arange(len(ball.faces)) + (len(ball.faces) if backs_first else 0))
+
+
 @pytest.mark.parametrize(
     ("options", "why"),
     [

@@ -13,10 +13,9 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.shading import compute_corner_normals, shade_points
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.trace import trace
+from warpsample.tracing.trace_all import trace_all
 
-_ROUNDS = 32  # most faces that a ray passes before the search ends
 _NUDGE = 4e-6  # of the fine mesh's size: the precision of float32 rays
-_STEP = 2e-6  # of the fine mesh's size: distance behind a back face at which a ray starts again
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,21 +84,22 @@ class HighMesh:
 
     def _find_front_faces(self, start: np.ndarray, inward: np.ndarray, workers: int | None) -> np.ndarray:
         """Return the first face that each ray hits from the front, (P,), within twice the cage; -1 without a hit."""
-        found = np.full(len(start), -1, np.int64)
-        travelled, pending = np.zeros(len(start)), np.arange(len(start))
-        step = _STEP * self._sizes_at(start)[:, 0]
-        for _ in range(_ROUNDS):
-            origin = start[pending] + travelled[pending, None] * inward[pending]
-            hits = trace(self.mesh, origin, inward[pending].astype(np.float32), workers=workers)
-            reached = travelled[pending] + hits.distance
-            is_hit = (hits.face >= 0) & (reached <= 2.0 * self.cage)
-            front = is_hit & ((self.mesh.face_normals[hits.face] * inward[pending]).sum(axis=1) < 0.0)
-            found[pending[front]] = hits.face[front]
-            travelled[pending] = reached + step[pending]
-            pending = pending[is_hit & ~front]
-            if not len(pending):
-                break
+        reach, directions = 2.0 * self.cage, inward.astype(np.float32)
+        hits = trace(self.mesh, start, directions, workers=workers)
+        is_hit = (hits.face >= 0) & (hits.distance <= reach)
+        front = is_hit & self._faces_rays(hits.face, inward)
+        found = np.where(front, hits.face, -1).astype(np.int64)
+        behind = np.flatnonzero(is_hit & ~front)
+        every = trace_all(self.mesh, start[behind], directions[behind], workers=workers)
+        ray = np.repeat(behind, np.diff(every.first))
+        usable = np.flatnonzero((every.distance <= reach) & self._faces_rays(every.face, inward[ray]))
+        rows, first = np.unique(ray[usable], return_index=True)  # hits are sorted by distance
+        found[rows] = every.face[usable[first]]
         return found
+
+    def _faces_rays(self, face: np.ndarray, inward: np.ndarray) -> np.ndarray:
+        """Return whether rays along `inward`, (P, 3), hit the fronts of faces, (P,) bool."""
+        return (self.mesh.face_normals[face] * inward).sum(axis=1) < 0.0
 
 
 def average_normals(mesh: Mesh) -> np.ndarray:

@@ -108,7 +108,8 @@ def check_supported(tree: Part) -> None:
     key = "minVersion" if "minVersion" in asset else "version"
     if key in asset and not re.fullmatch(_VERSIONS[key], asset.text(key)):
         raise ValueError(f"{asset.at(key)}: got {quote(asset.text(key))}, want glTF 2.0; export the file as glTF 2.0")
-    needed = _EXTENSIONS & set(tree.texts("extensionsUsed"))
+    at_nodes = {name for node in tree.parts("nodes") if "extensions" in node for name in node.part("extensions").content}
+    needed = _EXTENSIONS & (at_nodes | set(tree.texts("extensionsUsed")))
     if needed:
         raise ValueError(f"the file uses {', '.join(sorted(needed))}, want a file without these extensions; export it again")
     unknown = [name for name in tree.texts("extensionsRequired") if not any(fnmatchcase(name, known) for known in _READ)]
