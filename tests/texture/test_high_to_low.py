@@ -8,7 +8,7 @@ from lookups import floor_by_a_wall
 from textured_scenes import SQUARE, TWO, corner, opened, picture
 
 import warpsample as ws
-from warpsample.texture.high import HighMesh
+from warpsample.texture.high import HighMesh, average_normals
 
 RADIUS, HALF, SIZE = 2.0, 1.2, 32
 
@@ -177,6 +177,17 @@ def test_back_faces_are_passed():
     found, missed = high.project(ws.face_centers(low), low)
     assert not missed.any()
     assert np.array_equal(found.face, np.arange(len(inner.faces)))
+
+
+def test_rays_of_a_wall_are_not_turned_by_a_large_floor_beside_it():
+    """By area, the floor has 99 % of the edge's normal, and rays along the wall leave the cage before they meet it."""
+    corners = np.array([(0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1), (1, 100, 0), (0, 100, 0)], float)
+    low = ws.Mesh(corners, [[0, 1, 2], [0, 2, 3], [0, 4, 1], [0, 5, 4]])  # a wall of 1, and a floor of 100, at right angles
+    normals = average_normals(low)
+    assert np.abs(normals[0, 0]).round(6).tolist() == [0.0, 0.707107, 0.707107]
+    assert normals[0, 2].tolist() == low.face_normals[0].tolist()
+    scaled = average_normals(ws.Mesh(1e-20 * corners, low.faces))
+    assert np.allclose(normals, scaled, atol=1e-6)
 
 
 @pytest.mark.parametrize("backs_first", [False, True])

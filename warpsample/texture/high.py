@@ -8,7 +8,7 @@ import numpy as np
 from warpsample.host.arguments import naming_file
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.normals import read_normals, read_smooth_normals
-from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.shading import compute_corner_normals, shade_points
 from warpsample.tracing.scene import scene_of
@@ -105,11 +105,17 @@ class HighMesh:
 def average_normals(mesh: Mesh) -> np.ndarray:
     """Return the (F, 3, 3) float64 corner normals, equal at all corners with the same position.
 
-    Equal normals leave no gaps between the rays at hard edges and seams.
+    Equal normals leave no gaps between the rays at hard edges and seams. Faces count by their angle at the position. If they
+    counted by area, a large floor would turn the rays of a wall beside it along the wall.
     """
     places, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
     faces = vertex.reshape(-1)[mesh.faces]
-    return Mesh(places, faces).vertex_normals[faces].astype(np.float64)
+    edges = np.roll(places[faces], -1, axis=1) - places[faces]
+    edges = unit_or_zero(edges.reshape(-1, 3)).reshape(edges.shape).astype(np.float64)
+    cosine = -np.einsum("fkx,fkx->fk", edges, np.roll(edges, 1, axis=1))
+    weighted = np.arccos(np.clip(cosine, -1.0, 1.0))[..., None] * mesh.face_normals[:, None]
+    sums = [np.bincount(faces.ravel(), axis, len(places)) for axis in weighted.reshape(-1, 3).T]
+    return unit_or_zero(np.stack(sums, axis=1))[faces].astype(np.float64)
 
 
 def _compute_plane_weights(corners: np.ndarray, start: np.ndarray, directions: np.ndarray) -> np.ndarray:
