@@ -134,7 +134,7 @@ def direct_sun(
         weights: (T,) or (T, M) finite numbers to sum over the suns in float64, times the lit share, such as 1 for hours or
             the direct normal irradiance in W/m2. Default: None, the array (P, T).
         disc: Angular diameter of the sun in degrees, a float from 0 to 45; 0.533 is the real one. A disc that is neither
-            proven lit nor proven dark takes 16 rays: an error of 0.04 (RMS) where an edge passes through the disc, at about
+            proven lit nor proven dark takes 16 rays: an error of 0.05 (RMS) where an edge passes through the disc, at about
             one of a hundred suns. The part below the point's horizon is dark; a centre below it gives 0. Default: 0.0.
         cosine: Whether to multiply the weights by n.s, for the irradiance on the surface. Default: False.
         seed: Random seed, an integer of 64 bits. Default: 0.
