@@ -190,6 +190,32 @@ def test_rays_of_a_wall_are_not_turned_by_a_large_floor_beside_it():
     assert np.allclose(normals, scaled, atol=1e-6)
 
 
+def test_the_normals_of_a_sheet_with_two_sides_cancel():
+    """All but for rounding, which was taken for a direction: half of the texels showed the other side."""
+    ball = trimesh.creation.icosphere(2)
+    sheet = ws.Mesh(ball.vertices, np.concatenate([ball.faces, ball.faces[:, ::-1]]))
+    assert not average_normals(sheet).any()
+    high = HighMesh(sheet, np.repeat(sheet.face_normals[:, None], 3, axis=1).astype(float), 0.1, "face")
+    low = ws.face_centers(sheet)
+    found, missed = high.project(low, sheet)
+    assert not missed.any()
+    assert ((found.normal * low.normal).sum(axis=1) > 0.9).all()
+
+
+def test_rays_of_a_large_scene_are_moved_by_what_they_resolve():
+    """Crates over 2 km: they were moved by 7 times as much, half a texel, and the report compared with this length."""
+    square = np.float64([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)])
+    places = np.random.default_rng(1).uniform(-1000.0, 1000.0, (300, 1, 3)) * (1, 1, 0)
+    corners = (square + places).reshape(-1, 3)
+    faces = (np.array([[0, 1, 2], [0, 2, 3]]) + 4 * np.arange(300)[:, None, None]).reshape(-1, 3)
+    mesh = ws.Mesh(corners, faces)
+    high = HighMesh(mesh, np.repeat(mesh.face_normals[:, None], 3, axis=1).astype(float), 0.1, "face")
+    points = ws.sample_surface(mesh, 2000)
+    found, missed = high.project(points, mesh)
+    assert not missed.any()
+    assert np.abs(found.position - points.position)[:, :2].max() < 1.1 * 2.0**-19 * 1000.0
+
+
 @pytest.mark.parametrize("backs_first", [False, True])
 def test_front_faces_that_coincide_with_back_faces_are_found(backs_first):
     """Leaves and cloth have two layers. Rays that met the back layer first passed both: half of the points missed."""

@@ -79,9 +79,11 @@ def test_samples_of_a_texel_share_the_error_of_reflected_light():
         found = dataclasses.replace(sky, value=own + shared.mean(), standard_error=np.full(len(t), 0.1), reflected_runs=runs)
         wrong = np.abs(t.image(found.value))
         within.append((wrong <= 2.0 * t.image_error(found)).mean())
-        without.append((wrong <= 2.0 * t.image_error(dataclasses.replace(found, reflected_runs=None))).mean())
+        without.append((wrong <= 2.0 * t.image_error(dataclasses.replace(found, reflected=None))).mean())
     assert 0.88 < np.mean(within) < 0.95  # eight runs: 91.4 % by Student's t, uncertain by 0.02
     assert np.mean(without) < 0.3
+    with pytest.raises(ValueError, match="^errors: got a series of light that faces reflect, want the light of the whole"):
+        t.image_error(dataclasses.replace(found, reflected_runs=None))  # as with series=True
 
 
 def test_sun_hours_of_a_texel_have_an_error_where_its_samples_agree():

@@ -11,11 +11,12 @@ from warpsample.mesh.files.normals import read_normals, read_smooth_normals
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.shading import compute_corner_normals, shade_points
+from warpsample.tracing.placement import OFFSET
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.trace import trace
 from warpsample.tracing.trace_all import trace_all
 
-_NUDGE = 4e-6  # of the fine mesh's size: the precision of float32 rays
+_CANCELLED = 1e-5  # length of a mean normal that is rounding, as where two sides of a sheet meet
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +60,7 @@ class HighMesh:
         """
         inward = -np.asarray(points.normal, np.float64)
         middle = low.vertices[low.faces[points.face]].mean(axis=1) - points.position
-        share = _NUDGE * self._sizes_at(points.position) / np.maximum(np.linalg.norm(middle, axis=1, keepdims=True), 1e-300)
+        share = self._resolutions_at(points.position) / np.maximum(np.linalg.norm(middle, axis=1, keepdims=True), 1e-300)
         start = points.position + np.minimum(share, 0.5) * middle - self.cage * inward
         face = self._find_front_faces(start, inward, workers)
         missed = face < 0
@@ -71,16 +72,11 @@ class HighMesh:
         position = np.where(missed[:, None], points.position, position)
         return SurfacePoints(position, normal, np.where(missed, -1, on).astype(np.int32), weights, points.id), missed
 
-    def _sizes_at(self, places: np.ndarray) -> np.ndarray:
-        """Return the size of the fine mesh that limits the precision of rays at each place, (P, 1) float64.
-
-        This is the diagonal, unless a few faces are distant from the others and from the place.
-        """
-        scene, whole = scene_of(self.mesh, through=True), self.mesh.diagonal
-        if scene.spread is scene.extent:
-            return np.full((len(places), 1), whole)
-        away = np.linalg.norm(places - scene.centre, axis=1, keepdims=True)
-        return np.minimum(whole, 2.0 * np.maximum(away, np.linalg.norm(scene.spread) / scene.scale))
+    def _resolutions_at(self, places: np.ndarray) -> np.ndarray:
+        """Return the lengths that rays against the fine mesh resolve at each place, (P, 1) float64."""
+        scene = scene_of(self.mesh, through=True)
+        reach = np.abs(places - scene.centre).max(axis=1, keepdims=True)
+        return OFFSET * np.maximum(reach, scene.spread.max() / scene.scale)
 
     def _find_front_faces(self, start: np.ndarray, inward: np.ndarray, workers: int | None) -> np.ndarray:
         """Return the first face that each ray hits from the front, (P,), within twice the cage; -1 without a hit."""
@@ -106,16 +102,19 @@ def average_normals(mesh: Mesh) -> np.ndarray:
     """Return the (F, 3, 3) float64 corner normals, equal at all corners with the same position.
 
     Equal normals leave no gaps between the rays at hard edges and seams. Faces count by their angle at the position. If they
-    counted by area, a large floor would turn the rays of a wall beside it along the wall.
+    counted by area, a large floor would turn the rays of a wall beside it along the wall. Normals that cancel give 0.
     """
     places, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
     faces = vertex.reshape(-1)[mesh.faces]
     edges = np.roll(places[faces], -1, axis=1) - places[faces]
     edges = unit_or_zero(edges.reshape(-1, 3)).reshape(edges.shape).astype(np.float64)
     cosine = -np.einsum("fkx,fkx->fk", edges, np.roll(edges, 1, axis=1))
-    weighted = np.arccos(np.clip(cosine, -1.0, 1.0))[..., None] * mesh.face_normals[:, None]
-    sums = [np.bincount(faces.ravel(), axis, len(places)) for axis in weighted.reshape(-1, 3).T]
-    return unit_or_zero(np.stack(sums, axis=1))[faces].astype(np.float64)
+    angle = np.arccos(np.clip(cosine, -1.0, 1.0))[..., None]
+    corners = np.concatenate([angle * mesh.face_normals[:, None], angle], axis=2).reshape(-1, 4)
+    sums = np.stack([np.bincount(faces.ravel(), column, len(places)) for column in corners.T], axis=1)
+    mean = sums[:, :3]
+    mean[np.linalg.norm(mean, axis=1) <= _CANCELLED * sums[:, 3]] = 0.0
+    return unit_or_zero(mean)[faces].astype(np.float64)
 
 
 def _compute_plane_weights(corners: np.ndarray, start: np.ndarray, directions: np.ndarray) -> np.ndarray:

@@ -197,8 +197,10 @@ class TexturePoints(Summary):
             )
         values = values.reshape(flat.shape)
         made = texels.means_and_errors(values, [flat])[1]
-        if (runs := getattr(errors, "reflected_runs", None)) is not None:
-            made = np.hypot(made, texels.shared_errors(values, runs))
+        if getattr(errors, "reflected", None) is not None:
+            if errors.reflected_runs is None:
+                raise ValueError("errors: got a series of light that faces reflect, want the light of the whole period")
+            made = np.hypot(made, texels.shared_errors(values, errors.reflected_runs))
         return texels.fill(made, gutter, own.shape[1:]).astype(np.float32)
 
     @property
