@@ -1,5 +1,6 @@
 """Inputs that another program replaces while a command reads them several times: an error, and the output stays."""
 
+import numpy as np
 import pytest
 import trimesh
 
@@ -31,6 +32,7 @@ def replacing(monkeypatch, module, name, path, other):
         (images, "compute_parts", ("bake", "--quantity", "bent-normals", "--samples", 4, "--texture", 64), "out.glb"),
         (images, "compute_parts", ("bake", "--quantity", "ao", "--samples", 4, "--texture", 64), "out.npz"),
         (export, "points_on", ("directions", "--at", "faces", "--samples", 4), "out.npz"),
+        (export, "points_on", ("directions", "--at", "faces", "--samples", 4), "out.ply"),
     ],
 )
 def test_an_input_that_is_replaced_meanwhile_is_an_error(module, name, command, output, tmp_path, call, monkeypatch):
@@ -61,6 +63,18 @@ def test_a_layer_of_usd_that_is_replaced_meanwhile_is_an_error(tmp_path, call, m
     status, _, said = call("bake", path, "-o", out, "--quantity", "position", "--texture", 8)
     assert (status, out.exists()) == (2, False)
     assert f"error: mesh: got {str(path)!r}, changed since the run began" in said
+
+
+def test_an_array_that_is_replaced_meanwhile_is_an_error(tmp_path, call, monkeypatch):
+    path, out = written(tmp_path / "box.ply"), tmp_path / "out.npz"
+    array, other = tmp_path / "array.npz", tmp_path / "other.npz"
+    for file, alpha in ((array, 0.1), (other, 0.9)):
+        np.savez(file, rough=np.full(12, alpha))
+    replacing(monkeypatch, export, "carry_to_points", array, other)
+    lobe = ("--distribution", "ggx(alpha=@rough)", "--arrays", array)
+    status, _, said = call("directions", path, "-o", out, "--at", "faces", "--samples", 4, *lobe)
+    assert (status, out.exists()) == (2, False)
+    assert f"{str(array)!r}, changed since the run began" in said
 
 
 def test_an_input_that_is_read_once_may_change(tmp_path, call, monkeypatch):

@@ -216,6 +216,16 @@ def test_rays_of_a_large_scene_are_moved_by_what_they_resolve():
     assert np.abs(found.position - points.position)[:, :2].max() < 1.1 * 2.0**-19 * 1000.0
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_slivers_turn_no_rays(seed):
+    """A cap triangle at a T-junction has an angle of 180 degrees, and a normal of rounding."""
+    corners = np.array([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0.7, 0, 0), (1, -1, 0)], float)
+    turn = trimesh.transformations.random_rotation_matrix(np.random.default_rng(seed).random(3))[:3, :3]
+    rounded = (corners @ turn.T + 1.0).astype(np.float32).astype(float)
+    low = ws.Mesh(rounded, [[0, 2, 3], [0, 1, 2], [0, 5, 4], [4, 5, 1], [0, 4, 1]])
+    assert (average_normals(low)[:4] @ low.face_normals[1].astype(float)).min() > 1.0 - 1e-6
+
+
 @pytest.mark.parametrize("backs_first", [False, True])
 def test_front_faces_that_coincide_with_back_faces_are_found(backs_first):
     """Leaves and cloth have two layers. Rays that met the back layer first passed both: half of the points missed."""

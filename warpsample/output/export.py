@@ -84,7 +84,7 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
     """
     _check(run)
     check_workers(workers)
-    state = InputState.of(run.mesh)
+    state = InputState.of(run.mesh, run.arrays)
     mesh = load_mesh(run.mesh)
     if run.points is not None and run.output.suffix == ".npz":  # a cloud is held by memory, below
         ways = run.points * run.samples
@@ -103,9 +103,9 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
     with complete_or_absent(run.output) as file:
         if run.output.suffix == ".npz":
             status = _write_archive(file, points, lobe, run, workers)
-            state.check()  # the file's hash was computed after its mesh was read
         else:
             status = _write_cloud(file, points, lobe, run, workers, scale=CLOUD_SCALE * mesh.diagonal)
+        state.check()  # texture coordinates, arrays and hashes are read after the mesh
     skipped = {Status(code): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
     total, which = len(points) * run.samples, {Status.INVALID_PARAMETER: _name_invalid(lobe)}
     counts = [f"{n:,} {code.name.lower()}{which.get(code, '')}" for code, n in skipped.items()]

@@ -8,7 +8,7 @@ import numpy as np
 from warpsample.host.arguments import naming_file
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.normals import read_normals, read_smooth_normals
-from warpsample.mesh.mesh import Mesh, unit_or_zero
+from warpsample.mesh.mesh import Mesh, lengths, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.shading import compute_corner_normals, shade_points
 from warpsample.tracing.placement import OFFSET
@@ -16,6 +16,7 @@ from warpsample.tracing.scene import scene_of
 from warpsample.tracing.trace import trace
 from warpsample.tracing.trace_all import trace_all
 
+_SLIVER = 1e-3  # area divided by the square of the longest edge: normals of narrower faces are uncertain, and count less
 _CANCELLED = 1e-5  # length of a mean normal that is rounding, as where two sides of a sheet meet
 
 
@@ -86,7 +87,7 @@ class HighMesh:
         front = is_hit & self._faces_rays(hits.face, inward)
         found = np.where(front, hits.face, -1).astype(np.int64)
         behind = np.flatnonzero(is_hit & ~front)
-        every = trace_all(self.mesh, start[behind], directions[behind], workers=workers)
+        every = trace_all(self.mesh, start[behind], directions[behind], max_distance=1.001 * reach, workers=workers)
         ray = np.repeat(behind, np.diff(every.first))
         usable = np.flatnonzero((every.distance <= reach) & self._faces_rays(every.face, inward[ray]))
         rows, first = np.unique(ray[usable], return_index=True)  # hits are sorted by distance
@@ -107,10 +108,13 @@ def average_normals(mesh: Mesh) -> np.ndarray:
     places, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
     faces = vertex.reshape(-1)[mesh.faces]
     edges = np.roll(places[faces], -1, axis=1) - places[faces]
+    longest = lengths(edges.reshape(-1, 3)).reshape(-1, 3).max(axis=1)
     edges = unit_or_zero(edges.reshape(-1, 3)).reshape(edges.shape).astype(np.float64)
     cosine = -np.einsum("fkx,fkx->fk", edges, np.roll(edges, 1, axis=1))
-    angle = np.arccos(np.clip(cosine, -1.0, 1.0))[..., None]
-    corners = np.concatenate([angle * mesh.face_normals[:, None], angle], axis=2).reshape(-1, 4)
+    scale = np.where(longest > 0.0, longest, 1.0)
+    ratio = mesh.face_areas / scale / scale  # the square may underflow
+    weight = np.arccos(np.clip(cosine, -1.0, 1.0)) * np.minimum(ratio / _SLIVER, 1.0)[:, None]
+    corners = np.concatenate([weight[..., None] * mesh.face_normals[:, None], weight[..., None]], axis=2).reshape(-1, 4)
     sums = np.stack([np.bincount(faces.ravel(), column, len(places)) for column in corners.T], axis=1)
     mean = sums[:, :3]
     mean[np.linalg.norm(mean, axis=1) <= _CANCELLED * sums[:, 3]] = 0.0
