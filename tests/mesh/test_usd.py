@@ -4,6 +4,7 @@ import os
 import signal
 import struct
 import sys
+from pathlib import Path
 from zipfile import ZipFile
 
 import mesh_file_cases as cases
@@ -98,6 +99,20 @@ def test_usd_shows_what_a_renderer_shows(stage):
         moving.GetPointsAttr().Set([(0, 0, time), (1, 0, time), (0, 1, time)], time)
     mesh = loaded(stage)
     assert mesh.vertices[mesh.faces[:, 0], 2].tolist() == [1.0, 2.0]
+
+
+def test_holes_of_usd_meshes_are_left_out(stage):
+    """A square, a triangle and a square: neither the triangle nor its normals and coordinates are read."""
+    mesh = triangle(stage, "/windows")
+    mesh.GetPointsAttr().Set([(x, y, 0) for x in range(4) for y in (0, 1)])
+    mesh.GetFaceVertexCountsAttr().Set([4, 3, 4])
+    mesh.GetFaceVertexIndicesAttr().Set([0, 2, 3, 1, 2, 4, 5, 4, 6, 7, 5])
+    mesh.CreateHoleIndicesAttr([1, 9])
+    found = loaded(stage)
+    assert found.face_areas.tolist() == [0.5, 0.5, 0.5, 0.5]
+    assert sorted(set(found.vertices[found.faces][..., 0].ravel())) == [0.0, 1.0, 2.0, 3.0]
+    assert (found.vertices[found.faces][:2, :, 0].max(), found.vertices[found.faces][2:, :, 0].min()) == (1.0, 2.0)
+    assert usd.read_normals(Path(stage.GetRootLayer().realPath)).shape == (4, 3, 3)
 
 
 def test_usd_that_is_not_whole_is_refused_in_one_sentence(stage, tmp_path, capfd):

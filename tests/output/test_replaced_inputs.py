@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from warpsample.cli import commands
 from warpsample.output import bake, export
 from warpsample.output.textures import images
 
@@ -61,6 +62,15 @@ def test_a_layer_of_usd_that_is_replaced_meanwhile_is_an_error(tmp_path, call, m
     path.write_text("#usda 1.0\n(\nsubLayers = [@./layer.usda@]\n)\n")
     replacing(monkeypatch, images, "compute_parts", layer, other)
     status, _, said = call("bake", path, "-o", out, "--quantity", "position", "--texture", 8)
+    assert (status, out.exists()) == (2, False)
+    assert f"error: mesh: got {str(path)!r}, changed since the run began" in said
+
+
+def test_a_baked_file_that_is_replaced_while_it_is_shown_is_an_error(can_render, tmp_path, call, monkeypatch):
+    """The mesh, the pictures and the coordinates are read one after the other."""
+    path, other, out = written(tmp_path / "box.glb"), written(tmp_path / "other.glb", 3.0), tmp_path / "view.png"
+    replacing(monkeypatch, commands, "read_occlusion", path, other)
+    status, _, said = call("view", path, "--screenshot", out)
     assert (status, out.exists()) == (2, False)
     assert f"error: mesh: got {str(path)!r}, changed since the run began" in said
 

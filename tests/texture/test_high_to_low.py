@@ -9,6 +9,7 @@ from textured_scenes import SQUARE, TWO, corner, opened, picture
 
 import warpsample as ws
 from warpsample.texture.high import HighMesh, average_normals
+from warpsample.texture.shading import compute_corner_normals, shade_points
 
 RADIUS, HALF, SIZE = 2.0, 1.2, 32
 
@@ -200,6 +201,73 @@ def test_the_normals_of_a_sheet_with_two_sides_cancel():
     found, missed = high.project(low, sheet)
     assert not missed.any()
     assert ((found.normal * low.normal).sum(axis=1) > 0.9).all()
+
+
+def points_at(mesh, face, weights):
+    """Points on faces with barycentric weights."""
+    position = np.einsum("pk,pkx->px", weights, mesh.vertices[mesh.faces[face]])
+    return ws.SurfacePoints(position, mesh.face_normals[face], face.astype(np.int32), weights)
+
+
+def evenly_per_face(mesh, count):
+    """`count` points on each face, whatever its area."""
+    face = np.repeat(np.arange(len(mesh.faces)), count)
+    return points_at(mesh, face, np.random.default_rng(0).dirichlet((1, 1, 1), len(face)))
+
+
+def interpolated(mesh, points):
+    """Points with the normals that rays to a finer mesh have."""
+    normals = shade_points(
+        mesh, compute_corner_normals(mesh, average_normals(mesh)), points.face, points.barycentric, "file"
+    )
+    return ws.SurfacePoints(points.position, normals[1], points.face, points.barycentric)
+
+
+def fans_of_squares(height, n=9):
+    """A height field over [-1, 1]^2 with an upper and a lower side, whose squares have different diagonals."""
+    x, y = np.meshgrid(*2 * [np.linspace(-1.0, 1.0, n)])
+    corner = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).reshape(-1, 1)
+    square = corner + np.array([0, 1, n + 1, n])
+    faces = [side[:, fan] for side in (square, square[:, ::-1]) for fan in ([0, 1, 2], [0, 2, 3])]
+    return ws.Mesh(np.stack([x, y, height(x, y)], axis=-1).reshape(-1, 3), np.concatenate(faces))
+
+
+def test_a_curved_sheet_with_other_diagonals_on_its_back_shows_its_own_sides():
+    """Its mean normals cancel but for the curvature: what was left led half of the rays to the other side."""
+    sheet = fans_of_squares(lambda x, y: 0.15 * np.sin(2.0 * x) * np.cos(2.0 * y) + 0.05 * np.sin(5.0 * x * y))
+    high = HighMesh(sheet, np.repeat(sheet.face_normals[:, None], 3, axis=1).astype(float), 0.1, "face")
+    points = interpolated(sheet, ws.sample_surface(sheet, 2000, barycentric=True))
+    found, missed = high.project(points, sheet)
+    assert not missed.any()
+    assert ((found.normal * sheet.face_normals[points.face]).sum(axis=1) > 0.9).all()
+
+
+@pytest.mark.parametrize("size", [(2.0, 0.002, 1.0), (2.0, 0.001, 1.0), (20.0, 0.003, 20.0)])
+def test_the_rim_of_a_thin_plate_shows_itself(size):
+    """A finer plate larger by a tenth of its thickness: top and bottom turned 13 to 67 % of the rays of such rims."""
+    low = ws.as_mesh(trimesh.creation.box(size))
+    fine = ws.as_mesh(trimesh.creation.box(np.array(size) + 0.2 * min(size)))
+    high = HighMesh(fine, np.repeat(fine.face_normals[:, None], 3, axis=1).astype(float), 0.45 * min(size), "face")
+    points = interpolated(low, evenly_per_face(low, 200))
+    found, missed = high.project(points, low)
+    assert not missed.any()
+    assert ((found.normal * low.face_normals[points.face]).sum(axis=1) > 0.9).all()
+
+
+@pytest.mark.parametrize("size", [(2.0, 2.0, 2.0), (20.0, 0.03, 0.03), (20.0, 0.1, 20.0)])
+@pytest.mark.parametrize("seed", [0, 1])
+def test_points_on_edges_show_their_own_side(size, seed):
+    """Also of long faces, where the way to the middle is nearly along the edge; upon a finer mesh with the same edges."""
+    box = trimesh.creation.box(size, trimesh.transformations.random_rotation_matrix(np.random.default_rng(seed).random(3)))
+    mesh = ws.as_mesh(box)
+    high = HighMesh(mesh, np.repeat(mesh.face_normals[:, None], 3, axis=1).astype(float), 0.3 * min(size), "face")
+    share = np.linspace(0.0, 1.0, 40)[:, None]
+    weights = np.concatenate([np.roll(np.hstack([share, 1.0 - share, 0.0 * share]), turn, axis=1) for turn in range(3)])
+    face = np.repeat(np.arange(len(mesh.faces)), len(weights))
+    points = interpolated(mesh, points_at(mesh, face, np.tile(weights, (len(mesh.faces), 1))))
+    found, missed = high.project(points, mesh)
+    assert not missed.any()
+    assert ((found.normal * mesh.face_normals[face]).sum(axis=1) > 0.9).all()
 
 
 def test_rays_of_a_large_scene_are_moved_by_what_they_resolve():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 from glb_files import glb
-from textured_scenes import SQUARE, TWO, opened, picture
+from textured_scenes import SQUARE, TWO, changed, opened, picture
 
 import warpsample as ws
 from warpsample.estimate.result import PointStatus
@@ -114,7 +114,26 @@ def test_lengths_in_the_scene_are_distances_in_the_mesh():
 def test_directions_that_a_place_flattens_have_no_length():
     flat = primitive(np.diag([1.0, 0.5, 0.0]), 0.0)
     found = flat.convert_lengths(np.ones(3), np.eye(3), np.full(3, 5), np.full((3, 3), 1 / 3))
-    assert found.tolist() == [1.0, 2.0, 0.0]
+    assert np.array_equal(found, [1.0, 2.0, np.nan], equal_nan=True)
+
+
+def test_a_place_that_flattens_a_box_has_no_part_in_the_mean(call, tmp_path):
+    """Rays through a box of thickness 0 have no length in units of the mesh: the mean is that of the other place."""
+    path, output = boxes(tmp_path / "in.glb", {"extensions": {"KHR_materials_volume": {}}}), tmp_path / "out.glb"
+    turn = np.linalg.qr(np.random.default_rng(0).normal(size=(3, 3)))[0]  # leaves rounding errors along the flat axis
+    flat = np.eye(4)
+    flat[:3, :3], flat[3, 1] = np.diag([1.0, 0.0, 1.0]) @ turn, 50.0
+    place = {"mesh": 0, "matrix": flat.ravel().tolist()}
+    path.write_bytes(
+        changed(path.read_bytes(), lambda tree: (tree["nodes"].append(place), tree["scenes"][0]["nodes"].append(2)))
+    )
+    for supersample in (1, 2):
+        options = ("--texture", 64, "--quantity", "thickness", "--instances", "mean", "--supersample", supersample)
+        assert call("bake", path, "-o", output, *options)[0] == 0
+        tree, data, _ = opened(output)
+        assert tree["materials"][0]["extensions"]["KHR_materials_volume"]["thicknessFactor"] == pytest.approx(3.0, rel=1e-5)
+        levels = np.unique(np.round(255 * picture(tree, data, 0)))
+        assert levels.tolist() == [85, 170, 255]
 
 
 def test_joints_scale_lengths_between_their_vertices():

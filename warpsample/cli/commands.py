@@ -189,6 +189,7 @@ def view(
     instead, unless --points, --distribution or --density is given.
     """
     from warpsample.mesh.files.linked_files import list_linked_files
+    from warpsample.output.input_state import InputState
     from warpsample.plotting import rendering
     from warpsample.viewer import start
     from warpsample.viewer.baked import show_occlusion
@@ -208,7 +209,9 @@ def view(
     with working("testing whether pictures can be drawn on this machine"):
         rendering.check_rendering()
     with working(f"reading {path}"):
+        state = InputState.of(path)
         surface, occlusion, uv = load_mesh(path), read_occlusion(path), find_uv(path)
+        state.check()
     up = up or ("y" if example(path) is None else "z")
     if occlusion is not None and not chosen:
         with signals.at_once() if screenshot is None else working(f"drawing {screenshot}"):

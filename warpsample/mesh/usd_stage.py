@@ -95,6 +95,8 @@ def _parts(stage: Any, what: str) -> Iterator[tuple[np.ndarray, np.ndarray, np.n
             else:
                 faces = corner_triangles(points, counts, indices)
                 points = _normals(prim, counts, indices) if what == NORMALS else _uv(prim, int(what), counts, indices)
+            holes = np.array(mesh.GetHoleIndicesAttr().Get(first) or (), np.int64)
+            faces = faces[np.repeat(~np.isin(np.arange(len(counts)), holes), counts - 2)]
             is_left_handed = mesh.GetOrientationAttr().Get(first) == UsdGeom.Tokens.leftHanded
             yield points, faces[:, ::-1] if is_left_handed else faces, matrix, str(path).encode()
 

@@ -11,13 +11,14 @@ from warpsample.mesh.files.normals import read_normals, read_smooth_normals
 from warpsample.mesh.mesh import Mesh, lengths, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.shading import compute_corner_normals, shade_points
-from warpsample.tracing.placement import OFFSET
+from warpsample.tracing.placement import resolutions_at
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.trace import trace
 from warpsample.tracing.trace_all import trace_all
 
-_SLIVER = 1e-3  # area divided by the square of the longest edge: normals of narrower faces are uncertain, and count less
+_FLAT = 2.0**-17  # of a face's distance from the middle: of narrower faces, rounded coordinates leave no sure normal
 _CANCELLED = 1e-5  # length of a mean normal that is rounding, as where two sides of a sheet meet
+_GRAZING = 0.05  # cosine to a face's normal: a mean normal that is further behind a face is of no use to its rays
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +48,7 @@ class HighMesh:
     def project(self, points: SurfacePoints, low: Mesh, workers: int | None = None) -> tuple[SurfacePoints, np.ndarray]:
         """Project points of the coarse mesh onto the fine mesh: the first front-facing hit of a ray through each point.
 
-        Rays run against the normals of the points. The rays of points on an edge are shifted into their face by a few
+        Rays run against the normals of the points. The rays of points beside an edge are shifted into their face by a few
         rounding errors, so that they hit the texel's own side where both meshes have the same hard edge.
 
         Args:
@@ -60,9 +61,9 @@ class HighMesh:
             their position and have a normal of 0.
         """
         inward = -np.asarray(points.normal, np.float64)
-        middle = low.vertices[low.faces[points.face]].mean(axis=1) - points.position
-        share = self._resolutions_at(points.position) / np.maximum(np.linalg.norm(middle, axis=1, keepdims=True), 1e-300)
-        start = points.position + np.minimum(share, 0.5) * middle - self.cage * inward
+        scene = scene_of(self.mesh, through=True)
+        depth = resolutions_at(scene, np.abs(points.position - scene.centre).max(axis=1))
+        start = _move_off_edges(points, low, depth) - self.cage * inward
         face = self._find_front_faces(start, inward, workers)
         missed = face < 0
         weights = _compute_plane_weights(self.mesh.vertices[self.mesh.faces[np.maximum(face, 0)]], start, inward)
@@ -72,12 +73,6 @@ class HighMesh:
         normal = np.where(missed[:, None], np.float32(0.0), normal)
         position = np.where(missed[:, None], points.position, position)
         return SurfacePoints(position, normal, np.where(missed, -1, on).astype(np.int32), weights, points.id), missed
-
-    def _resolutions_at(self, places: np.ndarray) -> np.ndarray:
-        """Return the lengths that rays against the fine mesh resolve at each place, (P, 1) float64."""
-        scene = scene_of(self.mesh, through=True)
-        reach = np.abs(places - scene.centre).max(axis=1, keepdims=True)
-        return OFFSET * np.maximum(reach, scene.spread.max() / scene.scale)
 
     def _find_front_faces(self, start: np.ndarray, inward: np.ndarray, workers: int | None) -> np.ndarray:
         """Return the first face that each ray hits from the front, (P,), within twice the cage; -1 without a hit."""
@@ -99,11 +94,34 @@ class HighMesh:
         return (self.mesh.face_normals[face] * inward).sum(axis=1) < 0.0
 
 
+def _move_off_edges(points: SurfacePoints, low: Mesh, depth: np.ndarray) -> np.ndarray:
+    """Return the positions (P, 3) of points, moved within their faces to a distance of `depth`, (P,), from the edges.
+
+    At most to a third of the face's height, so that all three edges can be this far away.
+    """
+    corners, position = low.vertices[low.faces[points.face]], points.position.astype(np.float64)
+    edges = np.roll(corners, -1, axis=1) - corners
+    ways = unit_or_zero(np.cross(low.face_normals[points.face][:, None], edges).reshape(-1, 3)).reshape(edges.shape)
+    heights = np.einsum("pkx,pkx->pk", np.roll(corners, -2, axis=1) - corners, ways)
+    least = np.minimum(depth[:, None], heights / 3.0)
+    for edge in range(3):
+        missing = least[:, edge] - np.einsum("px,px->p", position - corners[:, edge], ways[:, edge])
+        position += np.maximum(missing, 0.0)[:, None] * ways[:, edge]
+    reached = np.einsum("pkx,pkx->pk", position[:, None] - corners, ways)
+    sharp = np.flatnonzero((reached < 0.5 * least).any(axis=1))  # a step from one edge was a step to another
+    weights = np.maximum(reached[sharp], least[sharp]) / heights[sharp]
+    weights /= weights.sum(axis=1, keepdims=True)
+    position[sharp] = np.einsum("pk,pkx->px", weights, np.roll(corners[sharp], -2, axis=1))
+    return position
+
+
 def average_normals(mesh: Mesh) -> np.ndarray:
     """Return the (F, 3, 3) float64 corner normals, equal at all corners with the same position.
 
     Equal normals leave no gaps between the rays at hard edges and seams. Faces count by their angle at the position. If they
-    counted by area, a large floor would turn the rays of a wall beside it along the wall. Normals that cancel give 0.
+    counted by area, a large floor would turn the rays of a wall beside it along the wall. A mean normal that is behind one
+    of its faces becomes 0, so that rays run along the normals of the faces: where the two sides of a sheet meet, normals
+    cancel, and what is left has any direction.
     """
     places, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
     faces = vertex.reshape(-1)[mesh.faces]
@@ -111,14 +129,18 @@ def average_normals(mesh: Mesh) -> np.ndarray:
     longest = lengths(edges.reshape(-1, 3)).reshape(-1, 3).max(axis=1)
     edges = unit_or_zero(edges.reshape(-1, 3)).reshape(edges.shape).astype(np.float64)
     cosine = -np.einsum("fkx,fkx->fk", edges, np.roll(edges, 1, axis=1))
-    scale = np.where(longest > 0.0, longest, 1.0)
-    ratio = mesh.face_areas / scale / scale  # the square may underflow
-    weight = np.arccos(np.clip(cosine, -1.0, 1.0)) * np.minimum(ratio / _SLIVER, 1.0)[:, None]
+    reach = np.abs(places[faces] - mesh.bounds.mean(axis=0)).max(axis=(1, 2))
+    width = 2.0 * mesh.face_areas / np.where(longest > 0.0, longest, 1.0)
+    certainty = np.minimum(width / np.maximum(_FLAT * reach, 1e-300), 1.0) ** 2  # as errors grow, weights by variance fall
+    weight = np.arccos(np.clip(cosine, -1.0, 1.0)) * certainty[:, None]
     corners = np.concatenate([weight[..., None] * mesh.face_normals[:, None], weight[..., None]], axis=2).reshape(-1, 4)
     sums = np.stack([np.bincount(faces.ravel(), column, len(places)) for column in corners.T], axis=1)
     mean = sums[:, :3]
     mean[np.linalg.norm(mean, axis=1) <= _CANCELLED * sums[:, 3]] = 0.0
-    return unit_or_zero(mean)[faces].astype(np.float64)
+    mean = unit_or_zero(mean).astype(np.float64)
+    is_behind = (np.einsum("fkx,fx->fk", mean[faces], mesh.face_normals) < _GRAZING) & (certainty == 1.0)[:, None]
+    mean[faces[is_behind]] = 0.0
+    return mean[faces]
 
 
 def _compute_plane_weights(corners: np.ndarray, start: np.ndarray, directions: np.ndarray) -> np.ndarray:

@@ -11,7 +11,7 @@ from warpsample.mesh.files.linked_files import uris_of
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.primitives import Primitive
 from warpsample.texture.texture_points import TexturePoints
-from warpsample.tracing.placement import OFFSET
+from warpsample.tracing.placement import resolutions_at
 from warpsample.tracing.scene import scene_of
 
 _ROUNDED = 1e-3  # of a texel: float32 spacing of positions above which the report warns
@@ -93,8 +93,7 @@ def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
     scene, mesh = scene_of(traced, through=True), points.mesh
     faces = np.unique(points.face)
     reach = np.abs(mesh.vertices[mesh.faces[faces]] - scene.centre).max(axis=(1, 2))
-    resolution = OFFSET * np.maximum(reach, scene.spread.max() / scene.scale)
-    resolution = np.maximum(resolution, np.spacing(np.abs(scene.centre).max() + reach))
+    resolution = np.maximum(resolutions_at(scene, reach), np.spacing(np.abs(scene.centre).max() + reach))
     size = _texel_sizes(points, faces)
     coarse = (resolution > _COARSE * size) & (size > 0.0)
     count = np.bincount(np.searchsorted(faces, points.face), minlength=len(faces)) * coarse

@@ -76,7 +76,7 @@ class Primitive:
     ) -> np.ndarray:
         """Return lengths along directions in the scene as lengths in the mesh's own space, (P,) float64.
 
-        A length along a direction that the place flattens to 0 becomes 0.
+        A length along a direction that the place flattens to 0 becomes NaN.
 
         KHR_materials_volume defines thickness in the coordinate space of the mesh, so the whole matrix counts. Shaders of
         glTF-Sample-Viewer and three.js multiply by the lengths of the matrix' columns along the axes of the scene instead.
@@ -88,12 +88,17 @@ class Primitive:
             face: (P,) face of each point in the loaded mesh.
             weights: (P, 3) barycentric weights of each point.
         """
-        inverse = self.inverse
-        if inverse.ndim == 3:
-            inverse = np.einsum("pk,pkij->pij", weights, inverse[self.triangles[face - self.faces.start]])
-        own = (directions[:, None].astype(np.float64) @ inverse)[:, 0]
+        at = self.triangles[face - self.faces.start]
+
+        def transform(matrix: np.ndarray) -> np.ndarray:
+            """Return the directions, multiplied by a matrix or by the mean of the matrices of each vertex."""
+            mean = np.einsum("pk,pkij->pij", weights, matrix[at]) if matrix.ndim == 3 else matrix
+            return (directions[:, None].astype(np.float64) @ mean)[:, 0]
+
+        length = np.linalg.norm(directions, axis=1)
+        kept = np.linalg.norm(transform(self.inverse @ self.matrix), axis=1) > 0.5 * length
         with np.errstate(divide="ignore", invalid="ignore"):  # directions of length 0 are of points without a value
-            stretch = np.linalg.norm(own, axis=1) / np.linalg.norm(directions, axis=1)
+            stretch = np.where(kept, np.linalg.norm(transform(self.inverse), axis=1) / length, np.nan)
             is_uniform = np.abs(stretch * self.scale - 1.0) < _ROUNDING
             return lengths / np.where(is_uniform, self.scale, 1.0 / stretch)
 

@@ -72,6 +72,11 @@ class Placement:
 PlacementArgs: Any = type(Placement().__ctype__())
 
 
+def resolutions_at(scene: Scene, reach: np.ndarray) -> np.ndarray:
+    """Return the lengths that rays resolve at distances `reach` from the centre along an axis, in units of the mesh."""
+    return OFFSET * np.maximum(reach, scene.spread.max() / scene.scale)
+
+
 def make_placement(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
     """Build the kernel argument that describes ray origins that are not on a surface.
 

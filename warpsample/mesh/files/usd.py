@@ -30,8 +30,8 @@ def read(path: Path) -> Named:
 
     A part is a prim, named by its path; all instances of a point instancer form one part.
 
-    Points, curves, invisible prims, guides and proxies are left out. A subdivision surface gives its control cage. An
-    animated mesh gives its first pose, without skeletons.
+    Points, curves, invisible prims, guides, proxies and the holes of meshes are left out. A subdivision surface gives its
+    control cage. An animated mesh gives its first pose, without skeletons.
 
     Raises:
         ModuleNotFoundError: usd-core is not installed; the message explains how to install it.
