@@ -242,6 +242,7 @@ def test_what_is_wrong_is_named_by_its_place(members, why, load, tmp_path):
     [
         ("[]", r"the JSON is \[\], want an object"),
         ("[" * 100_000, "the JSON is nested too deeply"),
+        ('{"extras": ' + 5000 * "1" + "}", "the JSON has a number of more than 4,300 digits"),
         ('{"nodes": [{"mesh": 0, "mesh": 1}]}', "the JSON has an object with two members 'mesh', want each name once"),
     ],
 )

@@ -81,6 +81,7 @@ def test_obj_indices_and_lines(tmp_path):
         ("f 1 2 -7", "a face has the vertex -1, want .*"),
         ("f 0 1 2", "line 18: a face has the vertex 0, but vertices count from 1"),
         ("f 1 2 3.5", "line 18: '3.5' is not a whole number"),
+        ("f 1 2 99999999999999999999", r"line 18: a face has the vertex 1e\+20, want an index below 2\^31"),
         ("v 1 2", "line 18: a vertex has 2 numbers, want at least 3"),
         ("v 1 2 x", "line 18: 'x' is not a number"),
         ("curv 1 2", "line 18: the keyword 'curv' is unknown"),

@@ -97,7 +97,8 @@ def parsed(content: bytes) -> Part:
     """Parse a JSON text in UTF-8, and return its top-level object.
 
     Raises:
-        ValueError: the text is no JSON object, an object has two members of one name, or a number is NaN or infinite.
+        ValueError: the text is no JSON object, an object has two members of one name, or a number is NaN, infinite or of
+            thousands of digits.
     """
     try:
         found = json.loads(content, object_pairs_hook=_object, parse_constant=_refuse_constant)
@@ -105,6 +106,10 @@ def parsed(content: bytes) -> Part:
         raise ValueError("the JSON is nested too deeply") from None
     except UnicodeDecodeError:
         raise ValueError("the JSON is not encoded in UTF-8") from None
+    except ValueError as error:
+        if "set_int_max_str_digits" in str(error):
+            raise ValueError(f"the JSON has a number of more than {sys.get_int_max_str_digits():,} digits") from None
+        raise
     if not isinstance(found, dict):
         raise ValueError(f"the JSON is {quote(found)}, want an object")
     return Part(found)

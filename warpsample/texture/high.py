@@ -17,8 +17,7 @@ from warpsample.tracing.trace import trace
 from warpsample.tracing.trace_all import trace_all
 
 _FLAT = 2.0**-17  # of a face's distance from the middle: of narrower faces, rounded coordinates leave no sure normal
-_CANCELLED = 1e-5  # length of a mean normal that is rounding, as where two sides of a sheet meet
-_GRAZING = 0.05  # cosine to a face's normal: a mean normal that is further behind a face is of no use to its rays
+_GRAZING = 0.05  # cosine to a face's normal: with less, a mean normal is of no use to the rays of the face
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,31 +115,45 @@ def _move_off_edges(points: SurfacePoints, low: Mesh, depth: np.ndarray) -> np.n
 
 
 def average_normals(mesh: Mesh) -> np.ndarray:
-    """Return the (F, 3, 3) float64 corner normals, equal at all corners with the same position.
+    """Return the (F, 3, 3) float64 corner normals, equal at corners with the same position, see below.
 
     Equal normals leave no gaps between the rays at hard edges and seams. Faces count by their angle at the position. If they
-    counted by area, a large floor would turn the rays of a wall beside it along the wall. A mean normal that is behind one
-    of its faces becomes 0, so that rays run along the normals of the faces: where the two sides of a sheet meet, normals
-    cancel, and what is left has any direction.
+    counted by area, a large floor would turn the rays of a wall beside it along the wall. Where the mean would be along or
+    behind one of the faces, each corner has a mean of its own, of faces that look the same way: the two sides of a sheet, or
+    of a wall between two rooms, would cancel, and what is left has any direction.
     """
-    places, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
+    points, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
     faces = vertex.reshape(-1)[mesh.faces]
-    edges = np.roll(places[faces], -1, axis=1) - places[faces]
+    edges = np.roll(points[faces], -1, axis=1) - points[faces]
     longest = lengths(edges.reshape(-1, 3)).reshape(-1, 3).max(axis=1)
     edges = unit_or_zero(edges.reshape(-1, 3)).reshape(edges.shape).astype(np.float64)
     cosine = -np.einsum("fkx,fkx->fk", edges, np.roll(edges, 1, axis=1))
-    reach = np.abs(places[faces] - mesh.bounds.mean(axis=0)).max(axis=(1, 2))
+    reach = np.abs(points[faces] - np.median(points, axis=0)).max(axis=(1, 2))
     width = 2.0 * mesh.face_areas / np.where(longest > 0.0, longest, 1.0)
     certainty = np.minimum(width / np.maximum(_FLAT * reach, 1e-300), 1.0) ** 2  # as errors grow, weights by variance fall
     weight = np.arccos(np.clip(cosine, -1.0, 1.0)) * certainty[:, None]
-    corners = np.concatenate([weight[..., None] * mesh.face_normals[:, None], weight[..., None]], axis=2).reshape(-1, 4)
-    sums = np.stack([np.bincount(faces.ravel(), column, len(places)) for column in corners.T], axis=1)
-    mean = sums[:, :3]
-    mean[np.linalg.norm(mean, axis=1) <= _CANCELLED * sums[:, 3]] = 0.0
-    mean = unit_or_zero(mean).astype(np.float64)
-    is_behind = (np.einsum("fkx,fx->fk", mean[faces], mesh.face_normals) < _GRAZING) & (certainty == 1.0)[:, None]
-    mean[faces[is_behind]] = 0.0
-    return mean[faces]
+    places = faces.ravel()
+    parts = (weight[..., None] * mesh.face_normals[:, None]).reshape(-1, 3)
+    sums = np.stack([np.bincount(places, column, len(points)) for column in parts.T], axis=1)
+    mean = unit_or_zero(sums).astype(np.float64)[faces]
+    is_grazing = (np.einsum("fkx,fx->fk", mean, mesh.face_normals) < _GRAZING) & (certainty == 1.0)[:, None]
+    rows = np.flatnonzero(np.isin(places, faces[is_grazing]))
+    mean.reshape(-1, 3)[rows] = _average_sides(places[rows], mesh.face_normals[rows // 3], parts[rows])
+    return mean
+
+
+def _average_sides(places: np.ndarray, normals: np.ndarray, parts: np.ndarray) -> np.ndarray:
+    """Return mean normals of corners, (n, 3), in which faces at the same place count by their cosine to the own face.
+
+    Args:
+        places: (n,) numbers of the places.
+        normals: (n, 3) normals of the faces.
+        parts: (n, 3) weighted normals.
+    """
+    means, order = np.empty(parts.shape), np.argsort(places, kind="stable")
+    for rows in np.split(order, np.flatnonzero(np.diff(places[order])) + 1):
+        means[rows] = np.maximum(normals[rows] @ normals[rows].T, 0.0) @ parts[rows]
+    return unit_or_zero(means)
 
 
 def _compute_plane_weights(corners: np.ndarray, start: np.ndarray, directions: np.ndarray) -> np.ndarray:

@@ -239,6 +239,8 @@ def _corners(words: list[str], vertices: int, column: int = 0) -> list[int]:
     indices = [whole(part[column]) for part in parts]
     if 0 in indices:
         raise ValueError("a face has the vertex 0, but vertices count from 1")
+    if max(map(abs, indices)) >= 2**31:
+        raise ValueError(f"a face has the vertex {max(indices, key=abs):.3g}, want an index below 2^31")
     return [index - 1 if index > 0 else vertices + index for index in indices]
 
 
