@@ -207,6 +207,18 @@ def test_rays_are_cast_only_near_other_bodies():
     assert Closed(ball).count_bodies(points, points.face)[2] == 0
 
 
+def test_a_sheet_with_two_sides_is_no_body():
+    """The volume between its sides is rounding, and was taken for that of a body without extent along an axis."""
+    x, y = np.meshgrid(*np.random.default_rng(0).random((2, 9)))
+    corners = np.stack([x, y, np.full_like(x, 0.7)], axis=-1).reshape(-1, 3)
+    first = np.array([row * 9 + column for row in range(8) for column in range(8)])[:, None]
+    front = np.concatenate([first + np.array(corner) for corner in ([0, 9, 1], [1, 9, 10])])
+    closed = Closed(floor_and((corners, np.concatenate([front, front[:, ::-1]]))))
+    assert len(closed.bodies[1]) == 0
+    points = ws.SurfacePoints([[0.5, 0.5, 0.7]], [[0.0, 0.0, 1.0]])
+    assert closed.count_bodies(points, np.array([-1]))[2] == 0
+
+
 def test_a_body_that_transmits_light_has_no_inside():
     """A glass box beside an opaque one: the floor under glass is lit and visible."""
     opaque, glass = (box((2, 2, 2), (x, 0, 0)) for x in (-2, 2))

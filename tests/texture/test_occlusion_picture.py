@@ -11,6 +11,7 @@ from textured_scenes import changed, opened, picture, rich
 import warpsample as ws
 from warpsample.texture import occlusion_picture
 from warpsample.texture.occlusion_picture import read_occlusion
+from warpsample.viewer.baked import occlusion_scene
 
 
 @pytest.fixture
@@ -84,6 +85,18 @@ def test_the_viewer_is_given_it(can_render, baked):
     assert np.allclose(drawn.active_texture_coordinates[drawn.regular_faces] * (1, -1) + (0, 1), shown.uv, atol=1e-6)
     assert np.array_equal(actor.texture.to_array()[..., 0], shown.picture)
     plotter.close()
+
+
+def test_a_vertex_that_no_face_uses_is_out_of_the_picture(can_render, baked):
+    """One left over at 100 m of a mesh of 1 m left nothing to see."""
+    mesh, shown = ws.load_mesh(baked), read_occlusion(baked)
+    larger = ws.Mesh(np.concatenate([mesh.vertices, [(1e4, 0, 0)]]), mesh.faces)
+    views = []
+    for one in (mesh, larger):
+        plotter = occlusion_scene(one, shown, up="y", size=(1200, 675), off_screen=True)
+        views.append((plotter.camera.parallel_scale, plotter.camera.focal_point))
+        plotter.close()
+    assert views[0] == views[1]
 
 
 def test_the_view_of_a_baked_file_is_about_its_occlusion(can_render, call, baked, tmp_path):

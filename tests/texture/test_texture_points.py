@@ -111,6 +111,23 @@ def test_a_lift_follows_the_planes_of_the_corners():
     assert np.array_equal(still.points.face, flat.points.face)
 
 
+def test_a_distant_face_drops_no_lift():
+    """Lifts were dropped below 1e-9 of the whole mesh, which is the largest lift here."""
+    mesh, uv, radial = prism(8)
+    far = np.concatenate([mesh.vertices, [(1e9, 0, 0), (1e9, 1, 0), (1e9, 0, 1)]])
+    larger = ws.Mesh(far, np.concatenate([mesh.faces, [len(mesh.vertices) + np.arange(3)]]))
+    without, zero = np.full((1, 3, 2), np.nan), np.zeros((1, 3, 3))
+    found = [
+        ws.texture_points(one, coordinates, (24, 1), normals="lifted", corner_normals=normals).points
+        for one, coordinates, normals in (
+            (mesh, uv, radial),
+            (larger, np.concatenate([uv, without]), np.concatenate([radial, zero])),
+        )
+    ]
+    assert np.array_equal(found[0].position, found[1].position)
+    assert np.array_equal(found[0].face, found[1].face)
+
+
 def test_parts_strips_and_other_meshes_change_no_bit():
     """By 7 points at a time, of one chart alone, and by any number of threads: a texel's numbers are its own."""
     mesh, uv = two_charts()

@@ -16,7 +16,10 @@ from warpsample.tracing.scene import scene_of
 from warpsample.tracing.trace import trace
 from warpsample.tracing.trace_all import trace_all
 
-_FLAT = 2.0**-17  # of a face's distance from the middle: of narrower faces, rounded coordinates leave no sure normal
+_NARROW = 2.0**-17  # width of a face over its longest edge, below which a normal is taken for rounding
+_ROUNDINGS = 16.0  # width of a face over the rounding of float32 corners, below which its normal is not sure
+_SURE = 0.1  # certainty of normals that a mean normal has to agree with
+_BLOCK = 1 << 22  # pairs of corners in memory at a time
 _GRAZING = 0.05  # cosine to a face's normal: with less, a mean normal is of no use to the rays of the face
 
 
@@ -125,21 +128,42 @@ def average_normals(mesh: Mesh) -> np.ndarray:
     points, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
     faces = vertex.reshape(-1)[mesh.faces]
     edges = np.roll(points[faces], -1, axis=1) - points[faces]
-    longest = lengths(edges.reshape(-1, 3)).reshape(-1, 3).max(axis=1)
+    longest = edges[np.arange(len(faces)), lengths(edges.reshape(-1, 3)).reshape(-1, 3).argmax(axis=1)]
     edges = unit_or_zero(edges.reshape(-1, 3)).reshape(edges.shape).astype(np.float64)
     cosine = -np.einsum("fkx,fkx->fk", edges, np.roll(edges, 1, axis=1))
-    reach = np.abs(points[faces] - np.median(points, axis=0)).max(axis=(1, 2))
-    width = 2.0 * mesh.face_areas / np.where(longest > 0.0, longest, 1.0)
-    certainty = np.minimum(width / np.maximum(_FLAT * reach, 1e-300), 1.0) ** 2  # as errors grow, weights by variance fall
+    certainty = _find_certainties(mesh, points, faces, longest)
     weight = np.arccos(np.clip(cosine, -1.0, 1.0)) * certainty[:, None]
     places = faces.ravel()
     parts = (weight[..., None] * mesh.face_normals[:, None]).reshape(-1, 3)
     sums = np.stack([np.bincount(places, column, len(points)) for column in parts.T], axis=1)
     mean = unit_or_zero(sums).astype(np.float64)[faces]
-    is_grazing = (np.einsum("fkx,fx->fk", mean, mesh.face_normals) < _GRAZING) & (certainty == 1.0)[:, None]
-    rows = np.flatnonzero(np.isin(places, faces[is_grazing]))
+    is_grazing = (np.einsum("fkx,fx->fk", mean, mesh.face_normals) < _GRAZING) & (certainty > _SURE)[:, None]
+    rows = np.flatnonzero(np.isin(places, faces[is_grazing]) & np.repeat(certainty > 0.0, 3))
     mean.reshape(-1, 3)[rows] = _average_sides(places[rows], mesh.face_normals[rows // 3], parts[rows])
     return mean
+
+
+def _find_certainties(mesh: Mesh, points: np.ndarray, faces: np.ndarray, longest: np.ndarray) -> np.ndarray:
+    """Return how sure the normals of faces are, (F,) from 0 to 1: less for faces so narrow that rounding may turn them.
+
+    Corners that float32 holds exactly were rounded to it along each axis. Other corners were placed by a node, and a face is
+    judged by its shape.
+
+    Args:
+        mesh: the mesh.
+        points: (n, 3) positions.
+        faces: (F, 3) rows of `points`.
+        longest: (F, 3) longest edges.
+    """
+    with np.errstate(over="ignore"):
+        single = points.astype(np.float32)
+    exact = (single == points).all(axis=1, keepdims=True)
+    rounding = np.where(exact, np.spacing(np.abs(np.where(exact, single, np.float32(0.0)))), 0.0)[faces].min(axis=1)
+    across = np.abs(unit_or_zero(np.cross(mesh.face_normals, longest)))
+    length = lengths(longest)
+    width = 2.0 * mesh.face_areas / np.where(length > 0.0, length, 1.0)
+    limit = np.maximum(_NARROW * length, _ROUNDINGS * (across * rounding).sum(axis=1))
+    return np.minimum(width / np.maximum(limit, 1e-300), 1.0) ** 2  # as errors grow, weights by variance fall
 
 
 def _average_sides(places: np.ndarray, normals: np.ndarray, parts: np.ndarray) -> np.ndarray:
@@ -152,7 +176,8 @@ def _average_sides(places: np.ndarray, normals: np.ndarray, parts: np.ndarray) -
     """
     means, order = np.empty(parts.shape), np.argsort(places, kind="stable")
     for rows in np.split(order, np.flatnonzero(np.diff(places[order])) + 1):
-        means[rows] = np.maximum(normals[rows] @ normals[rows].T, 0.0) @ parts[rows]
+        for some in np.array_split(rows, 1 + len(rows) ** 2 // _BLOCK):
+            means[some] = np.maximum(normals[some] @ normals[rows].T, 0.0) @ parts[rows]
     return unit_or_zero(means)
 
 

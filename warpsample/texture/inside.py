@@ -17,6 +17,7 @@ _RAYS = 3  # two rays per point, and a third one where the first two disagree
 _SEED = seed_for("inside", 0)
 _CELLS = 64  # cells of the grid along each axis: 2^18 counts
 _BLOCK = 1 << 16  # points whose hits are held in memory at a time
+_FLAT = 1e-12  # of the sum of absolute parts of a volume: with less, as between the sides of a sheet, it is rounding
 _WITHIN = 1e-6  # least corner weight of a point in the interior of its face; points on an edge have a weight near 0
 
 
@@ -44,7 +45,9 @@ class Closed:
             rows = np.flatnonzero((body < 0) & ~flat)
             label = label_closed(corners[rows])
             body[rows] = np.where(label < 0, -1, label + body.max() + 1)
-        volume = np.bincount(body[body >= 0], self._volumes[body >= 0])
+        parts = self._volumes[body >= 0]
+        volume, most = (np.bincount(body[body >= 0], some) for some in (parts, np.abs(parts)))
+        volume[np.abs(volume) <= _FLAT * most] = 0.0
         if self.mesh.transmittance is not None:
             volume[body[(body >= 0) & (self.mesh.transmittance > 0.0)]] = 0.0
         body[body >= 0] = np.where(volume == 0.0, -1, np.cumsum(volume != 0.0) - 1)[body[body >= 0]]

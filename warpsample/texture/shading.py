@@ -8,7 +8,7 @@ from warpsample.mesh.mesh import Mesh, unit_or_zero
 NORMALS = ("face", "smooth", "lifted")
 """Normals of the face, interpolated corner normals, or interpolated normals at points lifted to the smooth surface."""
 
-_LIFTED = 1e-9  # of the mesh's diagonal: shorter lifts are rounding errors
+_LIFTED = 1e-9  # of the distance to the corners: shorter lifts are rounding errors
 
 
 def compute_corner_normals(mesh: Mesh, given: object) -> np.ndarray:
@@ -55,7 +55,9 @@ def shade_points(
     if normals == "lifted":
         below = [np.minimum(((position - corners[k]) * turned[k]).sum(axis=1, keepdims=True), 0.0) for k in range(3)]
         lift = -sum(weights[:, k : k + 1] * below[k] * turned[k] for k in range(3))
-        moved = np.abs(lift).max(axis=1) > _LIFTED * mesh.diagonal
+        reach = np.max([np.abs(position - corner).max(axis=1) for corner in corners], axis=0)
+        rounding = 4.0 * np.spacing(np.abs(position).max(axis=1))
+        moved = np.abs(lift).max(axis=1) > np.maximum(_LIFTED * reach, rounding)
         position = np.where(moved[:, None], position + lift, position)
         face = np.where(moved, -1, face).astype(np.int32)
     return position, normal, face

@@ -51,8 +51,7 @@ def occlusion_scene(
 ) -> "pyvista.Plotter":
     """Build a plotter that shows a mesh twice: in one colour, and with its occlusion texture and a colour bar."""
     plotter = columns_over_caption(2, describe_occlusion(mesh, occlusion), off_screen, size)
-    middle = 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
-    vertices = mesh.vertices - middle  # float32 is most precise about the origin
+    vertices = mesh.vertices - mesh.bounds.mean(axis=0)  # float32 is most precise about the origin
     for column, texture in enumerate((None, (occlusion.picture, occlusion.uv))):
         plotter.subplot(0, column)
         draw_mesh(plotter, vertices, mesh.faces, texture)
@@ -60,7 +59,7 @@ def occlusion_scene(
         if texture is not None:
             add_scale(plotter, OPENNESS, 1.0)
             add_text(plotter, _LABEL, (0.5, 0.04))
-        fit_view(plotter, vertices, up)
+        fit_view(plotter, vertices[mesh.used], up)
     plotter.link_views()
     return plotter
 

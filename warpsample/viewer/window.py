@@ -75,7 +75,7 @@ class Viewer(Panels):
         """
         check_rows(choice, mesh)
         self._requested, self._normals, self._kinds = points, mesh.face_normals, set()
-        self._mesh, self._uv, self._middle = mesh, uv, 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
+        self._mesh, self._uv, self._middle = mesh, uv, mesh.bounds.mean(axis=0)
         self.scale, self.vertices = LENGTH * mesh.diagonal, mesh.vertices - self._middle
         at = sample_surface(mesh, limit_counts(points, 1)[0], seed=choice.seed)
         self.points: SurfacePoints = self._with_tangents(replace(at, position=at.position - self._middle))
