@@ -49,6 +49,19 @@ def test_an_obj_without_what_it_refers_to_is_refused(line, why, tmp_path):
         ws.load_uv(path)
 
 
+def test_directions_name_coordinates_that_cannot_be_read(call, tmp_path):
+    """They were taken for none, and the lobes of a brushed metal had axes of no meaning."""
+    path, out = tmp_path / "a.obj", tmp_path / "out.npz"
+    corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+    lobe = ("--points", 3, "--samples", 4, "--distribution", "ggx(alpha=0.05, alpha_y=0.6)")
+    path.write_text(f"{corners}f 1 2 3\n")
+    assert call("directions", path, "-o", out, *lobe)[0] == 0
+    path.write_text(f"{corners}vt 0 0\nf 1/1 2/1 3/9\n")
+    status, _, err = call("directions", path, "-o", out, *lobe)
+    assert status == 2
+    assert "line 5: a face has the texture coordinates 1 to 9, want 1 to 1" in err
+
+
 def test_gltf_nodes_strips_sets_and_short_numbers(tmp_path):
     """A quad at two nodes, one of which mirrors it; a strip of 16-bit shares; and a second set that only the quad has."""
     path = placed_twice(tmp_path / "a.glb", QUAD)

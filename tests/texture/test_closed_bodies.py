@@ -41,6 +41,7 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
     image = picture(tree, data, occlusion(tree, 0)["index"])[..., 0]
     assert image.min() > 0.4  # half of the sky at the foot of a wall
     assert "64 points inside closed bodies, filled from their charts" in out  # of 2 x 2 at 4 texels a unit
+    assert "\n  with the values that are replaced: mean 0." in out
     status, kept, _ = call("bake", path, "-o", output, "--texture", 32, *RAYS, "--inside", "keep")
     tree, data, _ = opened(output)
     assert (status, picture(tree, data, occlusion(tree, 0)["index"]).min(), "closed bodies" in kept) == (0, 0.0, False)

@@ -229,6 +229,22 @@ def test_extensions_that_number_vertices_are_left_out_with_new_coordinates(call,
     assert opened(tmp_path / "out.glb")[0]["meshes"][0]["primitives"][0]["extensions"]["CESIUM_primitive_outline"] == outline
 
 
+def test_a_primitive_whose_variants_alone_have_materials_gets_one(call, tmp_path):
+    """Its default material had no picture, so that viewers showed none until a variant was chosen."""
+
+    def bare(tree):
+        del tree["meshes"][1]["primitives"][0]["material"]
+
+    (tmp_path / "in.glb").write_bytes(changed(rich(), bare))
+    command = ("bake", tmp_path / "in.glb", "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 4)
+    assert call(*command)[0] == 0
+    tree = opened(tmp_path / "out.glb")[0]
+    wall = tree["meshes"][1]["primitives"][0]
+    variants = [mapping["material"] for mapping in wall["extensions"]["KHR_materials_variants"]["mappings"]]
+    assert wall["material"] not in variants
+    assert all("occlusionTexture" in tree["materials"][number] for number in (wall["material"], *variants))
+
+
 def test_extensions_that_the_output_no_longer_has_are_not_listed_as_used(call, tmp_path):
     """Outlines number vertices, and the picture replaces one with a transform. Names without an object are kept."""
     others = ["KHR_materials_variants", "EXT_nobody_knows", "KHR_mesh_quantization"]

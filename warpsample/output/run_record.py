@@ -161,16 +161,17 @@ class RunRecord:
         """Return the speed in million rays per second."""
         return float(self.sums["rays"]) / max(seconds, 1e-9) / 1e6
 
-    def describe(self) -> list[str]:
+    def describe(self, values_of: str = "") -> list[str]:
         """Return the report of a finished run: mean, range, standard error, rays and time, in lines.
 
-        Sums cover this run alone. So a resumed run reports the mean of the other points or tiles.
+        Sums cover this run alone. So a resumed run reports the mean of the other points or tiles. `values_of` is put before
+        the mean to tell which values it covers.
         """
         lines = [f"{self.there:,} of the {self.total:,} {self.things} were complete before"] if self.there else []
         rays, known = int(self.sums["rays"]), int(self.sums["known"])
         if known:
             error = f"; standard error {self.error:.2g}, root mean square over the points" if self.error or rays else ""
-            others = f"for the other {self.things}: " if self.there else ""
+            others = f"for the other {self.things}: " if self.there else values_of
             lines += [f"{others}{self._values(known)}{error}"]
         took = f"took {perf_counter() - self._start:.2f} s, with reading, compiling and writing"
         if rays:

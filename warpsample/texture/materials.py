@@ -80,7 +80,7 @@ def add_texture(
     """Add a picture to the materials of a group of primitives, and yield sentences on each picture it replaces.
 
     The first picture of a material goes to the material itself. Primitives outside the group get an unchanged copy. Any
-    other picture goes to a copy, so add the first picture last. A group without a material gets a new one. Animations of
+    other picture goes to a copy, so add the first picture last. Primitives without a material get a new one. Animations of
     replaced values are left out: those of a picture's transform, strength or scale, and those of `more`.
 
     Args:
@@ -95,22 +95,16 @@ def add_texture(
     numbers = sorted({number for one in group for number in one.materials})
     name = name_group(file, group)
     texture = {"index": file.add_picture(png, f"{name} {slot.name}"), **info}
-    if not numbers:
-        number = file.add_material({"name": name})
-        for one in group:
-            _primitive_json(file, one)["material"] = number
-        numbers = [number]
-    else:
-        for number in numbers:
-            others = _find_others(file, group) if is_first else [Part(_primitive_json(file, one)) for one in group]
-            _copy_material(file, others, number)
-        numbers = sorted(
-            {
-                part.content["material"]
-                for one in group
-                for part in list_material_references(Part(_primitive_json(file, one)))
-            }
-        )
+    for number in numbers:
+        others = _find_others(file, group) if is_first else [Part(_primitive_json(file, one)) for one in group]
+        _copy_material(file, others, number)
+    parts = [_primitive_json(file, one) for one in group]
+    bare = [part for part in parts if "material" not in part]  # variants may have materials all the same
+    if bare and slot.optional:
+        made = file.add_material({"name": name})
+        for part in bare:
+            part["material"] = made
+    numbers = sorted({named.content["material"] for part in parts for named in list_material_references(Part(part))})
     for number in numbers:
         material = file.tree["materials"][number]
         held = slot.find_holder(Part(material))

@@ -114,10 +114,16 @@ def load_uv(path: str | PathLike[str], *, set: int = 0) -> np.ndarray:
 
 
 def find_uv(path: Path) -> np.ndarray | None:
-    """Return the texture coordinates of a mesh file, set 0, as `load_uv` does; None for a file without coordinates."""
+    """Return the texture coordinates of a mesh file, set 0, as `load_uv` does; None for a file without coordinates.
+
+    Raises:
+        ValueError: the coordinates cannot be read.
+    """
     if path.suffix.lower() not in SUFFIXES:
         return None
     try:
         return load_uv(path)
-    except ValueError:  # no face has coordinates: the mesh itself has been read
-        return None
+    except ValueError as error:
+        if isinstance(error.__cause__, MissingSetError):
+            return None
+        raise

@@ -52,7 +52,9 @@ def bake_texture(source: TextureSource, record: RunRecord) -> str:
         lines += describe_places(row)
     further = sum(picture.rays[1] for row in found for picture in row)
     lines += [*source.coarse, *([f"{further:,} further rays cast to find points inside closed bodies"] if further else [])]
-    return "\n  ".join([*lines, *record.describe(), *source.notes, *notes])
+    are_filled = any(picture.filled.inside for row in found for picture in row)
+    values_of = "with the values that are replaced: " if are_filled else ""
+    return "\n  ".join([*lines, *record.describe(values_of), *source.notes, *notes])
 
 
 def _compute(source: TextureSource, record: RunRecord) -> list[list[PlacedTexture]]:
@@ -169,7 +171,7 @@ def _describe_picture(found: Filled) -> Iterator[str]:
         yield _describe_mostly_inside(found)
     if found.enclosed:
         yield f"{found.enclosed:,} points inside closed bodies keep their values, because their whole charts are inside"
-    filled = "left at 0" if np.isnan(found.mean) else "filled from their charts"
+    filled = "left at 0" if np.isnan(found.mean) else "filled from their charts, or from others where theirs have no value"
     if found.missed:
         yield f"{found.missed:,} points without a hit on the finer mesh within the cage, {filled}"
     if found.lost:

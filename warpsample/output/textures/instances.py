@@ -74,7 +74,10 @@ def _mean_of(first: PlacedTexture, others: Iterator[PlacedTexture], gutter: Any)
     rows = (total / np.where(count > 0, count, np.nan)).reshape(3, -1, total.shape[-1])[:, points.texel]
     value, error, unbiased = (points.image(some, gutter=gutter).reshape(old.value.shape) for some in rows)
     mean = float(np.nanmean(rows[0])) if count.any() else float("nan")
-    return replace(first, filled=replace(old, value=value, error=error, unbiased=unbiased, own=count[..., 0] > 0, mean=mean))
+    empty = int(np.count_nonzero(count.ravel()[points.texel] == 0))  # at all places
+    counts = {"missed": min(old.missed, empty), "lost": min(old.lost, empty)}
+    images = {"value": value, "error": error, "unbiased": unbiased, "own": count[..., 0] > 0}
+    return replace(first, filled=replace(old, **images, **counts, mean=mean))
 
 
 def _picture(filled: Filled, job: TextureJob) -> PlacedTexture:
