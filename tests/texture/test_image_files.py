@@ -225,3 +225,11 @@ def test_a_gltf_that_cannot_be_written_leaves_the_old_one(call, tmp_path):
     assert (status, err) == (1, f"error: {output} cannot be written: File too large\n")
     assert output.read_bytes() == whole
     assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_the_example_mesh_has_textures(call, tmp_path):
+    """It is no file, whose size was read all the same."""
+    output = tmp_path / "a.npz"
+    assert call("bake", "courtyard", "-o", output, "--texture", 64, "--samples", 4)[0] == 0
+    with np.load(output) as file:
+        assert 0.5 < file["value"][file["covered"]].mean() < 0.8
