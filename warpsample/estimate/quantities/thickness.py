@@ -35,6 +35,8 @@ def thickness(
 ) -> Thickness:
     """Measure the thickness of a body at each point: the distance against the normal to the first face.
 
+    A sheet encloses no body, even with two layers at the same place: its value is the distance to the face behind it.
+
     `mean_distance` with normals inward is the mean over a lobe in place of this single ray.
 
     Args:
