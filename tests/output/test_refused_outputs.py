@@ -132,6 +132,19 @@ def test_nor_are_a_light_or_a_mesh_that_is_looked_at(call, cube, tmp_path, uncom
     assert "which is the input" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("command", "option"),
+    [("bake", "--transmittance"), ("bake --texture 8", "--transmittance"), ("view", "--arrays")],
+)
+def test_nor_are_arrays_of_faces_and_lobes(call, cube, tmp_path, uncomputed, can_render, command, option):
+    """An output that linked to one of them replaced it."""
+    array, output = tmp_path / "in.npy", tmp_path / ("out.png" if command == "view" else "out.npz")
+    np.save(array, np.full(12, 0.5))
+    output.symlink_to(array)
+    status, _, err = call(*command.split(), cube, option, array, "--screenshot" if command == "view" else "-o", output)
+    assert (status, err.partition(", which")[2]) == (2, f" is the input {str(array)!r}, want another file\n")
+
+
 UNWRITABLE = {  # what is said of each
     "missing": "whose folder does not exist",
     "file": "whose folder does not exist",

@@ -1,6 +1,7 @@
 """From a finer mesh to the texels of a coarse one: its normals, positions and occlusion."""
 
 import tracemalloc
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -231,10 +232,16 @@ def fans_of_squares(height, distance, n=9):
     x, y = np.meshgrid(*2 * [np.linspace(-1.0, 1.0, n)])
     corner = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).reshape(-1, 1)
     square = corner + np.array([0, 1, n + 1, n])
-    faces = [side[:, fan] for side in (square, square[:, ::-1]) for fan in ([0, 1, 2], [0, 2, 3])]
-    corners = np.stack([x + distance, y, height(x, y)], axis=-1).reshape(-1, 3)
-    ground = np.random.default_rng(0).random((600, 3)) * (1.0, 1.0, 0.0) - (0.0, 0.0, 10.0)  # most vertices are near 0
-    return ws.Mesh(np.concatenate([corners, ground]), np.concatenate([*faces, n * n + np.arange(600).reshape(-1, 3)]))
+    faces = np.concatenate([side[:, fan] for side in (square, square[:, ::-1]) for fan in ([0, 1, 2], [0, 2, 3])])
+    return on_a_map(SimpleNamespace(vertices=np.stack([x, y, height(x, y)], axis=-1).reshape(-1, 3), faces=faces), distance)
+
+
+def on_a_map(one, distance):
+    """A mesh `distance` along x from a ground below, which has most of the vertices."""
+    ground = np.random.default_rng(0).random((600, 3)) * (1.0, 1.0, 0.0) - (0.0, 0.0, 2e3)
+    faces = len(one.vertices) + np.arange(600).reshape(-1, 3)
+    moved = one.vertices + np.array([distance, 0.0, 0.0])
+    return ws.Mesh(np.concatenate([moved, ground]), np.concatenate([one.faces, faces]))
 
 
 @pytest.mark.parametrize("distance", [0.0, 2e4])
@@ -243,7 +250,7 @@ def test_a_curved_sheet_with_other_diagonals_on_its_back_shows_its_own_sides(dis
     sheet = fans_of_squares(lambda x, y: 0.15 * np.sin(2.0 * x) * np.cos(2.0 * y) + 0.05 * np.sin(5.0 * x * y), distance)
     high = HighMesh(sheet, np.repeat(sheet.face_normals[:, None], 3, axis=1).astype(float), 0.1, "face")
     points = interpolated(sheet, ws.sample_surface(sheet, 2000, barycentric=True))
-    points = points.take(np.flatnonzero(points.position[:, 2] > -1.0))
+    points = points.take(np.flatnonzero(points.position[:, 2] > -1e3))
     found, missed = high.project(points, sheet)
     assert not missed.any()
     assert ((found.normal * sheet.face_normals[points.face]).sum(axis=1) > 0.9).all()
@@ -264,13 +271,17 @@ def test_many_corners_at_one_place_take_no_memory_for_their_pairs():
     assert np.abs(normals[:6_000] - (0.0, 0.0, 1.0)).max() < 1e-6
 
 
-@pytest.mark.parametrize("size", [(2.0, 0.002, 1.0), (2.0, 0.001, 1.0), (20.0, 0.003, 20.0)])
-def test_the_rim_of_a_thin_plate_shows_itself(size):
+@pytest.mark.parametrize(
+    ("size", "distance"),
+    [((2.0, 0.002, 1.0), 0.0), ((2.0, 0.001, 1.0), 0.0), ((20.0, 0.003, 20.0), 0.0), ((1.0, 0.005, 1.0), 2000.1)],
+)
+def test_the_rim_of_a_thin_plate_shows_itself(size, distance):
     """A finer plate larger by a tenth of its thickness: top and bottom turned 13 to 67 % of the rays of such rims."""
-    low = ws.as_mesh(trimesh.creation.box(size))
-    fine = ws.as_mesh(trimesh.creation.box(np.array(size) + 0.2 * min(size)))
+    low = on_a_map(trimesh.creation.box(size), distance)
+    fine = on_a_map(trimesh.creation.box(np.array(size) + 0.2 * min(size)), distance)
     high = HighMesh(fine, np.repeat(fine.face_normals[:, None], 3, axis=1).astype(float), 0.45 * min(size), "face")
     points = interpolated(low, evenly_per_face(low, 200))
+    points = points.take(np.flatnonzero(points.position[:, 2] > -1e3))
     found, missed = high.project(points, low)
     assert not missed.any()
     assert ((found.normal * low.face_normals[points.face]).sum(axis=1) > 0.9).all()
@@ -303,7 +314,8 @@ def test_rays_of_a_large_scene_are_moved_by_what_they_resolve():
     points = ws.sample_surface(mesh, 2000)
     found, missed = high.project(points, mesh)
     assert not missed.any()
-    assert np.abs(found.position - points.position)[:, :2].max() < 1.1 * 2.0**-19 * 1000.0
+    # Half of what rays resolve towards the middle, and as far from one edge, or from two at a right angle.
+    assert np.linalg.norm(found.position - points.position, axis=1).max() < 1.21 * 2.0**-19 * 1000.0
 
 
 @pytest.mark.parametrize("seed", range(4))

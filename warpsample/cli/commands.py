@@ -194,7 +194,7 @@ def view(
     from warpsample.viewer import start
     from warpsample.viewer.baked import show_occlusion
 
-    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh, *list_linked_files(mesh))
+    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh, arrays, *list_linked_files(mesh))
     chosen = any(each is not None for each in (points, distribution, density))
     path = mesh or start.bunny()
     choice = start.choice(

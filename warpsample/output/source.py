@@ -85,6 +85,7 @@ def input_files(run: BakeRun, quantity: Quantity) -> list[Path]:
     """Return the paths of all files that a `warpsample bake` command reads."""
     files = [run.options.get(option) for option in quantity.files]
     context = Path(run.context) if run.context else None
+    files += [text for text in run.optics.values() if text and text.endswith(".npy")]
     files += [context, *list_linked_files(context)]
     return [Path(file) for file in (run.mesh, *list_linked_files(run.mesh), *files) if file is not None]
 

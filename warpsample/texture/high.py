@@ -64,7 +64,7 @@ class HighMesh:
         """
         inward = -np.asarray(points.normal, np.float64)
         scene = scene_of(self.mesh, through=True)
-        depth = resolutions_at(scene, np.abs(points.position - scene.centre).max(axis=1))
+        depth = 0.5 * resolutions_at(scene, np.abs(points.position - scene.centre).max(axis=1))
         start = _move_off_edges(points, low, depth) - self.cage * inward
         face = self._find_front_faces(start, inward, workers)
         missed = face < 0
@@ -99,7 +99,8 @@ class HighMesh:
 def _move_off_edges(points: SurfacePoints, low: Mesh, depth: np.ndarray) -> np.ndarray:
     """Return the positions (P, 3) of points, moved within their faces to a distance of `depth`, (P,), from the edges.
 
-    At most to a third of the face's height, so that all three edges can be this far away.
+    At most to a third of the face's height, so that all three edges can be this far away. Then all points move by `depth`
+    towards the middle of their face: texel centres often lie exactly above edges of the finer mesh.
     """
     corners, position = low.vertices[low.faces[points.face]], points.position.astype(np.float64)
     edges = np.roll(corners, -1, axis=1) - corners
@@ -114,7 +115,9 @@ def _move_off_edges(points: SurfacePoints, low: Mesh, depth: np.ndarray) -> np.n
     weights = np.maximum(reached[sharp], least[sharp]) / heights[sharp]
     weights /= weights.sum(axis=1, keepdims=True)
     position[sharp] = np.einsum("pk,pkx->px", weights, np.roll(corners[sharp], -2, axis=1))
-    return position
+    middle = corners.mean(axis=1) - position
+    share = depth / np.maximum(lengths(middle), 1e-300)
+    return position + np.minimum(share, 0.5)[:, None] * middle
 
 
 def average_normals(mesh: Mesh) -> np.ndarray:
@@ -157,8 +160,9 @@ def _find_certainties(mesh: Mesh, points: np.ndarray, faces: np.ndarray, longest
     """
     with np.errstate(over="ignore"):
         single = points.astype(np.float32)
-    exact = (single == points).all(axis=1, keepdims=True)
-    rounding = np.where(exact, np.spacing(np.abs(np.where(exact, single, np.float32(0.0)))), 0.0)[faces].min(axis=1)
+    exact = (single == points).all(axis=1)
+    rounding = np.spacing(np.abs(np.where(exact[:, None], single, np.float32(0.0))))[faces].max(axis=1)
+    rounding[~exact[faces].all(axis=1)] = 0.0
     across = np.abs(unit_or_zero(np.cross(mesh.face_normals, longest)))
     length = lengths(longest)
     width = 2.0 * mesh.face_areas / np.where(length > 0.0, length, 1.0)
