@@ -127,6 +127,22 @@ def test_a_first_place_of_scale_0_hides_no_other_place(call, tmp_path, uv):
     assert shown["nodes[2]", "roof"] == 1.0
 
 
+@pytest.mark.parametrize("instances", ["split", "mean"])
+def test_places_without_a_texel_show_the_picture_of_their_material(call, tmp_path, instances):
+    """A face outside the image at two places, with the material of a floor, ended the bake with a message of Python."""
+    square, beyond = np.float32([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)]), np.float32(SQUARE) + 3.0
+    meshes = [
+        {"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": uv}, "indices": 3, "material": 0}]} for uv in (1, 2)
+    ]
+    tree = {"meshes": meshes, "materials": [{}], "nodes": [{"mesh": 0}]}
+    tree["nodes"] += [{"mesh": 1, "translation": [0, height, 0]} for height in (50, 90)]
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    path.write_bytes(glb(tree, [square, np.float32(SQUARE), beyond, TWO]))
+    status, _, err = call("bake", path, "-o", output, *RAYS, "--uv", 0, "--instances", instances)
+    assert (status, err) == (0, "")
+    assert len(opened(output)[0]["materials"]) == 1
+
+
 def test_whole_pictures_with_few_rays_that_differ_are_distinguished(call, tmp_path):
     """Floors in the open and beneath a distant sheet, with 2 rays a texel: blocks differ by less than their errors."""
     path, output = tmp_path / "in.glb", tmp_path / "out.glb"

@@ -179,9 +179,13 @@ def _average_sides(places: np.ndarray, normals: np.ndarray, parts: np.ndarray) -
         parts: (n, 3) weighted normals.
     """
     means, order = np.empty(parts.shape), np.argsort(places, kind="stable")
-    for rows in np.split(order, np.flatnonzero(np.diff(places[order])) + 1):
-        for some in np.array_split(rows, 1 + len(rows) ** 2 // _BLOCK):
-            means[some] = np.maximum(normals[some] @ normals[rows].T, 0.0) @ parts[rows]
+    _, first, counts = np.unique(places[order], return_index=True, return_counts=True)
+    for count in np.unique(counts).tolist():  # all places with this number of corners at once
+        rows = order[first[counts == count][:, None] + np.arange(count)]
+        for some in np.array_split(rows, 1 + rows.size * count // _BLOCK):
+            for own in np.array_split(some, 1 + count * count // _BLOCK, axis=1):
+                cosines = normals[own] @ normals[some].transpose(0, 2, 1)
+                means[own] = np.maximum(cosines, 0.0) @ parts[some]
     return unit_or_zero(means)
 
 

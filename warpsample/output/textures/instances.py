@@ -38,19 +38,26 @@ def pictures_of(job: TextureJob, fill: Callable[..., Filled], how: TextureOption
     """
     is_compared = how.instances == "split" and any(one.others for one in job.group)
     fill = partial(fill, is_compared=is_compared)
-    found = [_picture(fill(job), job)]
+    found, bare = [_picture(fill(job), job)], []
+
+    def pictures() -> Iterator[PlacedTexture]:
+        """Yield the picture of each other place; a place without texels goes to `bare`."""
+        for other in job.at_other_places():
+            if len(other.points):
+                yield _picture(fill(other), other)
+            else:
+                bare.append(other.group)
+
     if how.instances == "mean":
-        return [_mean_of(found[0], (_picture(fill(other), other) for other in job.at_other_places()), how.gutter)]
-    for other in job.at_other_places():
-        made = _picture(fill(other), other)
-        same = next(
-            (i for i, known in enumerate(found) if not do_pictures_differ(known.filled, made.filled, how.depth)), None
-        )
-        if same is None:
-            found.append(made)
-        else:
-            found[same] = _joined(found[same], made)
-    return found
+        found = [_mean_of(found[0], pictures(), how.gutter)]
+    else:
+        for made in pictures():
+            equal = (i for i, known in enumerate(found) if not do_pictures_differ(known.filled, made.filled, how.depth))
+            if (same := next(equal, None)) is None:
+                found.append(made)
+            else:
+                found[same] = _joined(found[same], made)
+    return [replace(found[0], groups=found[0].groups + bare), *found[1:]]
 
 
 def _joined(known: PlacedTexture, other: PlacedTexture) -> PlacedTexture:
