@@ -187,10 +187,10 @@ def test_rays_of_a_wall_are_not_turned_by_a_large_floor_beside_it():
     """By area, the floor has 99 % of the edge's normal, and rays along the wall leave the cage before they meet it."""
     corners = np.array([(0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1), (1, 100, 0), (0, 100, 0)], float)
     low = ws.Mesh(corners, [[0, 1, 2], [0, 2, 3], [0, 4, 1], [0, 5, 4]])  # a wall of 1, and a floor of 100, at right angles
-    normals = average_normals(low)
+    normals = average_normals(low, 0.1)
     assert np.abs(normals[0, 0]).round(6).tolist() == [0.0, 0.707107, 0.707107]
     assert normals[0, 2].tolist() == low.face_normals[0].tolist()
-    scaled = average_normals(ws.Mesh(1e-20 * corners, low.faces))
+    scaled = average_normals(ws.Mesh(1e-20 * corners, low.faces), 1e-21)
     assert np.allclose(normals, scaled, atol=1e-6)
 
 
@@ -198,8 +198,10 @@ def test_each_side_of_a_sheet_has_normals_of_its_own():
     """Their sum is 0 but for rounding, which was taken for a direction: half of the texels showed the other side."""
     ball = trimesh.creation.icosphere(2)
     sheet = ws.Mesh(ball.vertices, np.concatenate([ball.faces, ball.faces[:, ::-1]]))
-    one_sided = average_normals(ws.as_mesh(ball))
-    assert (average_normals(sheet)[: len(ball.faces)] * one_sided).sum(axis=2).min() > 0.9999  # weights have cosines, too
+    one_sided = average_normals(ws.as_mesh(ball), 0.1)
+    assert (average_normals(sheet, 0.1)[: len(ball.faces)] * one_sided).sum(
+        axis=2
+    ).min() > 0.9999  # weights have cosines, too
     high = HighMesh(sheet, np.repeat(sheet.face_normals[:, None], 3, axis=1).astype(float), 0.1, "face")
     low = ws.face_centers(sheet)
     found, missed = high.project(low, sheet)
@@ -219,10 +221,10 @@ def evenly_per_face(mesh, count):
     return points_at(mesh, face, np.random.default_rng(0).dirichlet((1, 1, 1), len(face)))
 
 
-def interpolated(mesh, points):
+def interpolated(mesh, points, cage):
     """Points with the normals that rays to a finer mesh have."""
     normals = shade_points(
-        mesh, compute_corner_normals(mesh, average_normals(mesh)), points.face, points.barycentric, "file"
+        mesh, compute_corner_normals(mesh, average_normals(mesh, cage)), points.face, points.barycentric, "file"
     )
     return ws.SurfacePoints(points.position, normals[1], points.face, points.barycentric)
 
@@ -249,7 +251,7 @@ def test_a_curved_sheet_with_other_diagonals_on_its_back_shows_its_own_sides(dis
     """Its mean normals cancel but for the curvature: what was left led half of the rays to the other side."""
     sheet = fans_of_squares(lambda x, y: 0.15 * np.sin(2.0 * x) * np.cos(2.0 * y) + 0.05 * np.sin(5.0 * x * y), distance)
     high = HighMesh(sheet, np.repeat(sheet.face_normals[:, None], 3, axis=1).astype(float), 0.1, "face")
-    points = interpolated(sheet, ws.sample_surface(sheet, 2000, barycentric=True))
+    points = interpolated(sheet, ws.sample_surface(sheet, 2000, barycentric=True), high.cage)
     points = points.take(np.flatnonzero(points.position[:, 2] > -1e3))
     found, missed = high.project(points, sheet)
     assert not missed.any()
@@ -264,7 +266,7 @@ def test_many_corners_at_one_place_take_no_memory_for_their_pairs():
     hidden = np.zeros((20_000, 3), int)
     mesh = ws.Mesh(np.concatenate([np.zeros((1, 3)), rim]), np.concatenate([fan, fan[:, ::-1], hidden]))
     tracemalloc.start()
-    normals = average_normals(mesh)
+    normals = average_normals(mesh, 0.1)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 200e6  # the pairs alone would take 8 * 12,000^2 bytes = 1.2 GB
@@ -280,7 +282,7 @@ def test_the_rim_of_a_thin_plate_shows_itself(size, distance):
     low = on_a_map(trimesh.creation.box(size), distance)
     fine = on_a_map(trimesh.creation.box(np.array(size) + 0.2 * min(size)), distance)
     high = HighMesh(fine, np.repeat(fine.face_normals[:, None], 3, axis=1).astype(float), 0.45 * min(size), "face")
-    points = interpolated(low, evenly_per_face(low, 200))
+    points = interpolated(low, evenly_per_face(low, 200), high.cage)
     points = points.take(np.flatnonzero(points.position[:, 2] > -1e3))
     found, missed = high.project(points, low)
     assert not missed.any()
@@ -297,7 +299,7 @@ def test_points_on_edges_show_their_own_side(size, seed):
     share = np.linspace(0.0, 1.0, 40)[:, None]
     weights = np.concatenate([np.roll(np.hstack([share, 1.0 - share, 0.0 * share]), turn, axis=1) for turn in range(3)])
     face = np.repeat(np.arange(len(mesh.faces)), len(weights))
-    points = interpolated(mesh, points_at(mesh, face, np.tile(weights, (len(mesh.faces), 1))))
+    points = interpolated(mesh, points_at(mesh, face, np.tile(weights, (len(mesh.faces), 1))), high.cage)
     found, missed = high.project(points, mesh)
     assert not missed.any()
     assert ((found.normal * mesh.face_normals[face]).sum(axis=1) > 0.9).all()
@@ -318,16 +320,24 @@ def test_rays_of_a_large_scene_are_moved_by_what_they_resolve():
     assert np.linalg.norm(found.position - points.position, axis=1).max() < 1.21 * 2.0**-19 * 1000.0
 
 
+ROUNDED = {  # how files round corners, and nodes place them
+    "float32": lambda corners: corners.astype(np.float32),
+    "float32, 1 km away": lambda corners: (corners + 1000.0).astype(np.float32),
+    "float32, 1 km away, moved back": lambda corners: (corners + 1000.0).astype(np.float32) - 1000.0,
+    "float32, 1 km away, scaled": lambda corners: 0.01 * (100.0 * (corners + 1000.0)).astype(np.float32).astype(float),
+    "five decimals": lambda corners: corners.round(5),
+}
+
+
 @pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("shift", [1.0, 1000.0])
-def test_slivers_turn_no_rays(seed, shift):
+@pytest.mark.parametrize("rounded", ROUNDED.values(), ids=ROUNDED)
+def test_slivers_turn_no_rays(seed, rounded):
     """A cap triangle at a T-junction has an angle of 180 degrees, and a normal of rounding."""
     corners = np.array([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0.7, 0, 0), (1, -1, 0)], float)
     turn = trimesh.transformations.random_rotation_matrix(np.random.default_rng(seed).random(3))[:3, :3]
-    rounded = (corners @ turn.T + shift).astype(np.float32).astype(float)
-    low = ws.Mesh(rounded, [[0, 2, 3], [0, 1, 2], [0, 5, 4], [4, 5, 1], [0, 4, 1]])
-    # Of an angle of up to 0.02: slivers of 1 or 2 roundings have weights of up to (2 / 16)^2.
-    assert (average_normals(low)[:4] @ low.face_normals[1].astype(float)).min() > 1.0 - 0.5 * 0.02**2
+    low = ws.Mesh(rounded(corners @ turn.T).astype(float), [[0, 2, 3], [0, 1, 2], [0, 5, 4], [4, 5, 1], [0, 4, 1]])
+    # Up to 1e-4 wide, less than a tenth of 1/16 of the cage: of a weight of 0.01, which turns by up to 0.01 radians.
+    assert (average_normals(low, 0.02)[:4] @ low.face_normals[1].astype(float)).min() > 1.0 - 0.5 * 0.015**2
 
 
 @pytest.mark.parametrize("backs_first", [False, True])

@@ -33,6 +33,16 @@ def test_balls_and_sheets_and_points_without_a_normal():
     assert np.array_equal(found.to_polydata(ball)["value"], found.value)
 
 
+def test_light_that_passes_a_body_changes_no_thickness():
+    """Rays passed the back of glass, and the thickness of a slab reached to the ground below."""
+    glass, ground = trimesh.creation.box((1.0, 1.0, 0.2)), trimesh.creation.box((9.0, 9.0, 1.0))
+    ground.apply_translation((0.0, 0.0, -2.0))
+    mesh = ws.as_mesh(trimesh.util.concatenate([glass, ground]))
+    points, share = ws.face_centers(mesh), np.where(np.arange(24) < 12, 0.5, 0.0)
+    found = [ws.thickness(one, points).value for one in (mesh, ws.as_mesh(mesh, transmittance=share))]
+    assert np.array_equal(found[0], found[1])
+
+
 @pytest.mark.parametrize(
     ("options", "error", "message"),
     [

@@ -16,8 +16,9 @@ from warpsample.tracing.scene import scene_of
 from warpsample.tracing.trace import trace
 from warpsample.tracing.trace_all import trace_all
 
-_NARROW = 2.0**-17  # width of a face over its longest edge, below which a normal is taken for rounding
-_ROUNDINGS = 16.0  # width of a face over the rounding of float32 corners, below which its normal is not sure
+_NARROW = 1.0 / 16.0  # of the cage: narrower faces turn rays only if their normals are no rounding
+_ROUNDINGS = 16.0  # widths of faces in roundings of float32 corners, below which normals are not sure
+_STRAIGHT = -0.999  # cosine of an angle that counts as 180 degrees, as of the slivers that close T-junctions
 _SURE = 0.1  # certainty of normals that a mean normal has to agree with
 _BLOCK = 1 << 22  # pairs of corners in memory at a time
 _GRAZING = 0.05  # cosine to a face's normal: with less, a mean normal is of no use to the rays of the face
@@ -120,13 +121,17 @@ def _move_off_edges(points: SurfacePoints, low: Mesh, depth: np.ndarray) -> np.n
     return position + np.minimum(share, 0.5)[:, None] * middle
 
 
-def average_normals(mesh: Mesh) -> np.ndarray:
+def average_normals(mesh: Mesh, cage: float) -> np.ndarray:
     """Return the (F, 3, 3) float64 corner normals, equal at corners with the same position, see below.
 
     Equal normals leave no gaps between the rays at hard edges and seams. Faces count by their angle at the position. If they
     counted by area, a large floor would turn the rays of a wall beside it along the wall. Where the mean would be along or
     behind one of the faces, each corner has a mean of its own, of faces that look the same way: the two sides of a sheet, or
     of a wall between two rooms, would cancel, and what is left has any direction.
+
+    Args:
+        mesh: coarse mesh with F faces.
+        cage: distance at which rays start; faces that are much narrower count less.
     """
     points, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0 turns -0 into 0
     faces = vertex.reshape(-1)[mesh.faces]
@@ -134,7 +139,7 @@ def average_normals(mesh: Mesh) -> np.ndarray:
     longest = edges[np.arange(len(faces)), lengths(edges.reshape(-1, 3)).reshape(-1, 3).argmax(axis=1)]
     edges = unit_or_zero(edges.reshape(-1, 3)).reshape(edges.shape).astype(np.float64)
     cosine = -np.einsum("fkx,fkx->fk", edges, np.roll(edges, 1, axis=1))
-    certainty = _find_certainties(mesh, points, faces, longest)
+    certainty = _find_certainties(mesh, points[faces], longest, cosine.min(axis=1), cage)
     weight = np.arccos(np.clip(cosine, -1.0, 1.0)) * certainty[:, None]
     places = faces.ravel()
     parts = (weight[..., None] * mesh.face_normals[:, None]).reshape(-1, 3)
@@ -146,27 +151,25 @@ def average_normals(mesh: Mesh) -> np.ndarray:
     return mean
 
 
-def _find_certainties(mesh: Mesh, points: np.ndarray, faces: np.ndarray, longest: np.ndarray) -> np.ndarray:
+def _find_certainties(mesh: Mesh, corners: np.ndarray, longest: np.ndarray, cosine: np.ndarray, cage: float) -> np.ndarray:
     """Return how sure the normals of faces are, (F,) from 0 to 1: less for faces so narrow that rounding may turn them.
 
-    Corners that float32 holds exactly were rounded to it along each axis. Other corners were placed by a node, and a face is
-    judged by its shape.
+    Files round their numbers to float32 or to decimals, before or after nodes move them. So a face that is much narrower
+    than the cage is trusted only if it is wider than roundings of float32, and no sliver of a T-junction.
 
     Args:
         mesh: the mesh.
-        points: (n, 3) positions.
-        faces: (F, 3) rows of `points`.
+        corners: (F, 3, 3) positions.
         longest: (F, 3) longest edges.
+        cosine: (F,) cosines of the largest angles.
+        cage: distance at which rays start.
     """
-    with np.errstate(over="ignore"):
-        single = points.astype(np.float32)
-    exact = (single == points).all(axis=1)
-    rounding = np.spacing(np.abs(np.where(exact[:, None], single, np.float32(0.0))))[faces].max(axis=1)
-    rounding[~exact[faces].all(axis=1)] = 0.0
-    across = np.abs(unit_or_zero(np.cross(mesh.face_normals, longest)))
+    spacing = np.spacing(np.minimum(np.abs(corners).max(axis=1), np.finfo(np.float32).max).astype(np.float32))
+    across = np.abs(unit_or_zero(np.cross(mesh.face_normals, longest))).astype(np.float64)
     length = lengths(longest)
     width = 2.0 * mesh.face_areas / np.where(length > 0.0, length, 1.0)
-    limit = np.maximum(_NARROW * length, _ROUNDINGS * (across * rounding).sum(axis=1))
+    rounding = np.where(cosine < _STRAIGHT, np.inf, _ROUNDINGS * (across * spacing).sum(axis=1))
+    limit = np.minimum(_NARROW * cage, rounding)
     return np.minimum(width / np.maximum(limit, 1e-300), 1.0) ** 2  # as errors grow, weights by variance fall
 
 

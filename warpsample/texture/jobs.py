@@ -191,7 +191,7 @@ def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> 
 def _read_corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndarray | None:
     """Return the normals at face corners, (F, 3, 3), to interpolate at texels; None for normals of faces or vertices."""
     if how.high is not None:
-        return average_normals(mesh)
+        return average_normals(mesh, how.cage)
     if how.normals == "face":
         return None
     return read_normals(path) if how.normals == "file" else read_smooth_normals(path, mesh)

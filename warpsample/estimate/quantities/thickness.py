@@ -8,11 +8,13 @@ import numpy as np
 from warpsample.estimate.plan import reach_of
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import ExactResult, PointStatus, status_of
+from warpsample.host.engine import check_workers
 from warpsample.host.options import CallOptions
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placed_points import PlacedPoints
+from warpsample.tracing.scene import scene_of
 from warpsample.tracing.trace import trace
 
 
@@ -35,7 +37,8 @@ def thickness(
 ) -> Thickness:
     """Measure the thickness of a body at each point: the distance against the normal to the first face.
 
-    A sheet encloses no body, even with two layers at the same place: its value is the distance to the face behind it.
+    A sheet encloses no body, even with two layers at the same place: its value is the distance to the face behind it. Light
+    that passes faces changes nothing.
 
     `mean_distance` with normals inward is the mean over a lobe in place of this single ray.
 
@@ -66,6 +69,9 @@ def thickness(
     most, status = reach_of(max_distance), status_of(points)
     good = status == int(PointStatus.OK)
     inward = np.where(good[:, None], -as_directions(points.normal), (0.0, 0.0, 1.0)).astype(np.float32)
+    if mesh.transmits:
+        scene_of(mesh.like or mesh, through=True).tree(check_workers(workers))  # the copy shares this tree
+        mesh = as_mesh(mesh, transmittance=0.0)
     distance = trace(mesh, points, inward, workers=workers).distance
     value = np.where(good & np.isfinite(distance), np.minimum(distance, most), 0.0).astype(np.float32)
     return Thickness(value, np.zeros(len(value), np.float32), good.astype(np.int32), status)
