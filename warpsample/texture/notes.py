@@ -31,7 +31,9 @@ def describe_materials(tree: Part, primitives: list[Primitive], picture: str | N
     """
     materials = tree.parts("materials")
     used = [materials[number] for number in sorted({number for one in primitives for number in one.materials})]
-    morphed = join_names(one.name for one in primitives if _is_morphed(tree, one))
+    weighted = [number for number, mesh in enumerate(tree.parts("meshes")) if any(mesh.values("weights"))]
+    weighted += [node.content.get("mesh") for node in tree.parts("nodes") if any(node.values("weights"))]
+    morphed = join_names(one.name for one in primitives if one.mesh in weighted and one.part.parts("targets"))
     if morphed:
         yield f"morph targets are left out, though the file sets their weights: {morphed}"
     unlit = join_names(_name(one) for one in used if _has(one, _UNLIT))
@@ -147,13 +149,6 @@ def _percent(low: float, high: float) -> str:
 
 def _name(material: Part) -> str:
     return material.text("name") if "name" in material else material.path
-
-
-def _is_morphed(tree: Part, one: Primitive) -> bool:
-    """Return whether a primitive has morph targets and its mesh, or a node with the mesh, sets weights other than 0."""
-    nodes = (node for node in tree.parts("nodes") if node.content.get("mesh") == one.mesh)
-    holders = [tree.parts("meshes")[one.mesh], *nodes]
-    return bool(one.part.parts("targets")) and any(any(holder.values("weights")) for holder in holders)
 
 
 def _is_transparent(material: Part) -> bool:

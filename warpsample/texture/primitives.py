@@ -105,7 +105,7 @@ class Primitive:
 
 def list_primitives(tree: Part, data: Data) -> list[Primitive]:
     """List each triangle primitive of the scene once; its attribute `others` holds the other nodes that show it."""
-    known = tree.parts("materials")
+    known, meshes = tree.parts("materials"), tree.parts("meshes")
     faces, vertices = 0, 0
     found: dict[tuple[int, int], Primitive] = {}
     for one in iterate_primitives(tree):
@@ -113,7 +113,7 @@ def list_primitives(tree: Part, data: Data) -> list[Primitive]:
         rows = slice(faces, faces + len(triangles)), slice(vertices, vertices + len(points))
         faces, vertices = rows[0].stop, rows[1].stop
         volume = float(np.linalg.det(one.matrix[:3, :3]))
-        mesh = tree.parts("meshes")[one.mesh]
+        mesh = meshes[one.mesh]
         name = mesh.text("name") if "name" in mesh else mesh.path
         own = triangles[:, ::-1] if volume < 0.0 else triangles
         materials = [part.index("material", known) for part in list_material_references(one.primitive)]
@@ -156,10 +156,12 @@ def group_by_material(primitives: list[Primitive]) -> Iterator[list[Primitive]]:
     """
     group_of: dict[Any, list[Primitive]] = {}
     for one in primitives:
-        known = [group_of[key] for key in one.materials or [None] if key in group_of]
-        merged = [*dict.fromkeys(item for group in known for item in group), one]
-        for key in {key for item in merged for key in (item.materials or [None])}:
-            group_of[key] = merged
+        keys = one.materials or [None]
+        known = list({id(group): group for group in (group_of[key] for key in keys if key in group_of)}.values())
+        merged, joined = (known[0], known[1:]) if known else ([], [])
+        merged += [*(item for group in joined for item in group), one]
+        moved = [*keys, *(key for group in joined for item in group for key in (item.materials or [None]))]
+        group_of.update(dict.fromkeys(moved, merged))
     yield from {id(group): group for group in group_of.values()}.values()
 
 
