@@ -39,9 +39,9 @@ def drop_channels(tree: dict[str, Any], replaced: Iterable[str]) -> bool:
         replaced: JSON pointers to the values.
     """
     starts, animations = tuple(f"{pointer}/" for pointer in replaced), tree.get("animations", [])
-    is_numbered = not all(map(_WITHOUT_ANIMATIONS.fullmatch, collect_names(tree, "extensions")))
     found = [(each, channel) for each in animations for channel in each.get("channels", [])]
     found = [(animation, channel) for animation, channel in found if f"{_find_pointer(channel)}/".startswith(starts)]
+    is_numbered = bool(found) and not all(map(_WITHOUT_ANIMATIONS.fullmatch, collect_names(tree, "extensions")))
     for animation, channel in found:
         if len(animation["channels"]) > 1:
             animation["channels"].remove(channel)
