@@ -106,7 +106,7 @@ def test_usd_sets_and_interpolations(tmp_path):
     from pxr import Sdf, Usd, UsdGeom
 
     stage = Usd.Stage.CreateNew(str(tmp_path / "a.usda"))
-    for name, kind in (("vertex", "vertex"), ("corner", "faceVarying"), ("none", None)):
+    for name, kind in (("vertex", "vertex"), ("corner", "faceVarying"), ("none", None), ("empty", "vertex")):
         prim = UsdGeom.Mesh.Define(stage, f"/{name}")
         prim.GetPointsAttr().Set(QUAD)
         prim.GetFaceVertexCountsAttr().Set([4])
@@ -114,7 +114,7 @@ def test_usd_sets_and_interpolations(tmp_path):
         prim.CreateOrientationAttr("leftHanded")
         if kind:
             made = UsdGeom.PrimvarsAPI(prim).CreatePrimvar("st", Sdf.ValueTypeNames.TexCoord2fArray, kind)
-            values = QUAD[:, :2] / (2, 1)
+            values = QUAD[:, :2] / (2, 1) if name != "empty" else QUAD[:0, :2]
             made.Set(values if kind == "vertex" else values[::-1])
             if kind == "faceVarying":
                 made.SetIndices([3, 0, 1, 2])
