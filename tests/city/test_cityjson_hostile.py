@@ -173,7 +173,7 @@ def test_what_is_damaged_is_refused_in_a_sentence(tmp_path, name):
             '{"type":"CityJSON","version":"1.0","vertices":[],"CityObjects":{}}\n{"type":"Feature"}',
             "line 2: the JSON has the type 'Feature', want 'CityJSONFeature'$",
         ),
-        ('{"type":"CityJSON","version":"2.0","x":' + "9" * 5000 + "}", "Exceeds the limit"),
+        ('{"type":"CityJSON","version":"2.0","x":' + "9" * 5000 + "}", "the JSON has a number of more than 4,300 digits$"),
     ],
 )
 def test_what_is_no_cityjson_is_refused_in_a_sentence(tmp_path, text, why):
