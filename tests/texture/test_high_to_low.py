@@ -246,11 +246,12 @@ def on_a_map(one, distance):
     return ws.Mesh(np.concatenate([moved, ground]), np.concatenate([one.faces, faces]))
 
 
-@pytest.mark.parametrize("distance", [0.0, 2e4])
+@pytest.mark.parametrize("distance", [0.0, 1e5])
 def test_a_curved_sheet_with_other_diagonals_on_its_back_shows_its_own_sides(distance):
     """Its mean normals cancel but for the curvature: what was left led half of the rays to the other side."""
     sheet = fans_of_squares(lambda x, y: 0.15 * np.sin(2.0 * x) * np.cos(2.0 * y) + 0.05 * np.sin(5.0 * x * y), distance)
-    high = HighMesh(sheet, np.repeat(sheet.face_normals[:, None], 3, axis=1).astype(float), 0.1, "face")
+    fine = ws.Mesh(sheet.vertices[:81], sheet.faces[:256])  # without the ground, whose distance would coarsen its rays
+    high = HighMesh(fine, np.repeat(fine.face_normals[:, None], 3, axis=1).astype(float), 0.1, "face")
     points = interpolated(sheet, ws.sample_surface(sheet, 2000, barycentric=True), high.cage)
     points = points.take(np.flatnonzero(points.position[:, 2] > -1e3))
     found, missed = high.project(points, sheet)

@@ -189,7 +189,6 @@ def view(
     instead, unless --points, --distribution or --density is given.
     """
     from warpsample.mesh.files.linked_files import list_linked_files
-    from warpsample.output.input_state import InputState
     from warpsample.plotting import rendering
     from warpsample.viewer import start
     from warpsample.viewer.baked import show_occlusion
@@ -209,9 +208,7 @@ def view(
     with working("testing whether pictures can be drawn on this machine"):
         rendering.check_rendering()
     with working(f"reading {path}"):
-        state = InputState.of(path)
-        surface, occlusion, uv = load_mesh(path), read_occlusion(path), find_uv(path)
-        state.check()
+        surface, occlusion, uv = _read_viewed(path)
     up = up or ("y" if example(path) is None else "z")
     if occlusion is not None and not chosen:
         with signals.at_once() if screenshot is None else working(f"drawing {screenshot}"):
@@ -220,6 +217,16 @@ def view(
         return
     points = points or (100 if occlusion is None else 1)  # more clouds would hide the occlusion
     _show_clouds((surface, points, choice), screenshot, {"up": up, "size": size, "occlusion": occlusion, "uv": uv})
+
+
+def _read_viewed(path: Path) -> tuple[Any, Any, Any]:
+    """Read a mesh, its occlusion or None, and its texture coordinates or None; raise a ValueError if the file changes."""
+    from warpsample.output.input_state import InputState
+
+    state = InputState.of(path)
+    found = load_mesh(path), read_occlusion(path), find_uv(path)
+    state.check()
+    return found
 
 
 def _show_clouds(drawn: tuple[Any, ...], screenshot: Path | None, scene: dict[str, Any]) -> None:

@@ -114,7 +114,7 @@ def _uv(prim: Any, number: int, counts: np.ndarray, indices: np.ndarray) -> np.n
         return np.full((len(indices), 3), np.nan)
     found = sorted(sets, key=lambda primvar: (primvar.GetPrimvarName() != "st", primvar.GetPrimvarName()))[number]
     values = _flattened(found, "texture coordinates").reshape(-1, 2)
-    if not len(values):  # as some exporters write
+    if not len(values):  # some exporters write an empty array
         return np.full((len(indices), 3), np.nan)
     corners = _at_corners(
         values, found.GetInterpolation(), counts, indices, f"primvar {found.GetAttr().GetPath()}", "texture coordinates"
