@@ -223,9 +223,8 @@ def evenly_per_face(mesh, count):
 
 def interpolated(mesh, points, cage):
     """Points with the normals that rays to a finer mesh have."""
-    normals = shade_points(
-        mesh, compute_corner_normals(mesh, average_normals(mesh, cage)), points.face, points.barycentric, "file"
-    )
+    turned = compute_corner_normals(mesh, average_normals(mesh, cage))[points.face]
+    normals = shade_points(mesh, turned, points.face, points.barycentric, "file")
     return ws.SurfacePoints(points.position, normals[1], points.face, points.barycentric)
 
 

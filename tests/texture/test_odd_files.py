@@ -10,7 +10,7 @@ from textured_scenes import SQUARE, TWO, changed, corner, opened
 
 import warpsample as ws
 from warpsample.texture.occlusion_picture import read_occlusion
-from warpsample.texture.tangents import Frames
+from warpsample.texture.tangents import FrameReader
 
 
 def two_quads(tmp_path, uv=SQUARE, **more):
@@ -131,8 +131,9 @@ def test_a_tangent_that_is_none_is_computed_as_a_whole(tmp_path, row):
     """Also its sign, here -1 for the mirrored coordinates of both quads, and not the sign of the file."""
     paths = [two_quads(tmp_path)]
     mesh, uv = ws.load_mesh(paths[0]), ws.load_uv(paths[0])
-    found = [Frames.of(paths[0], mesh, uv).tangents]
-    found.append(Frames.of(two_quads(tmp_path, TANGENT=np.tile(np.float32(row), (4, 1))), mesh, uv).tangents)
+    found = [FrameReader(paths[0], mesh).frames(uv).tangents]
+    paths.append(two_quads(tmp_path, TANGENT=np.tile(np.float32(row), (4, 1))))
+    found.append(FrameReader(paths[1], mesh).frames(uv).tangents)
     assert np.array_equal(*found)
     assert (found[0][..., 3] == -1).all()
 

@@ -8,7 +8,7 @@ import warpsample as ws
 from warpsample.mesh.files.gltf import opened
 from warpsample.mesh.tangents import compute_tangents
 from warpsample.texture.primitives import list_primitives
-from warpsample.texture.tangents import Frames
+from warpsample.texture.tangents import FrameReader
 
 SIDE = 5
 TURN = [0.5, 0.5, 0.5, 0.5]  # x to y, y to z, z to x
@@ -48,7 +48,7 @@ def frames(path, *, in_group):
     """The tangents of all corners, for the picture of a scene or of the whole file."""
     with opened(path) as (tree, data):
         group = list_primitives(tree, data) if in_group else ()
-    return Frames.of(path, ws.load_mesh(path), ws.load_uv(path), group)
+    return FrameReader(path, ws.load_mesh(path)).frames(ws.load_uv(path), group=group)
 
 
 @pytest.mark.parametrize("in_group", [False, True])

@@ -1,18 +1,20 @@
 """Assignment of the texels of an image to the faces of a mesh, and detection of faces that overlap in the image."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from warpsample.host.arguments import check_integer, quote
 from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory, run
 from warpsample.sequences.hashing import seed_for
 from warpsample.texture.coverage import claim_texels, mark_overlaps, weigh_corners
 
 _BYTES = 42  # memory per texel while points or images are computed
-MOST_TEXELS = (1 << 31) - 1
-"""Largest number of texels times samples per texel: kernels index samples by int32."""
-
+_MOST_TEXELS = (1 << 31) - 1  # times samples per texel: kernels index samples by int32
+_MOST_SAMPLES, _MOST_SIDE = 1024, 1 << 16
 _TASK = 1 << 16  # texels per kernel task; the bounding box of a large face is divided among several tasks
 _SEED = seed_for("texels", 0)
 _LAST_FACE = 0xFFFFFFFF
@@ -117,3 +119,22 @@ def _list_points(nearest: np.ndarray, owners: np.ndarray, samples: int, faces: i
     owners[texel[alone] * samples] = faces - face[alone]
     id = np.flatnonzero(owners)
     return id.view(np.uint64), (np.uint32(faces) - owners[id]).view(np.int32)
+
+
+def check_samples(samples: Any, argument: str = "samples") -> int:
+    """Check the option `samples`, the number of points per texel, and return it."""
+    return check_integer(samples, argument, 1, _MOST_SAMPLES)
+
+
+def check_size(size: Any, samples: int, argument: str = "size") -> tuple[int, int]:
+    """Return the checked width and height of an image with `samples` samples per texel."""
+    wants = f"a whole number from 1 to {_MOST_SIDE}, or two, width and height"
+    both = size if isinstance(size, Sequence) and not isinstance(size, str | bytes) else (size, size)
+    if len(both) != 2:
+        raise ValueError(f"{argument}: got {quote(size)}, want {wants}")
+    width, height = (check_integer(side, argument, 1, _MOST_SIDE, wants) for side in both)
+    if width * height * samples > _MOST_TEXELS:
+        raise ValueError(
+            f"{argument}: got {quote(size)} with {samples} samples per texel, want at most {_MOST_TEXELS:,} samples in all"
+        )
+    return width, height

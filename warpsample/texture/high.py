@@ -68,11 +68,11 @@ class HighMesh:
         depth = 0.5 * resolutions_at(scene, np.abs(points.position - scene.centre).max(axis=1))
         start = _move_off_edges(points, low, depth) - self.cage * inward
         face = self._find_front_faces(start, inward, workers)
-        missed = face < 0
-        weights = _compute_plane_weights(self.mesh.vertices[self.mesh.faces[np.maximum(face, 0)]], start, inward)
-        position, normal, on = shade_points(self.mesh, self.corner_normals, np.maximum(face, 0), weights, self.normals)
+        missed, face = face < 0, np.maximum(face, 0)
+        weights = _compute_plane_weights(self.mesh.vertices[self.mesh.faces[face]], start, inward)
+        position, normal, on = shade_points(self.mesh, self.corner_normals[face], face, weights, self.normals)
         if self.normals == "face":
-            normal = self.mesh.face_normals[np.maximum(face, 0)]
+            normal = self.mesh.face_normals[face]
         normal = np.where(missed[:, None], np.float32(0.0), normal)
         position = np.where(missed[:, None], points.position, position)
         return SurfacePoints(position, normal, np.where(missed, -1, on).astype(np.int32), weights, points.id), missed

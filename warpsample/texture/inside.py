@@ -207,5 +207,6 @@ class Enclosed:
     @once_property
     def _chart(self) -> np.ndarray:
         """Compute the number of the UV chart of each point, (P,) int32; charts that overlap have different numbers."""
-        mesh, corners = self._points.mesh, self._points.corners
-        return label_charts(np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2))[self._points.face]
+        points, mesh = self._points, self._points.mesh
+        faces = mesh.faces if points.faces is None else mesh.faces[points.faces]
+        return label_charts(np.concatenate([points.corners, mesh.vertices[faces]], axis=2))[points.rows_of(points.face)]

@@ -135,10 +135,11 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
             faced = [one for one in group if len(one.triangles)]
             charts = charts_for(faced, mesh, square_side(how.size, found.passed))
             with convert_read_errors(path):
-                number, uv = add_uv(file, faced, charts, len(mesh.faces))
+                number, uv = add_uv(file, faced, charts)
             remake = partial(_make_points_by_new_uv, texels, uv, faced)
             label = found.describe(f"new coordinates, set {number}")
-            jobs.append(TextureJob(name, texels.points(uv, rows), number, label, faced, remake))
+            visible = [(one.faces, own) for one, own in zip(faced, uv, strict=True) if not is_flat(mesh, [one])]
+            jobs.append(TextureJob(name, texels.points(visible), number, label, faced, remake))
         else:
             own = f"TEXCOORD_{found.number}"
             able = [one for one in group if own in one.part.part("attributes")]  # flat primitives may lack the set
@@ -152,14 +153,14 @@ def _make_points_by_set(texels: Texels, number: int, group: list[Primitive]) -> 
     return texels.points_by_set(number, [one.faces for one in group])
 
 
-def _make_points_by_new_uv(texels: Texels, uv: np.ndarray, first: list[Primitive], group: list[Primitive]) -> TexturePoints:
+def _make_points_by_new_uv(
+    texels: Texels, uv: list[np.ndarray], first: list[Primitive], group: list[Primitive]
+) -> TexturePoints:
     """Return the texels of primitives at another place, by texture coordinates computed at their first place."""
-    known = {(one.mesh, one.number): one for one in first}
-    own = np.full(uv.shape, np.nan)
-    for one in group:
-        source = known[one.mesh, one.number]
-        own[one.faces] = uv[source.faces] if one.mirrored == source.mirrored else uv[source.faces, ::-1]
-    return texels.points(own, [one.faces for one in group])
+    known = {(one.mesh, one.number): (one, own) for one, own in zip(first, uv, strict=True)}
+    found = [(one, *known[one.mesh, one.number]) for one in group]
+    parts = [(one.faces, own if one.mirrored == source.mirrored else own[:, ::-1]) for one, source, own in found]
+    return texels.points(parts)
 
 
 def _groups_with_slot(file: GlbFile, mesh: Mesh, slot: Slot) -> Iterator[list[Primitive]]:
@@ -175,7 +176,7 @@ def _groups_with_slot(file: GlbFile, mesh: Mesh, slot: Slot) -> Iterator[list[Pr
 def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
     """Return the single image to bake for all faces of a file that is no scene."""
     with convert_read_errors(path):
-        texels, rows = Texels(path, mesh, how, _read_corner_normals(path, mesh, how)), [slice(None)]
+        texels, rows = Texels(path, mesh, how, _read_corner_normals(path, mesh, how)), [slice(0, len(mesh.faces))]
     found = texels.choose_set(rows, path.name, lenient=output != ".npz")
     if found.points is not None:
         return TextureJob(path.name, found.points, found.number, found.describe(f"set {found.number}"), [])
@@ -185,7 +186,7 @@ def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> 
             "want .npz, which holds new ones, or .glb for a glTF file"
         )
     uv = unwrap(mesh, square_side(how.size, found.passed), padding=PADDING)[1]
-    return TextureJob(path.name, texels.points(uv, rows), 0, found.describe("new coordinates"), [])
+    return TextureJob(path.name, texels.points([(rows[0], uv)]), 0, found.describe("new coordinates"), [])
 
 
 def _read_corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndarray | None:

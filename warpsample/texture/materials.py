@@ -1,6 +1,6 @@
 """Adding computed pictures to the materials of a .glb as textures."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -67,8 +67,24 @@ def slot_for_quantity(quantity: str) -> Slot:
     return _SLOTS_BY_QUANTITY.get(quantity, OCCLUSION)
 
 
+Users = dict[int, list[tuple[tuple[int, int], dict[str, Any]]]]
+"""Users of each material: number of the mesh, number of the primitive in the mesh, and the JSON that names the material."""
+
+
+def find_users(file: GlbFile) -> Users:
+    """Return the users of all materials of a file, also in copied meshes and in meshes outside the scene."""
+    users: Users = {}
+    for mesh, part in enumerate(Part(file.tree).parts("meshes")):
+        for number, primitive in enumerate(part.parts("primitives")):
+            for content in (named.content for named in list_material_references(primitive)):
+                if isinstance(content.get("material"), int):
+                    users.setdefault(content["material"], []).append(((mesh, number), content))
+    return users
+
+
 def add_texture(
     file: GlbFile,
+    users: Users,
     group: list[Primitive],
     png: bytes,
     slot: Slot,
@@ -85,6 +101,7 @@ def add_texture(
 
     Args:
         file: file to edit.
+        users: users of the materials, as `find_users` returns them; kept up to date.
         group: primitives that share materials.
         png: content of the picture.
         slot: place of the picture in the materials.
@@ -95,9 +112,9 @@ def add_texture(
     numbers = sorted({number for one in group for number in one.materials})
     name = name_group(file, group)
     texture = {"index": file.add_picture(png, f"{name} {slot.name}"), **info}
+    own = {(one.mesh, one.number) for one in group}
     for number in numbers:
-        others = _find_others(file, group) if is_first else [Part(_primitive_json(file, one)) for one in group]
-        _copy_material(file, others, number)
+        _copy_material(file, users, number, own, is_first)
     parts = [_primitive_json(file, one) for one in group]
     bare = [part for part in parts if "material" not in part]  # variants may have materials all the same
     if bare and slot.optional:
@@ -132,18 +149,13 @@ def _primitive_json(file: GlbFile, one: Primitive) -> dict[str, Any]:
     return found
 
 
-def _find_others(file: GlbFile, group: list[Primitive]) -> Iterator[Part]:
-    """Yield the JSON of all primitives of a file, those of copied meshes included, that are not in a group."""
-    own = {(one.mesh, one.number) for one in group}
-    for mesh, part in enumerate(Part(file.tree).parts("meshes")):
-        yield from (primitive for i, primitive in enumerate(part.parts("primitives")) if (mesh, i) not in own)
-
-
-def _copy_material(file: GlbFile, primitives: Iterable[Part], number: int) -> None:
-    """Copy a material and assign the copy to the primitives that use the material; without such primitives, do nothing."""
-    references = [named for primitive in primitives for named in list_material_references(primitive)]
-    used = [named.content for named in references if named.content["material"] == number]
-    if used:
+def _copy_material(file: GlbFile, users: Users, number: int, own: set[tuple[int, int]], is_first: bool) -> None:
+    """Copy a material for its users in `own`, or if `is_first`, for all others; without such users do nothing."""
+    kept, moved = list[Any](), list[Any]()
+    for user in users[number]:
+        (kept if (user[0] in own) == is_first else moved).append(user)
+    if moved:
         made = file.copy_item("materials", number)
-        for content in used:
+        for _, content in moved:
             content["material"] = made
+        users[number], users[made] = kept, moved

@@ -126,7 +126,8 @@ def describe_rounding(points: TexturePoints, image: np.ndarray) -> Iterator[str]
 
 def _texel_sizes(points: TexturePoints, faces: np.ndarray) -> np.ndarray:
     """Return the side of a texel on each of some faces, (n,), in mesh units."""
-    first, second = (points.corners[faces, corner] - points.corners[faces, 0] for corner in (1, 2))
+    corners = points.corners[points.rows_of(faces)]
+    first, second = (corners[:, corner] - corners[:, 0] for corner in (1, 2))
     texels = 0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
     return np.sqrt(points.mesh.face_areas[faces] / np.maximum(texels, 1e-300))
 

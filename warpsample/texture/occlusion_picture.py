@@ -1,5 +1,6 @@
 """Reader that joins all occlusion textures of a glTF file into one picture, for the viewer."""
 
+import warnings
 from dataclasses import dataclass
 from io import BytesIO
 from math import ceil, sqrt
@@ -20,7 +21,7 @@ _SIDE = 8192  # largest side of the joined picture, in texels: graphics cards ac
 _FORMATS = ("PNG", "JPEG", "WEBP")  # of glTF; Pillow would run another program for some other formats
 _PNG = b"\x89PNG"
 _BYTES = 8  # memory per texel: decoded by Pillow, and as an array
-_TRANSFORM = "KHR_texture_transform"
+_TRANSFORM, _WEBP = "KHR_texture_transform", "EXT_texture_webp"
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,13 +40,17 @@ class OcclusionPicture:
 def read_occlusion(path: Path) -> OcclusionPicture | None:
     """Read the occlusion textures of a glTF file, for the faces that `load_mesh` reads.
 
-    Faces without occlusion are white, and so are faces with coordinates outside the image or with a texture transform.
+    Faces without occlusion are white, and so are faces with coordinates outside the image, with a texture transform, or with
+    a picture in another format than .png, .jpg and .webp.
 
     Returns:
-        the joined picture; None for a file of another type or without an occlusion texture.
+        the joined picture; None for a file of another type or without an occlusion texture that can be shown.
 
     Raises:
         ValueError: the file or a picture in it cannot be read.
+
+    Warns:
+        UserWarning: the file has occlusion textures with a transform, or with a picture in another format.
     """
     if path.suffix.lower() not in (".glb", ".gltf"):
         return None
@@ -54,17 +59,23 @@ def read_occlusion(path: Path) -> OcclusionPicture | None:
         for placed in iterate_primitives(tree):
             faces.append(len(surface(placed.primitive, data)[1]))
             infos.append(_read_occlusion_info(tree, placed.primitive))
-        kinds = list(dict.fromkeys(info for info in infos if info is not None))
+        kinds = {info: row for row, info in enumerate(dict.fromkeys(each for each in infos if isinstance(each, tuple)))}
+        if left_out := ", ".join(dict.fromkeys(info for info in infos if isinstance(info, str))):
+            warnings.warn(f"mesh: got occlusion that is not shown, in {left_out}", stacklevel=2)
         if not kinds:
             return None
         pictures = [_read_red(tree, data, path, image) for image, _, _ in kinds]
-    kind = np.repeat([-1 if info is None else kinds.index(info) for info in infos], faces)
+    kind = np.repeat([kinds[info] if isinstance(info, tuple) else -1 for info in infos], faces)
+    sets = {number: read_corners(path, f"TEXCOORD_{number}") for _, number, _ in kinds}
     strengths = [strength for _, _, strength in kinds]
-    return _join_pictures(pictures, strengths, kind, [read_corners(path, f"TEXCOORD_{number}") for _, number, _ in kinds])
+    return _join_pictures(pictures, strengths, kind, [sets[number] for _, number, _ in kinds])
 
 
-def _read_occlusion_info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
-    """Return the image, the set of coordinates and the strength of a primitive's occlusion; None without occlusion."""
+def _read_occlusion_info(tree: Part, primitive: Part) -> tuple[int, int, float] | str | None:
+    """Return the image, the set of coordinates and the strength of a primitive's occlusion.
+
+    The result is None without occlusion, and a phrase if the texture cannot be shown.
+    """
     if "material" not in primitive:
         return None
     materials, textures = tree.parts("materials"), tree.parts("textures")
@@ -73,10 +84,14 @@ def _read_occlusion_info(tree: Part, primitive: Part) -> tuple[int, int, float] 
         return None
     info = material.part("occlusionTexture")
     texture = textures[info.index("index", textures)]
-    if "source" not in texture or ("extensions" in info and _TRANSFORM in info.part("extensions")):
-        return None
+    if "extensions" in info and _TRANSFORM in info.part("extensions"):
+        return f"{info.path} ({_TRANSFORM})"
+    others = texture.part("extensions") if "extensions" in texture else Part({})
+    source = others.part(_WEBP) if _WEBP in others else texture
+    if "source" not in source:
+        return f"{texture.path} ({', '.join(others.content)})" if others.content else None
     strength = check_number(info.content.get("strength", 1.0), info.at("strength"), 0.0, 1.0)
-    return texture.index("source", tree.parts("images")), info.whole("texCoord", 0, LAST_SET), strength
+    return source.index("source", tree.parts("images")), info.whole("texCoord", 0, LAST_SET), strength
 
 
 def _read_red(tree: Part, data: Data, path: Path, image: int) -> np.ndarray:

@@ -62,15 +62,16 @@ def find_outside_faces(uv: np.ndarray) -> np.ndarray:
     return (uv < -_OUTSIDE).any(axis=(1, 2)) | (uv > 1.0 + _OUTSIDE).any(axis=(1, 2))
 
 
-def find_squeezed_faces(mesh: Mesh, corners: np.ndarray) -> np.ndarray:
-    """Return the mask of faces that the image shows much narrower than they are, (F,), as where u is wrapped from 1 to 0.
+def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarray) -> np.ndarray:
+    """Return the mask of faces that the image shows much narrower than they are, (R,), as where u is wrapped from 1 to 0.
 
     A squeezed face is narrower than a texel in the image. At the scale of its longest edge there, or of one nearly as long,
     it would be wider than eight texels.
 
     Args:
         mesh: Mesh.
-        corners: (F, 3, 2) texture coordinates of face corners in texels, not finite for faces without coordinates.
+        faces: (R,) numbers of the faces, or None for all.
+        corners: (R, 3, 2) texture coordinates of face corners in texels, not finite for faces without coordinates.
     """
     corners = np.where(np.isfinite(corners).all(axis=(1, 2), keepdims=True), corners, 0.0)
     edges = np.roll(corners, -1, axis=1) - corners
@@ -78,25 +79,30 @@ def find_squeezed_faces(mesh: Mesh, corners: np.ndarray) -> np.ndarray:
     longest = lengths.max(axis=1)
     area = np.abs(edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0])  # twice the area
     narrow = np.flatnonzero((area > _FLAT * longest**2) & (area < longest))
-    ends = mesh.vertices[mesh.faces[narrow]]
+    number = narrow if faces is None else faces[narrow]
+    ends = mesh.vertices[mesh.faces[number]]
     squares = ((np.roll(ends, -1, axis=1) - ends) ** 2).sum(axis=2)
     is_long = lengths[narrow] > _LONG * longest[narrow, None]
-    is_wide = 2.0 * mesh.face_areas[narrow, None] * lengths[narrow] > _WIDE * squares
+    is_wide = 2.0 * mesh.face_areas[number, None] * lengths[narrow] > _WIDE * squares
     squeezed = np.zeros(len(corners), np.bool_)
     squeezed[narrow] = (is_long & is_wide).any(axis=1)
     return squeezed
 
 
-def build_report(mesh: Mesh, covered: int, overlapped: int, flaws: Mapping[str, np.ndarray]) -> TextureReport:
-    """Build the report on a mesh's texture coordinates from counts of texels and masks of flawed faces."""
-    counts = {name: int(np.count_nonzero(faces)) for name, faces in flaws.items() if name != "overlapped"}
-    named = {name: _list_parts(mesh, faces) for name, faces in flaws.items()}
+def build_report(
+    mesh: Mesh, faces: np.ndarray | None, covered: int, overlapped: int, flaws: Mapping[str, np.ndarray]
+) -> TextureReport:
+    """Build the report on the texture coordinates of some faces from counts of texels and masks of flawed faces.
+
+    `faces` holds the numbers of the faces, (R,), or is None for all.
+    """
+    counts = {name: int(np.count_nonzero(mask)) for name, mask in flaws.items() if name != "overlapped"}
+    part = mesh.part if mesh.part is None or faces is None else mesh.part[faces]
+    named = {name: () if part is None else _list_parts(mesh, part[mask]) for name, mask in flaws.items()}
     return TextureReport(covered=covered, overlapped=overlapped, **counts, named=named)
 
 
-def _list_parts(mesh: Mesh, faces: np.ndarray) -> tuple[str, ...]:
-    """Return the names of the mesh parts that contain the faces in a mask, each once."""
-    if mesh.part is None:
-        return ()
-    numbers = np.unique(mesh.part[faces])
+def _list_parts(mesh: Mesh, part: np.ndarray) -> tuple[str, ...]:
+    """Return the names of the mesh parts with some numbers, each once."""
+    numbers = np.unique(part)
     return tuple(dict.fromkeys(mesh.parts[number] for number in numbers[numbers >= 0].tolist()))

@@ -6,12 +6,14 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsample.host.options import CallOptions
 from warpsample.mesh.files import gltf, usd
 from warpsample.mesh.files.text import has_obj_lines
 from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, MissingSetError, find_ply_names, load_uv
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.report import find_face_flaws
-from warpsample.texture.texture_points import TexturePoints, texture_points
+from warpsample.texture.shading import compute_corner_normals
+from warpsample.texture.texture_points import TexturePoints, place_texels
 
 UV_CHOICES = ("auto", "0", "1", "new")
 
@@ -91,15 +93,17 @@ class Texels:
         self._named: dict[int, np.ndarray] = {}
         self._unreadable: dict[int, str] = {}  # sets of the file that cannot be read, with the reasons
 
-    def points(self, uv: np.ndarray, rows: list[slice]) -> TexturePoints:
-        """Return the texels of some faces as points, for texture coordinates `uv`, (F, 3, 2)."""
-        own = np.full(uv.shape, np.nan)
-        for some in rows:
-            own[some] = uv[some]
-        how = self.how
+    def points(self, parts: list[tuple[slice, np.ndarray]]) -> TexturePoints:
+        """Return the texels of some faces as points, for ranges of faces and the texture coordinates of each, (n, 3, 2)."""
+        parts = sorted(parts, key=lambda part: part[0].start)
+        faces = np.concatenate([np.arange(some.start, some.stop) for some, _ in parts])
+        is_whole, how = len(faces) == len(self.mesh.faces), self.how
         is_interpolated = how.high is not None or how.normals == "file"  # with a finer mesh, normals of the rays to it
         normals = "smooth" if is_interpolated else how.normals
-        return texture_points(self.mesh, own, how.size, samples=how.samples, normals=normals, corner_normals=self.normals)
+        own, given = (None, self.normals) if is_whole else (faces, None if self.normals is None else self.normals[faces])
+        turned = None if normals == "face" else compute_corner_normals(self.mesh, given, own)
+        uv, options = np.concatenate([uv for _, uv in parts]), CallOptions.of(1)
+        return place_texels(self.mesh, own, uv, turned, how.size, samples=how.samples, normals=normals, options=options)
 
     def choose_set(self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False) -> "ChosenSet":
         """Choose the set of texture coordinates for some faces, as the option `--uv` asks.
@@ -196,7 +200,7 @@ class Texels:
         """Return the texels of some faces as points, by the file's set of texture coordinates `number`."""
         uv = self._read_set(number)
         assert uv is not None
-        return self.points(uv, rows)
+        return self.points([(some, uv[some]) for some in rows])
 
     def _read_set(self, number: int) -> np.ndarray | None:
         """Return the texture coordinates of set `number`, (F, 3, 2), or None if the file lacks the set."""

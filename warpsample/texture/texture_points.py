@@ -1,14 +1,14 @@
 """Texels as points on a mesh, and images of values at the points: `texture_points`."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from warpsample.estimate.intervals import errors_for_means, raised_errors
-from warpsample.host.arguments import check_choice, check_flag, check_integer, quote
+from warpsample.host.arguments import check_choice, check_flag, quote
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property
 from warpsample.host.options import CallOptions
@@ -16,14 +16,11 @@ from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints, check_uv
 from warpsample.mesh.tangents import compute_tangents
-from warpsample.texture.claims import MOST_TEXELS, claim_points, compute_weights
+from warpsample.texture.claims import check_samples, check_size, claim_points, compute_weights
 from warpsample.texture.image import TexelRows
 from warpsample.texture.report import TextureReport, build_report, find_face_flaws, find_squeezed_faces
 from warpsample.texture.shading import NORMALS, compute_corner_normals, shade_points
 from warpsample.texture.uv.charts import label_charts
-
-_MOST_SAMPLES = 1024
-_MOST_SIDE = 1 << 16
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -32,7 +29,8 @@ class TexturePoints(Summary):
 
     Attributes:
         mesh: mesh of the points.
-        corners: (F, 3, 2) float64, texture coordinates of the face corners in texels, v downward.
+        corners: (F, 3, 2) float64, texture coordinates of the face corners in texels, v downward. With `faces`, this and
+            other arrays of corners have rows for these faces alone.
         size: width and height of the image in texels.
         samples: largest number of points per texel.
         normals: normals of the points: "face", "smooth" or "lifted".
@@ -42,6 +40,7 @@ class TexturePoints(Summary):
         report: counts of texels, and of faces with flawed coordinates.
         options: device and number of threads for the computation of points.
         corner_tangents: (F, 3, 4) float64, tangents of face corners with the sign of the bitangent; None without tangents.
+        faces: (R,) int64, ascending numbers of the faces with coordinates; None if the arrays have a row for each face.
     """
 
     mesh: Mesh
@@ -55,6 +54,7 @@ class TexturePoints(Summary):
     report: TextureReport
     options: CallOptions
     corner_tangents: NDArray[np.float64] | None = None
+    faces: NDArray[np.int64] | None = None
 
     def __len__(self) -> int:
         """Return the number of points in all texels."""
@@ -98,9 +98,11 @@ class TexturePoints(Summary):
             raise TypeError(f"rows: got {quote(rows)}, want a slice")
         id, face = np.ascontiguousarray(self.id[rows]), np.ascontiguousarray(self.face[rows])
         how = {"samples": self.samples, "memory": self.options.memory, "workers": self.options.workers}
-        weights = compute_weights(self.corners, id, face, self.size[0], **how)
-        position, normal, on = shade_points(self.mesh, self.corner_normals, face, weights, self.normals)
-        tangent = None if self.corner_tangents is None else interpolate_tangents(self.corner_tangents, face, weights)
+        row = self.rows_of(face)
+        weights = compute_weights(self.corners, id, row, self.size[0], **how)
+        turned = None if self.corner_normals is None else self.corner_normals.take(row, axis=0)
+        position, normal, on = shade_points(self.mesh, turned, face, weights, self.normals)
+        tangent = None if self.corner_tangents is None else interpolate_tangents(self.corner_tangents, row, weights)
         return SurfacePoints(position, normal, on, weights, id, tangent=tangent)
 
     def image(self, values: Any, *, gutter: Any = "all") -> np.ndarray:
@@ -203,6 +205,10 @@ class TexturePoints(Summary):
             made = np.hypot(made, texels.shared_errors(values, errors.reflected_runs))
         return texels.fill(made, gutter, own.shape[1:]).astype(np.float32)
 
+    def rows_of(self, face: np.ndarray) -> np.ndarray:
+        """Return the rows of some faces, (n,) int32, in `corners` and other arrays of corners."""
+        return face if self.faces is None else np.searchsorted(self.faces, face).astype(np.int32)
+
     @property
     def texel_rows(self) -> TexelRows:
         """Return the grouping of the points by texel."""
@@ -218,7 +224,7 @@ class TexturePoints(Summary):
     def _charts(self) -> np.ndarray:
         """Return the number of the UV chart of each texel, (texels,) int32; -1 for texels outside all charts."""
         charts = np.full(self.size[0] * self.size[1], -1, np.int32)
-        charts[self.texel[::-1]] = label_charts(self.corners)[self.face[::-1]]
+        charts[self.texel[::-1]] = label_charts(self.corners)[self.rows_of(self.face[::-1])]
         return charts
 
 
@@ -276,21 +282,48 @@ def texture_points(
     uv, samples = check_uv(uv, len(mesh.faces)), check_samples(samples)
     size = check_size(size, samples)
     check_choice(normals, "normals", NORMALS)
-    unused = normals == "face"
-    turned = None if unused and corner_normals is None else compute_corner_normals(mesh, corner_normals)
+    turned = None if normals == "face" and corner_normals is None else compute_corner_normals(mesh, corner_normals)
     options = CallOptions.of(1, device=device, workers=workers)
+    made = place_texels(mesh, None, uv, turned, size, samples=samples, normals=normals, options=options)
+    return replace(made, corner_tangents=_corner_tangents(made, uv)) if check_flag(tangents, "tangents") else made
+
+
+def place_texels(
+    mesh: Mesh,
+    faces: np.ndarray | None,
+    uv: np.ndarray,
+    corner_normals: np.ndarray | None,
+    size: tuple[int, int],
+    *,
+    samples: int,
+    normals: str,
+    options: CallOptions,
+) -> TexturePoints:
+    """Return the texels of some faces as points, see `texture_points`, in time and memory of these faces alone.
+
+    Args:
+        mesh: mesh with the faces.
+        faces: (R,) int64, ascending numbers of the faces; None for all faces.
+        uv: (R, 3, 2) texture coordinates of their corners.
+        corner_normals: (R, 3, 3) unit normals of their corners; None or unused for "face".
+        size: width and height of the image.
+        samples: number of points per texel.
+        normals: normals of the points, one of NORMALS.
+        options: device and number of threads.
+    """
     flaws, corners = find_face_flaws(uv), uv * np.array(size, np.float64)
     claims = claim_points(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
-    flaws |= {"overlapped": claims.overlapping, "squeezed": find_squeezed_faces(mesh, corners)}
-    report = build_report(mesh, claims.covered, claims.overlapped, flaws)
-    turned = None if unused else turned
-    along = _corner_tangents(mesh, uv, turned) if check_flag(tangents, "tangents") else None
-    return TexturePoints(mesh, corners, size, samples, normals, turned, claims.id, claims.face, report, options, along)
+    flaws |= {"overlapped": claims.overlapping, "squeezed": find_squeezed_faces(mesh, faces, corners)}
+    report = build_report(mesh, faces, claims.covered, claims.overlapped, flaws)
+    turned = None if normals == "face" else corner_normals
+    on = claims.face if faces is None else faces.astype(np.int32)[claims.face]
+    return TexturePoints(mesh, corners, size, samples, normals, turned, claims.id, on, report, options, None, faces)
 
 
-def _corner_tangents(mesh: Mesh, uv: np.ndarray, corner_normals: np.ndarray | None) -> np.ndarray:
+def _corner_tangents(points: TexturePoints, uv: np.ndarray) -> np.ndarray:
     """Return the (F, 3, 4) tangents of face corners, 0 for faces without coordinates; by default for face normals."""
-    normals = np.repeat(mesh.face_normals[:, None], 3, axis=1) if corner_normals is None else corner_normals
+    mesh, normals = points.mesh, points.corner_normals
+    normals = np.repeat(mesh.face_normals[:, None], 3, axis=1) if normals is None else normals
     known = np.flatnonzero(np.isfinite(uv).all(axis=(1, 2)))
     made = np.zeros((len(uv), 3, 4))
     made[known] = compute_tangents(mesh.vertices[mesh.faces[known]], normals[known].astype(np.float64), uv[known])
@@ -303,22 +336,3 @@ def interpolate_tangents(corners: np.ndarray, face: np.ndarray, weights: np.ndar
     made[:, :3] = sum(weights[:, k : k + 1] * corners[face, k, :3] for k in range(3))
     made[:, 3] = corners[face, 0, 3]
     return made
-
-
-def check_samples(samples: Any, argument: str = "samples") -> int:
-    """Check the option `samples`, the number of points per texel, and return it."""
-    return check_integer(samples, argument, 1, _MOST_SAMPLES)
-
-
-def check_size(size: Any, samples: int, argument: str = "size") -> tuple[int, int]:
-    """Return the checked width and height of an image with `samples` samples per texel."""
-    wants = f"a whole number from 1 to {_MOST_SIDE}, or two, width and height"
-    both = size if isinstance(size, Sequence) and not isinstance(size, str | bytes) else (size, size)
-    if len(both) != 2:
-        raise ValueError(f"{argument}: got {quote(size)}, want {wants}")
-    width, height = (check_integer(side, argument, 1, _MOST_SIDE, wants) for side in both)
-    if width * height * samples > MOST_TEXELS:
-        raise ValueError(
-            f"{argument}: got {quote(size)} with {samples} samples per texel, want at most {MOST_TEXELS:,} samples in all"
-        )
-    return width, height

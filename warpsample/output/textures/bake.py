@@ -18,11 +18,12 @@ from warpsample.output.textures.source import TextureSource
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import describe_flaws
-from warpsample.texture.materials import THICKNESS, Slot, add_texture, slot_for_quantity
+from warpsample.texture.materials import THICKNESS, Slot, Users, add_texture, find_users, slot_for_quantity
 from warpsample.texture.notes import describe_rounding
 from warpsample.texture.pictures import encode_exr, encode_png
 from warpsample.texture.primitives import Primitive
 from warpsample.texture.sets import TextureOptions
+from warpsample.texture.tangents import FrameReader
 
 
 def bake_texture(source: TextureSource, record: RunRecord) -> str:
@@ -60,7 +61,10 @@ def bake_texture(source: TextureSource, record: RunRecord) -> str:
 def _compute(source: TextureSource, record: RunRecord) -> list[list[PlacedTexture]]:
     """Compute the images of all textures of a command, for each place of the meshes in the scene."""
     closed = Closed(source.traced)
-    fill = partial(fill_texture, run=source.run, how=source.how, closed=closed, high=source.high, record=record)
+    reader = FrameReader(source.run.mesh, source.jobs[0].points.mesh)
+    fill = partial(
+        fill_texture, run=source.run, how=source.how, closed=closed, high=source.high, reader=reader, record=record
+    )
     points = sum(len(job.points) * (1 + max((len(one.others) for one in job.group), default=0)) for job in source.jobs)
     with record.count(points, f"{source.run.output} is as it was before"):
         try:  # coordinates, normals and tangents are read from the files again
@@ -113,10 +117,11 @@ def _write(source: TextureSource, found: list[list[PlacedTexture]]) -> list[str]
 def _write_scene(file: GlbFile, source: TextureSource, found: list[list[PlacedTexture]]) -> list[str]:
     """Write a .glb or .gltf with all pictures; return sentences on replaced textures."""
     run, notes = source.run, list[str]()
-    slot = slot_for_quantity(run.quantity)
-    for row, groups in zip(found, place_pictures(file, found), strict=True):
+    slot, placed = slot_for_quantity(run.quantity), place_pictures(file, found)
+    users = find_users(file)
+    for row, groups in zip(found, placed, strict=True):
         for number, (picture, group) in reversed(list(enumerate(zip(row, groups, strict=True)))):
-            notes += _add_picture(file, picture.filled, group, slot, source.how, is_first=number == 0)
+            notes += _add_picture(file, users, picture.filled, group, slot, source.how, is_first=number == 0)
     notes = list(dict.fromkeys(notes))
     with complete_or_absent(run.output) as stream:
         (file.write if run.output.suffix == ".glb" else file.write_text)(stream)
@@ -124,7 +129,7 @@ def _write_scene(file: GlbFile, source: TextureSource, found: list[list[PlacedTe
 
 
 def _add_picture(
-    file: GlbFile, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions, *, is_first: bool
+    file: GlbFile, users: Users, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions, *, is_first: bool
 ) -> Iterator[str]:
     """Store a computed image in a glTF file as a texture, and return sentences on textures that it replaces.
 
@@ -135,7 +140,7 @@ def _add_picture(
     longest = float(one.value.max()) if slot is THICKNESS else 1.0
     more = {"thicknessFactor": longest} if slot is THICKNESS else {}
     png = encode_png(one.value / (longest or 1.0), how.depth)
-    return add_texture(file, group, png, slot, is_first=is_first, info=info, more=more)
+    return add_texture(file, users, group, png, slot, is_first=is_first, info=info, more=more)
 
 
 def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Filled) -> None:

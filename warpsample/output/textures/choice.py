@@ -4,10 +4,10 @@ import re
 
 from warpsample.host.arguments import check_file, check_integer, check_number
 from warpsample.output.baked import BakeRun
+from warpsample.texture.claims import check_samples, check_size
 from warpsample.texture.image import check_gutter
 from warpsample.texture.jobs import SCENES
 from warpsample.texture.sets import TextureOptions
-from warpsample.texture.texture_points import check_samples, check_size
 
 
 def texture_options(run: BakeRun) -> TextureOptions:

@@ -21,7 +21,7 @@ from warpsample.texture.inside import Closed, Enclosed
 from warpsample.texture.jobs import SCENES, TextureJob
 from warpsample.texture.materials import slot_for_quantity
 from warpsample.texture.sets import TextureOptions
-from warpsample.texture.tangents import Frames
+from warpsample.texture.tangents import FrameReader
 
 COUNTS = ("inside", "enclosed", "mostly_inside", "missed", "lost")
 """Fields of `Filled` that are counts of points or charts."""
@@ -73,6 +73,7 @@ def fill_texture(
     how: TextureOptions,
     closed: Closed,
     high: HighMesh | None,
+    reader: FrameReader,
     record: RunRecord,
 ) -> Filled:
     """Compute a quantity at all texels of one texture, and return the images of values and standard errors.
@@ -85,7 +86,7 @@ def fill_texture(
     numbers = quantity.numbers(closed.mesh, len(points), options)
     workers = check_workers(options.get("workers"))
     missed, bodies = np.zeros(len(points), np.bool_), Enclosed(closed, points)
-    looks, convert = how.inside == "fill" and quantity.result is not ExactResult, _converter(job, run, quantity)
+    looks, convert = how.inside == "fill" and quantity.result is not ExactResult, _converter(job, run, quantity, reader)
 
     def of_part(part: SurfacePoints, first: int) -> Any:
         """Compute the quantity at a range of the texels' points, beginning with point number `first`."""
@@ -153,15 +154,15 @@ def _images(
 
 
 def _converter(
-    job: TextureJob, run: BakeRun, quantity: Quantity
+    job: TextureJob, run: BakeRun, quantity: Quantity, reader: FrameReader
 ) -> Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
     """Return the function that converts values for the picture, for example to tangent-space normals.
 
     Its arguments are the values, the normals along which they are computed, the faces, and the barycentric weights.
     """
     if slot_for_quantity(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
-        frames = Frames.of(run.mesh, job.points.mesh, job.points.corners, job.group)
-        return lambda value, _, face, weights: frames.to_components(value, face, weights)
+        frames = reader.frames(job.points.corners, job.points.faces, job.group)
+        return lambda value, _, face, weights: frames.to_components(value, job.points.rows_of(face), weights)
     if quantity.result is Thickness and job.group:
         return job.convert_lengths
     return lambda value, *_: value

@@ -27,25 +27,22 @@ def charts_for(group: list[Primitive], mesh: Mesh, size: int) -> list[MeshCharts
     return unwrap_meshes([(mesh.vertices[one.vertices], one.triangles) for one in group], size, PADDING)
 
 
-def add_uv(file: GlbFile, group: list[Primitive], charts: list[MeshCharts], count: int) -> tuple[int, np.ndarray]:
+def add_uv(file: GlbFile, group: list[Primitive], charts: list[MeshCharts]) -> tuple[int, list[np.ndarray]]:
     """Add new texture coordinates to a group of primitives, as a set that none of the primitives has yet.
 
     Args:
         file: file to edit.
         group: primitives that share materials.
         charts: charts of each primitive.
-        count: number of faces of the mesh that contains the primitives.
 
     Returns:
-        the number of the set; and (F, 3, 2) float64 coordinates, NaN for faces of other primitives.
+        the number of the set; and the coordinates of each primitive's faces, (n, 3, 2) float64.
     """
     used = {name for one in group for name in one.part.part("attributes").content}
     number = next(number for number in count_up() if f"TEXCOORD_{number}" not in used)
-    uv = np.full((count, 3, 2), np.nan)
-    for one, (vertex, faces, places) in zip(group, charts, strict=True):
-        uv[one.faces] = places[faces]
-        _split_vertices(file, one, (vertex, faces, places), number)
-    return number, uv.astype(np.float32).astype(np.float64)
+    for one, own in zip(group, charts, strict=True):
+        _split_vertices(file, one, own, number)
+    return number, [places[faces].astype(np.float32).astype(np.float64) for _, faces, places in charts]
 
 
 def describe_extensions(tree: Part, group: list[Primitive]) -> Iterator[str]:
