@@ -1,11 +1,14 @@
 """What the viewer shows of a file: the occlusion of all its materials on one picture."""
 
+import io
+from base64 import b64encode
 from types import SimpleNamespace
 
 import matplotlib.image
 import numpy as np
 import pytest
 from lookups import lookup, on_surface
+from PIL import Image
 from textured_scenes import changed, opened, picture, rich
 
 import warpsample as ws
@@ -55,7 +58,8 @@ def test_what_cannot_be_shown_is_white(baked, tmp_path):
         tree["materials"][0]["occlusionTexture"]["extensions"] = {"KHR_texture_transform": {}}
 
     path.write_bytes(changed(baked.read_bytes(), transform))
-    assert read_occlusion(path) is None
+    with pytest.warns(UserWarning, match="KHR_texture_transform"):
+        assert read_occlusion(path) is None
     assert read_occlusion(path.with_suffix(".ply")) is None
     path.write_bytes(changed(baked.read_bytes(), lambda tree: tree["materials"][1]["occlusionTexture"].update(strength=[2])))
     with pytest.raises(ValueError, match=r"changed.glb.*materials\[1\].occlusionTexture.strength: got \[2\]"):
@@ -127,3 +131,40 @@ def test_a_png_may_be_larger_than_pillow_opens(baked, monkeypatch):
     monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=30_000))
     with pytest.raises(MemoryError, match="^the texels of a picture of 64 x 64 need"):
         read_occlusion(baked)
+
+
+@pytest.mark.parametrize("extension", ["EXT_texture_webp", "KHR_texture_basisu", None])
+def test_a_webp_is_shown_and_other_formats_are_named(baked, tmp_path, extension):
+    """Both were passed over without a word; a WebP goes before the .png for viewers without this extension."""
+    values = np.full((8, 8, 3), (128, 200, 10), np.uint8)
+    content = io.BytesIO()
+    Image.fromarray(values).save(content, "WEBP", lossless=True)
+
+    def name(tree):
+        data = f"data:image/webp;base64,{b64encode(content.getvalue()).decode()}"
+        tree["images"].append({"uri": data})
+        texture = tree["textures"][tree["materials"][1]["occlusionTexture"]["index"]]
+        if extension is None:
+            tree["materials"][0]["occlusionTexture"]["extensions"] = {"KHR_texture_transform": {"scale": [2, 2]}}
+        else:
+            texture["extensions"] = {extension: {"source": len(tree["images"]) - 1}}
+        if extension == "KHR_texture_basisu":
+            del texture["source"]
+
+    path = tmp_path / "changed.glb"
+    path.write_bytes(changed(baked.read_bytes(), name))
+    wants = {"KHR_texture_basisu": r"textures\[2\] \(KHR_texture_basisu\)"}
+    wants[None] = r"materials\[0\].occlusionTexture \(KHR_texture_transform\)"
+    if extension == "EXT_texture_webp":
+        shown = read_occlusion(path)
+    else:
+        with pytest.warns(UserWarning, match=f"^mesh: got occlusion that is not shown, in {wants[extension]}$"):
+            shown = read_occlusion(path)
+    wall = np.arange(4) >= 2
+    points, at = on_surface(ws.load_mesh(path), shown.uv, 500)
+    read = lookup(shown.picture[..., None] / 255, at)[:, 0]
+    if extension == "EXT_texture_webp":
+        assert np.abs(read[wall[points.face]] - (1 + 0.5 * (128 / 255 - 1))).max() < 0.003
+    white = {"KHR_texture_basisu": wall, None: ~wall}.get(extension, np.zeros(4, bool))
+    assert (read[white[points.face]] == 1.0).all()
+    assert (read[~white[points.face]] < 1.0).any()

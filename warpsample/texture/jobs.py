@@ -125,11 +125,11 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
     groups = [group for group in slotted if not is_flat(mesh, group)]
     if not groups:
         raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-    jobs = []
+    jobs, materials = [], file.part.parts("materials")
     for group in groups:
         rows, name = [one.faces for one in group if not is_flat(mesh, [one])], name_group(file, group)
         with convert_read_errors(path):
-            first = _find_set(file, group, slot)
+            first = _find_set(materials, group, slot)
         found = texels.choose_set(rows, name, first=first)
         if found.points is None:
             faced = [one for one in group if len(one.triangles)]
@@ -198,9 +198,8 @@ def _read_corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndar
     return read_normals(path) if how.normals == "file" else read_smooth_normals(path, mesh)
 
 
-def _find_set(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
+def _find_set(materials: list[Part], group: list[Primitive], slot: Slot) -> int | None:
     """Return the number of the texture-coordinate set that a group's materials use already, or None."""
-    materials = file.part.parts("materials")
     numbers = [number for one in group for number in one.materials]
     known = [kind.find_info(materials[number]) for kind in (slot, OCCLUSION) for number in numbers]
     sets = [_read_set_number(info) for info in known if info is not None]

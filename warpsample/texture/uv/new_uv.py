@@ -11,7 +11,8 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.notes import join_names
 from warpsample.texture.primitives import Primitive
-from warpsample.texture.uv.unwrapping import PADDING, MeshCharts, unwrap_meshes
+from warpsample.texture.uv.pieces import MeshCharts
+from warpsample.texture.uv.unwrapping import PADDING, unwrap_meshes
 
 _BY_VERTEX = ("CESIUM_primitive_outline", "EXT_mesh_manifold")
 """Extensions of primitives and meshes that refer to vertices by number."""

@@ -11,15 +11,12 @@ import numpy as np
 from warpsample.host.arguments import check_integer
 from warpsample.host.extras import REFUSED, missing, run_program
 from warpsample.mesh.mesh import Mesh, as_mesh
-
-MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
-"""Charts of a mesh: (V2,) old vertex of each new vertex, (F, 3) new vertices of each face, and (V2, 2) coordinates."""
+from warpsample.texture.uv.pieces import MeshCharts, divide_meshes, join_charts
 
 PADDING = 4
 """Default number of texels between charts."""
 
 _MOST_SIDE = 1 << 14
-_DIAGONAL = 1000.0  # diagonal of the scaled mesh for xatlas, which drops faces with an area below 1e-7
 _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.texture.uv import charting; charting.main({size}, {padding})"
 
 
@@ -65,12 +62,21 @@ def unwrap_meshes(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding
     """
     if find_spec("xatlas") is None:
         raise missing("new texture coordinates need xatlas", "xatlas")
-    used = np.concatenate([vertices[np.unique(faces)] for vertices, faces in parts])
-    low, high = used.min(axis=0), used.max(axis=0)
-    scale = _DIAGONAL / (float(np.linalg.norm(high - low)) or 1.0)
-    given = {}
-    for i, (vertices, faces) in enumerate(parts):
-        given |= {f"v{i}": ((vertices - 0.5 * (low + high)) * scale).astype(np.float32), f"f{i}": faces.astype(np.uint32)}
+    pieces, given = divide_meshes(parts), {}
+    for i, one in enumerate(pieces):
+        given |= {f"v{i}": one.vertices, f"f{i}": one.faces.astype(np.uint32)}
+    made = _run(given, size, padding)
+    share = made["share"]
+    charts = [(made[f"old{i}"], made[f"f{i}"], made[f"uv{i}"].astype(np.float64) * share) for i in range(len(pieces))]
+    return [join_charts(pieces, charts, part) for part in range(len(parts))]
+
+
+def _run(given: dict[str, np.ndarray], size: int, padding: int) -> Any:
+    """Run the program of `charting` on meshes, and return the arrays of its answer.
+
+    Raises:
+        ValueError: xatlas fails on the meshes, or the image is too small for the charts.
+    """
     stream = BytesIO()
     np.savez(stream, **given)
     status, answer = run_program(_PROGRAM.format(path=sys.path, size=size, padding=padding), stream.getvalue())
@@ -80,6 +86,4 @@ def unwrap_meshes(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding
         raise ValueError(
             f"mesh: got a mesh on which xatlas ended with {status}, want texture coordinates made by another program"
         )
-    made = np.load(BytesIO(answer))
-    share = made["share"]
-    return [(made[f"old{i}"], made[f"f{i}"], made[f"uv{i}"].astype(np.float64) * share) for i in range(len(parts))]
+    return np.load(BytesIO(answer))

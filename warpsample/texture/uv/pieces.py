@@ -1,0 +1,107 @@
+"""Meshes as xatlas receives them: scaled, and divided into pieces if small faces are far apart."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from warpsample.texture.uv.charts import label_charts
+
+MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
+"""Charts of a mesh: (V2,) old vertex of each new vertex, (F, 3) new vertices of each face, and (V2, 2) coordinates."""
+
+_DIAGONAL = 1000.0  # diagonal of the scaled meshes: xatlas drops faces with an area below 1e-7
+_SMALL = 2.0**-15  # of the diagonal: with smaller faces charts are uneven, and meshes are divided
+_CELL = 2.0**14  # width of the cells in which connected faces become one piece, in widths of small faces
+_LARGEST = 1e9  # largest diagonal of a scaled piece: xatlas fails at 1e12
+
+
+class Piece(NamedTuple):
+    """Some faces of a mesh, for xatlas.
+
+    Attributes:
+        part: number of the mesh.
+        rows: (n,) rows of the faces in the mesh.
+        old: (k,) vertices in the mesh.
+        vertices: (k, 3) float32, scaled positions about the centre of the piece.
+        faces: (n, 3) vertices of the faces, as rows of `old`.
+    """
+
+    part: int
+    rows: np.ndarray
+    old: np.ndarray
+    vertices: np.ndarray
+    faces: np.ndarray
+
+
+def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
+    """Return meshes as pieces with one common scale: one piece each, or more if small faces are far apart.
+
+    xatlas computes in float32 and drops small faces. A single face 10 km away would spoil the charts of all others.
+    Connected faces stay in one piece, so that the borders of charts do not change.
+
+    Args:
+        parts: vertices and faces of each mesh.
+    """
+    used = np.concatenate([vertices[np.unique(faces)] for vertices, faces in parts])
+    whole = _box(used)
+    small, diagonal = _find_small_width(parts), _diagonal(whole)
+    if small >= _SMALL * diagonal:
+        scale, centre = _DIAGONAL / (diagonal or 1.0), 0.5 * (whole[0] + whole[1])
+        scaled = [((vertices - centre) * scale).astype(np.float32) for vertices, _ in parts]
+        return [
+            Piece(part, np.arange(len(faces)), np.arange(len(vertices)), scaled[part], faces)
+            for part, (vertices, faces) in enumerate(parts)
+        ]
+    groups = [(part, rows) for part, own in enumerate(parts) for rows in _group_faces(*own, _CELL * small)]
+    boxes = [_box(parts[part][0][parts[part][1][rows]].reshape(-1, 3)) for part, rows in groups]
+    scale, found = min(1.0 / small, _LARGEST / max(map(_diagonal, boxes))), []
+    for (part, rows), box in zip(groups, boxes, strict=True):
+        vertices, faces = parts[part]
+        old, local = np.unique(faces[rows], return_inverse=True)
+        scaled = ((vertices[old] - 0.5 * (box[0] + box[1])) * scale).astype(np.float32)
+        found.append(Piece(part, rows, old, scaled, local.reshape(-1, 3)))
+    return found
+
+
+def join_charts(pieces: list[Piece], charts: list[MeshCharts], part: int) -> MeshCharts:
+    """Return the charts of the mesh of number `part` from the charts of all pieces."""
+    own = [(piece, chart) for piece, chart in zip(pieces, charts, strict=True) if piece.part == part]
+    faces, first = np.empty((sum(len(piece.rows) for piece, _ in own), 3), np.uint32), 0
+    for piece, (old, corners, _) in own:
+        faces[piece.rows] = corners + first
+        first += len(old)
+    old = np.concatenate([piece.old[chart[0]] for piece, chart in own])
+    return old, faces, np.concatenate([chart[2] for _, chart in own])
+
+
+def _find_small_width(parts: list[tuple[np.ndarray, np.ndarray]]) -> float:
+    """Return the root of the area that nine tenths of the faces exceed, without flat faces; infinite without others."""
+    widths = []
+    for vertices, faces in parts:
+        corners = vertices[faces]
+        cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        widths.append(np.sqrt(0.5 * np.linalg.norm(cross, axis=1)))
+    width = np.concatenate(widths)
+    return float(np.quantile(width[width > 0.0], 0.1)) if width.any() else np.inf
+
+
+def _group_faces(vertices: np.ndarray, faces: np.ndarray, cell: float) -> list[np.ndarray]:
+    """Return the rows of faces in groups: connected faces whose boxes have their centres in one cell of a grid."""
+    corners = vertices[faces]
+    label = label_charts(corners)
+    count = int(label.max()) + 1
+    low, high = np.full((count, 3), np.inf), np.full((count, 3), -np.inf)
+    np.minimum.at(low, label, corners.min(axis=1))
+    np.maximum.at(high, label, corners.max(axis=1))
+    middle = 0.5 * (low + high)
+    group = np.unique(np.rint((middle - middle.min(axis=0)) / cell), axis=0, return_inverse=True)[1].ravel()[label]
+    return np.split(np.argsort(group, kind="stable"), np.cumsum(np.bincount(group))[:-1])
+
+
+def _box(points: np.ndarray) -> np.ndarray:
+    """Return the lower and the upper corner of the box of some points, (2, 3)."""
+    return np.stack([points.min(axis=0), points.max(axis=0)])
+
+
+def _diagonal(box: np.ndarray) -> float:
+    return float(np.linalg.norm(box[1] - box[0]))
