@@ -10,6 +10,7 @@ import warpsample as ws
 from warpsample.texture.jobs import square_side
 from warpsample.texture.uv import unwrapping
 from warpsample.texture.uv.charts import label_charts
+from warpsample.texture.uv.pieces import divide_meshes
 
 SPHERE = trimesh.creation.icosphere(3)
 
@@ -70,6 +71,66 @@ def test_distant_faces_leave_the_charts_of_others_as_they_are(distance):
     first, second = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
     density = np.sqrt(0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / mesh.face_areas)
     assert density.max() / density.min() < 2.0  # xatlas' stretch, as without distant faces
+
+
+@pytest.mark.parametrize("width", [1e-7, 1e-9, 1e-12])
+def test_slivers_by_rounding_do_not_set_the_scale(width):
+    """More slivers than faces, as in triangulations with vertices along edges; scaled by these, xatlas ran for minutes."""
+    random = np.random.default_rng(0)
+    edges = SPHERE.faces[random.integers(0, 1280, 1600), :2]
+    middle = SPHERE.vertices[edges].mean(axis=1) + width * random.normal(size=(1600, 3))
+    slivers = np.column_stack([edges, 642 + np.arange(1600)])
+    mesh = ws.Mesh(np.concatenate([SPHERE.vertices, middle]), np.concatenate([SPHERE.faces, slivers]))
+    assert [len(piece.rows) for piece in divide_meshes([(mesh.vertices, mesh.faces)])] == [2880]
+    split, uv = ws.unwrap(mesh, 512)
+    report = ws.texture_points(split, uv, 512).report
+    assert report.overlapped < 0.0005 * report.covered  # as the docstring says of folds
+    first, second = uv[:1280, 1] - uv[:1280, 0], uv[:1280, 2] - uv[:1280, 0]
+    density = np.sqrt(0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / mesh.face_areas[:1280])
+    assert density.max() / density.min() < 3.0
+
+
+def panels(decimals):
+    """Twelve roof panels of 3 x 2 in any direction: fans of triangles over vertices along their edges, as of CAD."""
+    random, panels = np.random.default_rng(1), []
+    for _ in range(12):
+        along = np.arange(3) / 3
+        border = [(along, 0 * along), (1 + 0 * along, along), (1 - along, 1 + 0 * along), (0 * along, 1 - along)]
+        flat = np.concatenate([np.column_stack(side) for side in border]) * (3, 2)
+        turn = np.linalg.qr(random.normal(size=(3, 3)))[0]
+        panels.append(np.round(flat @ turn[:2] + 5 * random.normal(size=3), decimals))
+    fan = np.array([(0, i, i + 1) for i in range(1, 11)])
+    return ws.Mesh(np.concatenate(panels), np.concatenate([fan + 12 * i for i in range(12)]))
+
+
+@pytest.mark.parametrize("decimals", [4, 6, 17])
+def test_slivers_do_not_take_the_picture(decimals):
+    """A sliver got a chart of thousands of texels, and all other charts shrank to 0.5 % of the picture, without a word."""
+    mesh = panels(decimals)
+    split, uv = ws.unwrap(mesh, 512)
+    assert np.array_equal(split.vertices[split.faces], mesh.vertices[mesh.faces])
+    t = ws.texture_points(split, uv, 512)
+    assert t.report.covered > 0.4 * 512**2
+    wide = np.flatnonzero(mesh.face_areas > 1e-3)
+    first, second = uv[wide, 1] - uv[wide, 0], uv[wide, 2] - uv[wide, 0]
+    density = np.sqrt(0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / mesh.face_areas[wide])
+    assert density.max() / density.min() < 2.0
+    left = np.flatnonzero((uv == uv[:, :1]).all(axis=(1, 2)) & (mesh.face_areas > 0))
+    for face in left:  # faces left out show a texel of a neighbour
+        touching = np.isin(mesh.faces[wide], mesh.faces[face]).any(axis=1)
+        assert (np.abs(uv[wide[touching]] - uv[face, 0]).max(axis=2) == 0).any()
+
+
+def test_a_mesh_of_slivers_alone_is_unwrapped():
+    """A cable has no other faces, so that none is left out."""
+    turns = np.linspace(0, 2 * np.pi, 8, endpoint=False)
+    ring = np.column_stack([np.cos(turns), np.sin(turns)]) * 1e-5
+    ends = [np.column_stack([ring, np.full(8, z)]) for z in (0.0, 10.0)]
+    faces = [(i, (i + 1) % 8, 8 + i) for i in range(8)] + [((i + 1) % 8, 8 + (i + 1) % 8, 8 + i) for i in range(8)]
+    split, uv = ws.unwrap(ws.Mesh(np.concatenate(ends), np.array(faces)), 256)
+    assert len(split.faces) == 16
+    assert ((uv >= 0) & (uv <= 1)).all()
+    assert ws.texture_points(split, uv, 256).report.covered > 100
 
 
 def test_a_ground_that_is_large_beside_a_town_is_unwrapped():

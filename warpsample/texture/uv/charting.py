@@ -11,6 +11,8 @@ from warpsample.host.extras import REFUSED
 
 _TRIES = 12
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
+_NARROW = 1e-4  # of the longest edge: narrower faces are left out if they spoil charts
+_STRETCHED = 4.0  # longer than in space: such a face is spoiled, as xatlas stretches edges by less than 1.5
 _alive: list[Any] = []  # all atlases: destroying one can wait forever for a thread of xatlas
 
 
@@ -24,12 +26,12 @@ def main(size: int, padding: int) -> NoReturn:
     given = np.load(BytesIO(sys.stdin.buffer.read()))
     parts = [(given[f"v{i}"], given[f"f{i}"]) for i in range(len(given.files) // 2)]
     try:
-        share, atlas = _packed(parts, size, padding)
+        share, atlas, kept = _packed(parts, size, padding)
     except ValueError as error:
         _answer(str(error).encode(), REFUSED)
     arrays = {"share": share}
     for i in range(len(parts)):
-        old, faces, uv = atlas.get_mesh(i)
+        old, faces, uv = _add_left_out(parts[i][1], kept[i], *atlas.get_mesh(i))
         arrays |= {f"old{i}": old, f"f{i}": faces, f"uv{i}": uv}
     stream = BytesIO()
     np.savez(stream, **arrays)
@@ -43,29 +45,80 @@ def _answer(content: bytes, status: int) -> NoReturn:
     os._exit(status)
 
 
-def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> tuple[np.ndarray, Any]:
-    """Pack the charts of all meshes into one image with xatlas; return (used fractions of width and height, the atlas).
+def _packed(
+    parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int
+) -> tuple[np.ndarray, Any, list[np.ndarray | slice]]:
+    """Pack the charts of all meshes into one image with xatlas.
 
     xatlas makes an image of only about the requested size. So charts are packed with fewer and fewer texels per unit of
-    length, until all charts fit.
+    length, until all charts fit. If slivers by rounding have huge charts, they are left out, and packing starts again.
+
+    Returns:
+        used fractions of width and height, the atlas, and for each mesh the rows of the faces in the atlas.
     """
     import xatlas
 
-    wanted = 0.0
+    wanted, kept = 0.0, [slice(None) for _ in parts]
     for _ in range(_TRIES):
         atlas = xatlas.Atlas()
         _alive.append(atlas)
-        for vertices, faces in parts:
-            atlas.add_mesh(vertices, faces)
+        for (vertices, faces), rows in zip(parts, kept, strict=True):
+            atlas.add_mesh(vertices, faces[rows])
         options = xatlas.PackOptions()
         options.resolution, options.texels_per_unit, options.padding = 0 if wanted else size, wanted, padding
         atlas.generate(pack_options=options)
         side = max(atlas.width, atlas.height)
         if not side:
             raise ValueError("mesh: got only faces without an area, want at least one face with an area")
+        if not wanted and isinstance(kept[0], slice) and _is_spoiled(parts, atlas):
+            wide = [_find_wide(*part) for part in parts]
+            if any(0 < len(rows) < len(faces) for rows, (_, faces) in zip(wide, parts, strict=True)):
+                kept = [rows if len(rows) else slice(None) for rows in wide]
+                continue
         if side <= size:
-            return np.array((atlas.width, atlas.height)) / size, atlas
+            return np.array((atlas.width, atlas.height)) / size, atlas, kept
         wanted = atlas.texels_per_unit * _SLACK * size / side
     raise ValueError(
         f"size: got {size}, want a larger image: {atlas.chart_count:,} charts, {padding} texels apart, take {side} texels"
     )
+
+
+def _is_spoiled(parts: list[tuple[np.ndarray, np.ndarray]], atlas: Any) -> bool:
+    """Return whether a face is far longer in the image than in space."""
+    for i, (vertices, faces) in enumerate(parts):
+        _, corners, uv = atlas.get_mesh(i)
+        texels = _longest_edges(uv[corners] * np.float32([atlas.width, atlas.height]))
+        if (texels > _STRETCHED * atlas.texels_per_unit * _longest_edges(vertices[faces])).any():
+            return True
+    return False
+
+
+def _find_wide(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Return the rows of the faces that are no slivers."""
+    corners = vertices[faces].astype(np.float64)
+    longest = _longest_edges(corners)
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    return np.flatnonzero(areas >= _NARROW * longest**2)
+
+
+def _longest_edges(corners: np.ndarray) -> np.ndarray:
+    """Return the longest edge of each face, (F,), for corners (F, 3, k)."""
+    return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).max(axis=1)
+
+
+def _add_left_out(
+    faces: np.ndarray, kept: np.ndarray | slice, old: np.ndarray, corners: np.ndarray, uv: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return charts of all faces of a mesh: faces left out have the coordinates of one of their vertices at all corners."""
+    left = np.ones(len(faces), np.bool_)
+    left[kept] = False
+    if not left.any():
+        return old, corners, uv
+    place = np.full(int(max(faces.max(), old.max(initial=0))) + 1, -1)
+    place[old] = np.arange(len(old))
+    at = place[faces[left]].max(axis=1)  # any vertex that another face shares
+    own = np.where((at >= 0)[:, None], uv[np.maximum(at, 0)], np.float32(0.0)) if len(uv) else np.zeros((len(at), 2), "f4")
+    whole = np.empty((len(faces), 3), corners.dtype)
+    whole[~left] = corners
+    whole[left] = len(old) + np.arange(3 * len(at)).reshape(-1, 3)
+    return np.concatenate([old, faces[left].ravel()]), whole, np.concatenate([uv, np.repeat(own, 3, axis=0)])

@@ -10,8 +10,9 @@ MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
 """Charts of a mesh: (V2,) old vertex of each new vertex, (F, 3) new vertices of each face, and (V2, 2) coordinates."""
 
 _DIAGONAL = 1000.0  # diagonal of the scaled meshes: xatlas drops faces with an area below 1e-7
-_SMALL = 2.0**-15  # of the diagonal: with smaller faces charts are uneven, and meshes are divided
-_CELL = 2.0**14  # width of the cells in which connected faces become one piece, in widths of small faces
+_SMALL = 2.0**-15  # of the diagonal: with narrower faces charts are uneven, and meshes are divided
+_SHARE = 1e-3  # of the area: faces with less of it have too few texels to count
+_CELL = 2.0**14  # side of the cells whose connected parts become one piece, in widths of small faces
 _LARGEST = 1e9  # largest diagonal of a scaled piece: xatlas fails at 1e12
 
 
@@ -42,8 +43,7 @@ def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
     Args:
         parts: vertices and faces of each mesh.
     """
-    used = np.concatenate([vertices[np.unique(faces)] for vertices, faces in parts])
-    whole = _box(used)
+    whole = _box(np.concatenate([vertices[np.unique(faces)] for vertices, faces in parts]))
     small, diagonal = _find_small_width(parts), _diagonal(whole)
     if small >= _SMALL * diagonal:
         scale, centre = _DIAGONAL / (diagonal or 1.0), 0.5 * (whole[0] + whole[1])
@@ -75,18 +75,23 @@ def join_charts(pieces: list[Piece], charts: list[MeshCharts], part: int) -> Mes
 
 
 def _find_small_width(parts: list[tuple[np.ndarray, np.ndarray]]) -> float:
-    """Return the root of the area that nine tenths of the faces exceed, without flat faces; infinite without others."""
-    widths = []
+    """Return the width of small faces: the root of an area; all smaller faces have 0.1 % of the whole area together.
+
+    Areas count and not numbers of faces, because a file may have any number of slivers by rounding. Infinite if all faces
+    are flat.
+    """
+    areas = []
     for vertices, faces in parts:
         corners = vertices[faces]
         cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        widths.append(np.sqrt(0.5 * np.linalg.norm(cross, axis=1)))
-    width = np.concatenate(widths)
-    return float(np.quantile(width[width > 0.0], 0.1)) if width.any() else np.inf
+        areas.append(0.5 * np.linalg.norm(cross, axis=1))
+    area = np.sort(np.concatenate(areas))
+    total = np.cumsum(area)
+    return float(np.sqrt(area[np.searchsorted(total, _SHARE * total[-1], side="right")])) if total[-1] else np.inf
 
 
 def _group_faces(vertices: np.ndarray, faces: np.ndarray, cell: float) -> list[np.ndarray]:
-    """Return the rows of faces in groups: connected faces whose boxes have their centres in one cell of a grid."""
+    """Return the rows of faces in groups: connected parts whose boxes have their centres in one cell of a grid."""
     corners = vertices[faces]
     label = label_charts(corners)
     count = int(label.max()) + 1
