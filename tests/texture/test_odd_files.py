@@ -203,3 +203,21 @@ def write_usd(folder, *sets):
         "int[] faceVertexCounts = [3]\nint[] faceVertexIndices = [0, 1, 2]\n" + "\n".join(lines) + "\n}\n"
     )
     return path
+
+
+def test_a_sliver_by_rounding_is_no_flaw_of_a_set(call, tmp_path):
+    """Vertices along the edges of a panel: float32 gives their faces an area on the mesh, and none in the image."""
+    along = np.arange(3) / 3
+    border = [(along, 0 * along), (1 + 0 * along, along), (1 - along, 1 + 0 * along), (0 * along, 1 - along)]
+    flat = np.concatenate([np.column_stack(side) for side in border])
+    turn = np.linalg.qr(np.random.default_rng(0).normal(size=(3, 3)))[0]
+    fan = np.array([(0, i, i + 1) for i in range(1, 11)], np.uint16)
+    arrays = [(3 * flat @ turn[:2]).astype(np.float32), (0.1 + 0.8 * flat).astype(np.float32), fan.ravel()]
+    attributes = {"POSITION": 0, "TEXCOORD_0": 1}
+    meshes = [{"primitives": [{"attributes": attributes, "indices": 2, "material": 0}]}]
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb({"meshes": meshes, "nodes": [{"mesh": 0}], "materials": [{}]}, arrays))
+    areas = ws.load_mesh(path).face_areas
+    assert ((areas > 0) & (areas < 1e-3)).any()
+    status, out, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 4)
+    assert (status, err, ", set 0: " in out) == (0, "", True)

@@ -9,7 +9,7 @@ from warpsample.host.locks import once_property
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
-from warpsample.texture.texture_points import TexturePoints
+from warpsample.texture.texture_points import TexturePoints, find_rows
 from warpsample.texture.uv.charts import label_charts, label_closed
 from warpsample.tracing.trace_all import trace_all
 
@@ -209,4 +209,4 @@ class Enclosed:
         """Compute the number of the UV chart of each point, (P,) int32; charts that overlap have different numbers."""
         points, mesh = self._points, self._points.mesh
         faces = mesh.faces if points.faces is None else mesh.faces[points.faces]
-        return label_charts(np.concatenate([points.corners, mesh.vertices[faces]], axis=2))[points.rows_of(points.face)]
+        return label_charts(np.concatenate([points.corners, mesh.vertices[faces]], axis=2))[find_rows(points, points.face)]

@@ -67,9 +67,11 @@ class TextureJob:
         self, lengths: np.ndarray, directions: np.ndarray, face: np.ndarray, weights: np.ndarray
     ) -> np.ndarray:
         """Return lengths in the scene as lengths in the glTF meshes, (P,) float64; see `Primitive.convert_lengths`."""
-        found = lengths.astype(np.float64)
-        for one in self.group:
-            rows = np.flatnonzero((face >= one.faces.start) & (face < one.faces.stop))
+        found, group = lengths.astype(np.float64), sorted(self.group, key=lambda one: one.faces.start)
+        owner = np.searchsorted([one.faces.start for one in group], face, side="right") - 1
+        order = np.argsort(owner, kind="stable")
+        for rows in np.split(order, 1 + np.flatnonzero(np.diff(owner[order]))) if len(order) else ():
+            one = group[owner[rows[0]]]
             found[rows] = one.convert_lengths(lengths[rows], directions[rows], face[rows], weights[rows])
         return found
 

@@ -10,7 +10,7 @@ from warpsample.host.json_tree import Part
 from warpsample.mesh.files.linked_files import uris_of
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.primitives import Primitive
-from warpsample.texture.texture_points import TexturePoints
+from warpsample.texture.texture_points import TexturePoints, find_rows
 from warpsample.tracing.placement import resolutions_at
 from warpsample.tracing.scene import scene_of
 
@@ -126,7 +126,7 @@ def describe_rounding(points: TexturePoints, image: np.ndarray) -> Iterator[str]
 
 def _texel_sizes(points: TexturePoints, faces: np.ndarray) -> np.ndarray:
     """Return the side of a texel on each of some faces, (n,), in mesh units."""
-    corners = points.corners[points.rows_of(faces)]
+    corners = points.corners[find_rows(points, faces)]
     first, second = (corners[:, corner] - corners[:, 0] for corner in (1, 2))
     texels = 0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
     return np.sqrt(points.mesh.face_areas[faces] / np.maximum(texels, 1e-300))

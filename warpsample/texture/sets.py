@@ -14,6 +14,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.texture.report import find_face_flaws
 from warpsample.texture.shading import compute_corner_normals
 from warpsample.texture.texture_points import TexturePoints, place_texels
+from warpsample.texture.uv.charts import find_wide
 
 UV_CHOICES = ("auto", "0", "1", "new")
 
@@ -191,10 +192,11 @@ class Texels:
         return sum(int(np.count_nonzero(~np.isfinite(uv[some]).all(axis=(1, 2)))) for some in rows)
 
     def _is_flat(self, number: int, rows: Iterable[slice]) -> bool:
-        """Return whether any of the given faces has an area in space but none in the image."""
-        uv, areas = self._read_set(number), self.mesh.face_areas
+        """Return whether any of the given faces has no area in the image, and is no sliver in space."""
+        uv, mesh = self._read_set(number), self.mesh
         assert uv is not None
-        return any((find_face_flaws(uv[some])["zero_area"] & (areas[some] > 0.0)).any() for some in rows)
+        flat = (find_face_flaws(uv[some])["zero_area"] & find_wide(mesh.vertices[mesh.faces[some]]) for some in rows)
+        return any(faces.any() for faces in flat)
 
     def points_by_set(self, number: int, rows: list[slice]) -> TexturePoints:
         """Return the texels of some faces as points, by the file's set of texture coordinates `number`."""

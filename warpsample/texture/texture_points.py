@@ -98,7 +98,7 @@ class TexturePoints(Summary):
             raise TypeError(f"rows: got {quote(rows)}, want a slice")
         id, face = np.ascontiguousarray(self.id[rows]), np.ascontiguousarray(self.face[rows])
         how = {"samples": self.samples, "memory": self.options.memory, "workers": self.options.workers}
-        row = self.rows_of(face)
+        row = find_rows(self, face)
         weights = compute_weights(self.corners, id, row, self.size[0], **how)
         turned = None if self.corner_normals is None else self.corner_normals.take(row, axis=0)
         position, normal, on = shade_points(self.mesh, turned, face, weights, self.normals)
@@ -205,10 +205,6 @@ class TexturePoints(Summary):
             made = np.hypot(made, texels.shared_errors(values, errors.reflected_runs))
         return texels.fill(made, gutter, own.shape[1:]).astype(np.float32)
 
-    def rows_of(self, face: np.ndarray) -> np.ndarray:
-        """Return the rows of some faces, (n,) int32, in `corners` and other arrays of corners."""
-        return face if self.faces is None else np.searchsorted(self.faces, face).astype(np.int32)
-
     @property
     def texel_rows(self) -> TexelRows:
         """Return the grouping of the points by texel."""
@@ -224,7 +220,7 @@ class TexturePoints(Summary):
     def _charts(self) -> np.ndarray:
         """Return the number of the UV chart of each texel, (texels,) int32; -1 for texels outside all charts."""
         charts = np.full(self.size[0] * self.size[1], -1, np.int32)
-        charts[self.texel[::-1]] = label_charts(self.corners)[self.rows_of(self.face[::-1])]
+        charts[self.texel[::-1]] = label_charts(self.corners)[find_rows(self, self.face[::-1])]
         return charts
 
 
@@ -328,6 +324,11 @@ def _corner_tangents(points: TexturePoints, uv: np.ndarray) -> np.ndarray:
     made = np.zeros((len(uv), 3, 4))
     made[known] = compute_tangents(mesh.vertices[mesh.faces[known]], normals[known].astype(np.float64), uv[known])
     return made
+
+
+def find_rows(points: TexturePoints, face: np.ndarray) -> np.ndarray:
+    """Return the rows of some faces, (n,) int32, in `corners` and other arrays of corners."""
+    return face if points.faces is None else np.searchsorted(points.faces, face).astype(np.int32)
 
 
 def interpolate_tangents(corners: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:

@@ -1,17 +1,83 @@
 """Comparison of the pictures of two places: whether their texels differ by more than standard errors and rounding."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from warpsample.output.textures.images import Filled
 from warpsample.texture.pictures import WHITE
 
 _BLOCK = 8  # texels along a side
+_LOOKED_AT = 4096  # texels of a digest
 _FEW = 16  # texels: the errors of fewer texels are too uncertain to be a block's only measure
 _SIGMAS_OF_TEXEL = 5.0  # largest of 20 million differences between equal places: 4.2
 _SIGMAS_OF_BLOCK = 6.0  # of the mean: by chance about one block of 10^9 differs by more
 _SIGMAS_OF_WHOLE = 4.0  # of the mean over a whole picture, one number: by chance about 1 of 16,000 differs by more
 _RARE = 20.7  # -log(1e-9): by chance the squares of one block of 10^9 add up to more than the bound
 _UNSURE = 1.1  # factor on variances: measured squared differences of equal places are up to 1.02 of the variances
+
+
+@dataclass(frozen=True, eq=False)
+class Digest:
+    """Sums over blocks of 8 x 8 texels of a picture, and some of its texels, for a fast comparison of many pictures.
+
+    Attributes:
+        count: (B,) numbers of texels.
+        is_own: (B,) bool, blocks whose texels all have values of their own.
+        most: number of texels with values of their own.
+        sums: (C, B) sums of values.
+        unbiased: (B,) sums of unbiased variances.
+        raised: (B,) sums of variances that are above 0 where all rays agree.
+        block: (n,) number of the block of each of some texels.
+        values: (C, n) their values.
+        variance: (n,) their variances, above 0 where all rays agree.
+        largest: largest absolute value, or None for vectors.
+    """
+
+    count: np.ndarray
+    is_own: np.ndarray
+    most: int
+    sums: np.ndarray
+    unbiased: np.ndarray
+    raised: np.ndarray
+    block: np.ndarray
+    values: np.ndarray
+    variance: np.ndarray
+    largest: float | None
+
+    @classmethod
+    def of(cls, filled: Filled) -> "Digest | None":
+        """Return the digest of a picture, or None if no texel has a value of its own."""
+        covered = filled.job.points.covered
+        own = filled.own[covered]
+        if not own.any():
+            return None
+        block = _number_blocks(covered)
+        images = (filled.value, *filled.noise)
+        value, *errors = (np.nan_to_num(image[covered].reshape(len(block), -1).T.astype(np.float64)) for image in images)
+        raised, unbiased = (np.square(error).sum(axis=0) for error in errors)
+        sums = np.stack([np.bincount(block, channel) for channel in value])
+        some = slice(None, None, -(-len(block) // _LOOKED_AT))
+        count, variances = np.bincount(block), [np.bincount(block, variance) for variance in (unbiased, raised)]
+        texels = block[some], value[:, some].copy(), raised[some].copy()
+        is_own = np.bincount(block, own) == count
+        return cls(count, is_own, int(own.sum()), sums, *variances, *texels, _find_largest(filled.value))
+
+    def differ(self, other: "Digest", depth: int) -> bool:
+        """Return whether pictures differ by rule 1 or 3 of `do_pictures_differ`; False leaves the question open.
+
+        Blocks with filled texels are left out, and mean variances are not below those of the rules.
+        """
+        if not np.array_equal(self.count, other.count):
+            return False
+        level, is_own, most = _level_of(self.largest, depth), self.is_own & other.is_own, max(self.most, other.most)
+        raised, unbiased = self.raised + other.raised, self.unbiased + other.unbiased
+        gap = np.where(is_own[self.block], np.square(other.values - self.values).sum(axis=0), 0.0)
+        pooled = _pool(raised, self.count, raised.sum() / most)[self.block]
+        if _is_any_texel_off(gap, self.variance + other.variance, pooled, level):
+            return True
+        gaps = np.where(is_own, other.sums - self.sums, 0.0)
+        return any(_is_any_block_off(one, unbiased, self.count, unbiased.sum() / most, level) for one in gaps)
 
 
 def do_pictures_differ(known: Filled, other: Filled, depth: int) -> bool:
@@ -38,16 +104,15 @@ def do_pictures_differ(known: Filled, other: Filled, depth: int) -> bool:
         depth: Bits per channel of the picture.
     """
     covered = known.job.points.covered & other.job.points.covered & (known.own | other.own)
-    row, column = np.nonzero(covered)
-    if not len(row):
+    if not covered.any():
         return False
-    block = np.unique(row // _BLOCK * covered.shape[1] + column // _BLOCK, return_inverse=True)[1]
+    block = _number_blocks(covered)
 
     def select(image: np.ndarray) -> np.ndarray:
         """Return an image at the compared texels, (C, n) float64."""
         return np.nan_to_num(image[covered].reshape(len(block), -1).T.astype(np.float64))
 
-    level = _level_of(known.value, depth)
+    level = _level_of(_find_largest(known.value), depth)
     gap = select(other.value) - select(known.value)
     pairs = zip(known.noise, other.noise, strict=True)
     raised, unbiased = (sum(np.square(select(one)).sum(axis=0) for one in pair) for pair in pairs)
@@ -56,10 +121,20 @@ def do_pictures_differ(known: Filled, other: Filled, depth: int) -> bool:
     )
 
 
-def _level_of(value: np.ndarray, depth: int) -> float:
-    """Return the difference between two levels of the picture of values (H, W), or of vectors (H, W, 3)."""
-    span = 2.0 if value.ndim == 3 else float(np.abs(value).max(initial=0.0))
-    return span / WHITE[depth][0]
+def _number_blocks(covered: np.ndarray) -> np.ndarray:
+    """Return the number of the block of each texel in a mask (H, W), counted from 0 without gaps."""
+    row, column = np.nonzero(covered)
+    return np.unique(row // _BLOCK * covered.shape[1] + column // _BLOCK, return_inverse=True)[1]
+
+
+def _find_largest(value: np.ndarray) -> float | None:
+    """Return the largest absolute value of a picture (H, W), or None for vectors (H, W, 3)."""
+    return None if value.ndim == 3 else float(np.abs(value).max(initial=0.0))
+
+
+def _level_of(largest: float | None, depth: int) -> float:
+    """Return the difference between two levels of the picture of values up to `largest`, or of unit vectors."""
+    return (2.0 if largest is None else largest) / WHITE[depth][0]
 
 
 def _do_texels_differ(squares: np.ndarray, variance: np.ndarray, block: np.ndarray, level: float) -> bool:
@@ -72,9 +147,8 @@ def _do_texels_differ(squares: np.ndarray, variance: np.ndarray, block: np.ndarr
         level: difference between two levels of the picture.
     """
     count = np.bincount(block)
-    lacking = np.maximum(_FEW - count, 0)
-    pooled = ((np.bincount(block, variance) + lacking * variance.mean()) / (count + lacking))[block]
-    if (np.sqrt(squares) > _SIGMAS_OF_TEXEL * np.sqrt(variance + pooled) + level).any():
+    pooled = _pool(np.bincount(block, variance), count, variance.mean())[block]
+    if _is_any_texel_off(squares, variance, pooled, level):
         return True
     variance = _UNSURE * np.where(count[block] < _FEW, np.maximum(variance, pooled), variance) + (0.5 * level) ** 2
     return any(_are_squares_too_large(squares, variance, group) for group in (block, np.zeros_like(block)))
@@ -93,8 +167,23 @@ def _are_squares_too_large(squares: np.ndarray, variance: np.ndarray, group: np.
 
 def _do_means_differ(gap: np.ndarray, variance: np.ndarray, block: np.ndarray, level: float) -> bool:
     """Return whether the means over a block, or over all texels, differ; `gap` are the differences of one component."""
-    count = np.bincount(block)
-    spread = np.sqrt((np.bincount(block, variance) / count + variance.mean()) / count)
-    if (np.abs(np.bincount(block, gap)) / count > _SIGMAS_OF_BLOCK * spread + level).any():
+    sums = np.bincount(block, gap), np.bincount(block, variance), np.bincount(block)
+    if _is_any_block_off(*sums, variance.mean(), level):
         return True
     return bool(abs(gap.sum()) > _SIGMAS_OF_WHOLE * np.sqrt(variance.sum()) + level * len(gap))
+
+
+def _pool(variance: np.ndarray, count: np.ndarray, mean: float) -> np.ndarray:
+    """Return the mean variance of each block, (B,), by sums over its texels; of few texels, with the mean of all."""
+    lacking = np.maximum(_FEW - count, 0)
+    return (variance + lacking * mean) / (count + lacking)
+
+
+def _is_any_texel_off(squares: np.ndarray, variance: np.ndarray, pooled: np.ndarray, level: float) -> bool:
+    return bool((np.sqrt(squares) > _SIGMAS_OF_TEXEL * np.sqrt(variance + pooled) + level).any())
+
+
+def _is_any_block_off(gap: np.ndarray, variance: np.ndarray, count: np.ndarray, mean: float, level: float) -> bool:
+    """Return whether the mean of a block differs, by sums over blocks and the mean variance of all texels."""
+    spread = np.sqrt((variance / count + mean) / count)
+    return bool((np.abs(gap) / count > _SIGMAS_OF_BLOCK * spread + level).any())

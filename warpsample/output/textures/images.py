@@ -22,6 +22,7 @@ from warpsample.texture.jobs import SCENES, TextureJob
 from warpsample.texture.materials import slot_for_quantity
 from warpsample.texture.sets import TextureOptions
 from warpsample.texture.tangents import FrameReader
+from warpsample.texture.texture_points import find_rows
 
 COUNTS = ("inside", "enclosed", "mostly_inside", "missed", "lost")
 """Fields of `Filled` that are counts of points or charts."""
@@ -162,7 +163,7 @@ def _converter(
     """
     if slot_for_quantity(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
         frames = reader.frames(job.points.corners, job.points.faces, job.group)
-        return lambda value, _, face, weights: frames.to_components(value, job.points.rows_of(face), weights)
+        return lambda value, _, face, weights: frames.to_components(value, find_rows(job.points, face), weights)
     if quantity.result is Thickness and job.group:
         return job.convert_lengths
     return lambda value, *_: value

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.output.textures.comparison import do_pictures_differ
+from warpsample.output.textures.comparison import Digest, do_pictures_differ
 from warpsample.output.textures.images import COUNTS, Filled
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.jobs import TextureJob
@@ -51,13 +51,25 @@ def pictures_of(job: TextureJob, fill: Callable[..., Filled], how: TextureOption
     if how.instances == "mean":
         found = [_mean_of(found[0], pictures(), how.gutter)]
     else:
+        digests = [Digest.of(found[0].filled)] if is_compared else []
         for made in pictures():
-            equal = (i for i, known in enumerate(found) if not do_pictures_differ(known.filled, made.filled, how.depth))
+            own = Digest.of(made.filled)
+            equal = (i for i in range(len(found)) if not _do_places_differ(found[i], digests[i], made, own, how.depth))
             if (same := next(equal, None)) is None:
                 found.append(made)
+                digests.append(own)
             else:
                 found[same] = _joined(found[same], made)
     return [replace(found[0], groups=found[0].groups + bare), *found[1:]]
+
+
+def _do_places_differ(
+    known: PlacedTexture, digest: Digest | None, made: PlacedTexture, own: Digest | None, depth: int
+) -> bool:
+    """Return whether the pictures of two places differ; digests show most differences in a fraction of the time."""
+    if digest is not None and own is not None and digest.differ(own, depth):
+        return True
+    return do_pictures_differ(known.filled, made.filled, depth)
 
 
 def _joined(known: PlacedTexture, other: PlacedTexture) -> PlacedTexture:

@@ -8,10 +8,10 @@ from typing import Any, NoReturn
 import numpy as np
 
 from warpsample.host.extras import REFUSED
+from warpsample.texture.uv.charts import find_longest_edges, find_wide
 
 _TRIES = 12
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
-_NARROW = 1e-4  # of the longest edge: narrower faces are left out if they spoil charts
 _STRETCHED = 4.0  # longer than in space: such a face is spoiled, as xatlas stretches edges by less than 1.5
 _alive: list[Any] = []  # all atlases: destroying one can wait forever for a thread of xatlas
 
@@ -71,7 +71,7 @@ def _packed(
         if not side:
             raise ValueError("mesh: got only faces without an area, want at least one face with an area")
         if not wanted and isinstance(kept[0], slice) and _is_spoiled(parts, atlas):
-            wide = [_find_wide(*part) for part in parts]
+            wide = [np.flatnonzero(find_wide(vertices[faces])) for vertices, faces in parts]
             if any(0 < len(rows) < len(faces) for rows, (_, faces) in zip(wide, parts, strict=True)):
                 kept = [rows if len(rows) else slice(None) for rows in wide]
                 continue
@@ -87,23 +87,10 @@ def _is_spoiled(parts: list[tuple[np.ndarray, np.ndarray]], atlas: Any) -> bool:
     """Return whether a face is far longer in the image than in space."""
     for i, (vertices, faces) in enumerate(parts):
         _, corners, uv = atlas.get_mesh(i)
-        texels = _longest_edges(uv[corners] * np.float32([atlas.width, atlas.height]))
-        if (texels > _STRETCHED * atlas.texels_per_unit * _longest_edges(vertices[faces])).any():
+        texels = find_longest_edges(uv[corners] * np.float32([atlas.width, atlas.height]))
+        if (texels > _STRETCHED * atlas.texels_per_unit * find_longest_edges(vertices[faces])).any():
             return True
     return False
-
-
-def _find_wide(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """Return the rows of the faces that are no slivers."""
-    corners = vertices[faces].astype(np.float64)
-    longest = _longest_edges(corners)
-    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    return np.flatnonzero(areas >= _NARROW * longest**2)
-
-
-def _longest_edges(corners: np.ndarray) -> np.ndarray:
-    """Return the longest edge of each face, (F,), for corners (F, 3, k)."""
-    return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).max(axis=1)
 
 
 def _add_left_out(

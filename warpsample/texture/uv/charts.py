@@ -4,6 +4,8 @@ import numpy as np
 
 from warpsample.host.locks import imported
 
+_NARROW = 1e-4  # of the longest edge: narrower faces are slivers
+
 
 def label_charts(corners: np.ndarray) -> np.ndarray:
     """Return the number of each face's UV chart, (F,) int32: faces that share corners in the texture form a chart.
@@ -22,6 +24,19 @@ def label_charts(corners: np.ndarray) -> np.ndarray:
     links = sparse.coo_array((np.ones(2 * len(a), np.bool_), (np.r_[a, b], np.r_[b, c])), (count, count))
     _, chart = imported("scipy.sparse.csgraph").connected_components(links, directed=False)
     return chart[a].astype(np.int32)
+
+
+def find_wide(corners: np.ndarray) -> np.ndarray:
+    """Return the mask of faces (F, 3, 3) that are no slivers: at least 1/10,000 as wide as their longest edge is long."""
+    corners = corners.astype(np.float64)
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    longest = find_longest_edges(corners)
+    return (areas >= _NARROW * longest**2) & (longest > 0.0)
+
+
+def find_longest_edges(corners: np.ndarray) -> np.ndarray:
+    """Return the length of the longest edge of each face, (F,), for corners (F, 3, k)."""
+    return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).max(axis=1)
 
 
 def label_closed(faces: np.ndarray) -> np.ndarray:

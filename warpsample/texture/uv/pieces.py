@@ -63,9 +63,16 @@ def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
     return found
 
 
-def join_charts(pieces: list[Piece], charts: list[MeshCharts], part: int) -> MeshCharts:
-    """Return the charts of the mesh of number `part` from the charts of all pieces."""
-    own = [(piece, chart) for piece, chart in zip(pieces, charts, strict=True) if piece.part == part]
+def join_charts(pieces: list[Piece], charts: list[MeshCharts], count: int) -> list[MeshCharts]:
+    """Return the charts of `count` meshes from the charts of all pieces."""
+    found: list[list[tuple[Piece, MeshCharts]]] = [[] for _ in range(count)]
+    for piece, chart in zip(pieces, charts, strict=True):
+        found[piece.part].append((piece, chart))
+    return [_join(own) for own in found]
+
+
+def _join(own: list[tuple[Piece, MeshCharts]]) -> MeshCharts:
+    """Return the charts of a mesh from its pieces and their charts."""
     faces, first = np.empty((sum(len(piece.rows) for piece, _ in own), 3), np.uint32), 0
     for piece, (old, corners, _) in own:
         faces[piece.rows] = corners + first

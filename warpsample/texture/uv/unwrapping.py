@@ -34,9 +34,9 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
 
     Returns:
         the mesh with vertices split at the borders of charts, and the same faces in the same order; and (F, 3, 2) float64
-        coordinates from 0 to 1, v downward. A face without an area has equal coordinates at its three corners. If xatlas
-        gives slivers huge charts, faces narrower than 1/10,000 of their longest edge have the coordinates of a neighbour's
-        corner.
+        coordinates from 0 to 1, v downward. A face without an area in float32 has equal coordinates at its three corners.
+        If xatlas gives slivers huge charts, faces narrower than 1/10,000 of their longest edge have the coordinates of a
+        neighbour's corner.
 
     Raises:
         TypeError, ValueError: an argument is invalid, xatlas fails on the mesh, or the image is too small for the charts.
@@ -70,7 +70,7 @@ def unwrap_meshes(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding
     made = _run(given, size, padding)
     share = made["share"]
     charts = [(made[f"old{i}"], made[f"f{i}"], made[f"uv{i}"].astype(np.float64) * share) for i in range(len(pieces))]
-    return [join_charts(pieces, charts, part) for part in range(len(parts))]
+    return join_charts(pieces, charts, len(parts))
 
 
 def _run(given: dict[str, np.ndarray], size: int, padding: int) -> Any:
