@@ -9,7 +9,7 @@ import trimesh
 import warpsample as ws
 from warpsample.texture.jobs import square_side
 from warpsample.texture.uv import unwrapping
-from warpsample.texture.uv.charts import label_charts
+from warpsample.texture.uv.charts import find_wide, label_charts
 from warpsample.texture.uv.pieces import divide_meshes
 
 SPHERE = trimesh.creation.icosphere(3)
@@ -90,13 +90,13 @@ def test_slivers_by_rounding_do_not_set_the_scale(width):
     assert density.max() / density.min() < 3.0
 
 
-def panels(decimals):
-    """Twelve roof panels of 3 x 2 in any direction: fans of triangles over vertices along their edges, as of CAD."""
+def panels(decimals, size=(3, 2)):
+    """Twelve roof panels in any direction: fans of triangles over vertices along their edges, as CAD writes them."""
     random, panels = np.random.default_rng(1), []
     for _ in range(12):
         along = np.arange(3) / 3
         border = [(along, 0 * along), (1 + 0 * along, along), (1 - along, 1 + 0 * along), (0 * along, 1 - along)]
-        flat = np.concatenate([np.column_stack(side) for side in border]) * (3, 2)
+        flat = np.concatenate([np.column_stack(side) for side in border]) * size
         turn = np.linalg.qr(random.normal(size=(3, 3)))[0]
         panels.append(np.round(flat @ turn[:2] + 5 * random.normal(size=3), decimals))
     fan = np.array([(0, i, i + 1) for i in range(1, 11)])
@@ -119,6 +119,63 @@ def test_slivers_do_not_take_the_picture(decimals):
     for face in left:  # faces left out show a texel of a neighbour
         touching = np.isin(mesh.faces[wide], mesh.faces[face]).any(axis=1)
         assert (np.abs(uv[wide[touching]] - uv[face, 0]).max(axis=2) == 0).any()
+
+
+def test_long_slivers_shrink_no_charts():
+    """Charts of slivers two or three times as long as a strip of 20 x 1 had left 0.22 of the texels."""
+    mesh = panels(6, (20, 1))
+    wide = ws.Mesh(mesh.vertices, mesh.faces[find_wide(mesh.vertices[mesh.faces])])
+    covered = [ws.texture_points(*ws.unwrap(one, 512), 512).report.covered for one in (mesh, wide)]
+    assert len(wide.faces) < len(mesh.faces)
+    assert covered[0] > 0.9 * covered[1]
+
+
+@pytest.mark.parametrize("first", [0, 1])
+@pytest.mark.parametrize("kind", ["cable", "slivers", "point"])
+def test_slivers_of_other_meshes_shrink_no_charts_either(first, kind):
+    """A first mesh of slivers alone had ended with "operands could not be broadcast" or "want a larger image"."""
+    mesh = panels(4)
+    turns = np.linspace(0, 2 * np.pi, 8, endpoint=False)
+    ends = [np.column_stack([1e-4 * np.cos(turns), 1e-4 * np.sin(turns), np.full(8, z)]) for z in (0.0, 5.0)]
+    around = [face for i in range(8) for face in [(i, (i + 1) % 8, 8 + i), ((i + 1) % 8, 8 + (i + 1) % 8, 8 + i)]]
+    slivers = mesh.faces[~find_wide(mesh.vertices[mesh.faces])]
+    cases = {"cable": (np.concatenate(ends), np.array(around)), "slivers": (mesh.vertices, slivers)}
+    cases["point"] = np.ones((3, 3)), np.array([[0, 1, 2]])
+    parts = [(mesh.vertices, mesh.faces)]
+    parts.insert(first, cases[kind])
+    made = unwrapping.unwrap_meshes(parts, 512, 4)
+    for (vertices, faces), (old, corners, uv) in zip(parts, made, strict=True):
+        assert np.array_equal(vertices[old][corners], vertices[faces])
+        assert ((uv >= 0) & (uv <= 1)).all()
+    uv = made[1 - first][2][made[1 - first][1]]
+    first, second = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
+    assert 0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]).sum() > 0.3
+
+
+@pytest.mark.parametrize(("count", "size"), [(500, 1024), (500, 900)])
+def test_many_equal_charts_fit(count, size):
+    """Charts have whole texels, so that a slightly smaller scale changed nothing: the size was refused after 12 tries."""
+    box = trimesh.creation.box()
+    places = np.array([(2.0 * (i % 30), 0, 2.0 * (i // 30)) for i in range(count)])
+    vertices = (box.vertices + places[:, None]).reshape(-1, 3)
+    faces = (box.faces + 8 * np.arange(count)[:, None, None]).reshape(-1, 3)
+    split, uv = ws.unwrap(ws.Mesh(vertices, faces), size)
+    report = ws.texture_points(split, uv, size).report
+    assert (report.overlapped, report.zero_area) == (0, 0)
+
+
+def test_a_rope_is_no_sliver_by_rounding():
+    """Its faces had the coordinates of a corner of the floor, because a screw has charts rounded up to whole texels."""
+    turns = np.linspace(0, 2 * np.pi, 6, endpoint=False)
+    ends = [np.column_stack([4e-3 * np.cos(turns), np.full(6, z), 3 + 4e-3 * np.sin(turns)]) for z in (0.0, 60.0)]
+    around = [face for i in range(6) for face in [(i, 6 + i, (i + 1) % 6), ((i + 1) % 6, 6 + i, 6 + (i + 1) % 6)]]
+    floor = trimesh.creation.box((20, 60, 1))
+    screw = trimesh.creation.box((0.01, 0.01, 0.01))
+    screw.apply_translation((5, 0, 4))
+    rope = trimesh.Trimesh(np.concatenate(ends), around, process=False)
+    whole = trimesh.util.concatenate([floor, screw, rope])
+    uv = ws.unwrap(ws.as_mesh(whole), 1024)[1]
+    assert not (uv[-12:] == uv[-12:, :1]).all(axis=(1, 2)).any()
 
 
 def test_a_mesh_of_slivers_alone_is_unwrapped():

@@ -16,7 +16,7 @@ from warpsample.tracing.trace_all import trace_all
 _RAYS = 3  # two rays per point, and a third one where the first two disagree
 _SEED = seed_for("inside", 0)
 _CELLS = 64  # cells of the grid along each axis: 2^18 counts
-_BLOCK = 1 << 16  # points whose hits are held in memory at a time
+_BLOCK = 1 << 13  # points whose hits are held in memory at a time: 100 bytes each, and up to thousands per point
 _FLAT = 1e-12  # of the sum of absolute parts of a volume: with less, as between the sides of a sheet, it is rounding
 _WITHIN = 1e-6  # least corner weight of a point in the interior of its face; points on an edge have a weight near 0
 

@@ -28,7 +28,8 @@ class Digest:
         sums: (C, B) sums of values.
         unbiased: (B,) sums of unbiased variances.
         raised: (B,) sums of variances that are above 0 where all rays agree.
-        block: (n,) number of the block of each of some texels.
+        texel: (n,) positions of some texels in the picture.
+        block: (n,) number of the block of each.
         values: (C, n) their values.
         variance: (n,) their variances, above 0 where all rays agree.
         largest: largest absolute value, or None for vectors.
@@ -40,6 +41,7 @@ class Digest:
     sums: np.ndarray
     unbiased: np.ndarray
     raised: np.ndarray
+    texel: np.ndarray
     block: np.ndarray
     values: np.ndarray
     variance: np.ndarray
@@ -59,7 +61,7 @@ class Digest:
         sums = np.stack([np.bincount(block, channel) for channel in value])
         some = slice(None, None, -(-len(block) // _LOOKED_AT))
         count, variances = np.bincount(block), [np.bincount(block, variance) for variance in (unbiased, raised)]
-        texels = block[some], value[:, some].copy(), raised[some].copy()
+        texels = np.flatnonzero(covered)[some], block[some], value[:, some].copy(), raised[some].copy()
         is_own = np.bincount(block, own) == count
         return cls(count, is_own, int(own.sum()), sums, *variances, *texels, _find_largest(filled.value))
 
@@ -68,7 +70,7 @@ class Digest:
 
         Blocks with filled texels are left out, and mean variances are not below those of the rules.
         """
-        if not np.array_equal(self.count, other.count):
+        if not (np.array_equal(self.count, other.count) and np.array_equal(self.texel, other.texel)):
             return False
         level, is_own, most = _level_of(self.largest, depth), self.is_own & other.is_own, max(self.most, other.most)
         raised, unbiased = self.raised + other.raised, self.unbiased + other.unbiased

@@ -2,17 +2,20 @@
 
 import os
 import sys
+from collections.abc import Iterator
 from io import BytesIO
 from typing import Any, NoReturn
 
 import numpy as np
 
 from warpsample.host.extras import REFUSED
-from warpsample.texture.uv.charts import find_longest_edges, find_wide
+from warpsample.texture.uv.charts import find_longest_edges, find_wide, label_charts
 
 _TRIES = 12
+_LARGER_STEPS = 8  # further tries with larger and larger steps: many equal charts, of whole texels, do not shrink otherwise
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
-_STRETCHED = 4.0  # longer than in space: such a face is spoiled, as xatlas stretches edges by less than 1.5
+_STRETCHED = 1.5  # longer than in space: faces of flat charts are not stretched, and those of curved ones by up to 1.4
+_ROUNDED = 4.0  # texels: charts are rounded up to whole texels
 _alive: list[Any] = []  # all atlases: destroying one can wait forever for a thread of xatlas
 
 
@@ -30,9 +33,9 @@ def main(size: int, padding: int) -> NoReturn:
     except ValueError as error:
         _answer(str(error).encode(), REFUSED)
     arrays = {"share": share}
-    for i in range(len(parts)):
-        old, faces, uv = _add_left_out(parts[i][1], kept[i], *atlas.get_mesh(i))
-        arrays |= {f"old{i}": old, f"f{i}": faces, f"uv{i}": uv}
+    for i, ((_, faces), rows, made) in enumerate(zip(parts, kept, _read_meshes(atlas, kept), strict=True)):
+        old, corners, uv = _add_left_out(faces, rows, *made)
+        arrays |= {f"old{i}": old, f"f{i}": corners, f"uv{i}": uv}
     stream = BytesIO()
     np.savez(stream, **arrays)
     _answer(stream.getvalue(), 0)
@@ -45,67 +48,92 @@ def _answer(content: bytes, status: int) -> NoReturn:
     os._exit(status)
 
 
-def _packed(
-    parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int
-) -> tuple[np.ndarray, Any, list[np.ndarray | slice]]:
+def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> tuple[np.ndarray, Any, list[np.ndarray]]:
     """Pack the charts of all meshes into one image with xatlas.
 
     xatlas makes an image of only about the requested size. So charts are packed with fewer and fewer texels per unit of
-    length, until all charts fit. If slivers by rounding have huge charts, they are left out, and packing starts again.
+    length, until all charts fit. If slivers by rounding have huge charts, they are left out, and packing starts again: first
+    without slivers that are connected to other faces, then without any.
 
     Returns:
         used fractions of width and height, the atlas, and for each mesh the rows of the faces in the atlas.
     """
     import xatlas
 
-    wanted, kept = 0.0, [slice(None) for _ in parts]
-    for _ in range(_TRIES):
+    wanted, slack, choices = 0.0, _SLACK, list(_list_choices(parts))
+    left_out = len(choices) - 1
+    for attempt in range(left_out + _TRIES + _LARGER_STEPS):
         atlas = xatlas.Atlas()
         _alive.append(atlas)
-        for (vertices, faces), rows in zip(parts, kept, strict=True):
-            atlas.add_mesh(vertices, faces[rows])
+        for (vertices, faces), rows in zip(parts, choices[0], strict=True):
+            if len(rows):
+                atlas.add_mesh(vertices, faces[rows])
         options = xatlas.PackOptions()
         options.resolution, options.texels_per_unit, options.padding = 0 if wanted else size, wanted, padding
         atlas.generate(pack_options=options)
         side = max(atlas.width, atlas.height)
         if not side:
             raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-        if not wanted and isinstance(kept[0], slice) and _is_spoiled(parts, atlas):
-            wide = [np.flatnonzero(find_wide(vertices[faces])) for vertices, faces in parts]
-            if any(0 < len(rows) < len(faces) for rows, (_, faces) in zip(wide, parts, strict=True)):
-                kept = [rows if len(rows) else slice(None) for rows in wide]
-                continue
+        if not wanted and len(choices) > 1 and _is_spoiled(parts, choices[0], atlas):
+            del choices[0]
+            continue
         if side <= size:
-            return np.array((atlas.width, atlas.height)) / size, atlas, kept
-        wanted = atlas.texels_per_unit * _SLACK * size / side
+            return np.array((atlas.width, atlas.height)) / size, atlas, choices[0]
+        slack = _SLACK if attempt < left_out + _TRIES else slack**2
+        wanted = atlas.texels_per_unit * slack * size / side
     raise ValueError(
         f"size: got {size}, want a larger image: {atlas.chart_count:,} charts, {padding} texels apart, take {side} texels"
     )
 
 
-def _is_spoiled(parts: list[tuple[np.ndarray, np.ndarray]], atlas: Any) -> bool:
-    """Return whether a face is far longer in the image than in space."""
-    for i, (vertices, faces) in enumerate(parts):
-        _, corners, uv = atlas.get_mesh(i)
+def _list_choices(parts: list[tuple[np.ndarray, np.ndarray]]) -> Iterator[list[np.ndarray]]:
+    """Yield rows of faces to give to xatlas: all; without slivers connected to other faces; and without any slivers."""
+    wide = [find_wide(vertices[faces]) for vertices, faces in parts]
+    yield [np.arange(len(own)) for own in wide]
+    if all(own.all() for own in wide) or not any(own.any() for own in wide):
+        return
+    kept = []
+    for (vertices, faces), own in zip(parts, wide, strict=True):
+        label = label_charts(vertices[faces].astype(np.float64))
+        kept.append(np.flatnonzero(own | (np.bincount(label, own) == 0)[label]))
+    yield kept
+    yield [np.flatnonzero(own) for own in wide]
+
+
+def _read_meshes(atlas: Any, kept: list[np.ndarray]) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Yield the old vertices, the corners and the coordinates of each mesh; empty for a mesh without faces in the atlas."""
+    number = 0
+    for rows in kept:
+        if len(rows):
+            yield atlas.get_mesh(number)
+            number += 1
+        else:
+            yield np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32), np.zeros((0, 2), np.float32)
+
+
+def _is_spoiled(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], atlas: Any) -> bool:
+    """Return whether a sliver is longer in the image than in space, by more than charts are rounded up to whole texels."""
+    for (vertices, faces), rows, (_, corners, uv) in zip(parts, kept, _read_meshes(atlas, kept), strict=True):
         texels = find_longest_edges(uv[corners] * np.float32([atlas.width, atlas.height]))
-        if (texels > _STRETCHED * atlas.texels_per_unit * find_longest_edges(vertices[faces])).any():
+        expected = atlas.texels_per_unit * find_longest_edges(vertices[faces[rows]])
+        if ((texels > _STRETCHED * expected + _ROUNDED) & ~find_wide(vertices[faces[rows]])).any():
             return True
     return False
 
 
 def _add_left_out(
-    faces: np.ndarray, kept: np.ndarray | slice, old: np.ndarray, corners: np.ndarray, uv: np.ndarray
+    faces: np.ndarray, kept: np.ndarray, old: np.ndarray, corners: np.ndarray, uv: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return charts of all faces of a mesh: faces left out have the coordinates of one of their vertices at all corners."""
+    """Return charts of all faces of a mesh: a face left out has the coordinates of one of its vertices, or 0."""
     left = np.ones(len(faces), np.bool_)
     left[kept] = False
     if not left.any():
         return old, corners, uv
-    place = np.full(int(max(faces.max(), old.max(initial=0))) + 1, -1)
-    place[old] = np.arange(len(old))
+    place = np.zeros(int(faces.max()) + 1, np.int64)
+    place[old] = 1 + np.arange(len(old))
     at = place[faces[left]].max(axis=1)  # any vertex that another face shares
-    own = np.where((at >= 0)[:, None], uv[np.maximum(at, 0)], np.float32(0.0)) if len(uv) else np.zeros((len(at), 2), "f4")
-    whole = np.empty((len(faces), 3), corners.dtype)
+    own = np.concatenate([np.zeros((1, 2), np.float32), uv])[at]
+    whole = np.empty((len(faces), 3), np.uint32)
     whole[~left] = corners
     whole[left] = len(old) + np.arange(3 * len(at)).reshape(-1, 3)
     return np.concatenate([old, faces[left].ravel()]), whole, np.concatenate([uv, np.repeat(own, 3, axis=0)])
