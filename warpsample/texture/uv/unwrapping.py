@@ -23,8 +23,8 @@ _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.texture.uv impor
 def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.ndarray]:
     """Compute new texture coordinates for a mesh: charts side by side in one square image, by xatlas.
 
-    Charts do not overlap, but on rough terrain xatlas may fold a chart: up to 0.05 % of the texels then lie in two faces.
-    `texture_points(...).report` counts them.
+    Charts do not overlap, but on rough terrain xatlas may fold a chart: up to 0.05 % of the texels then lie in two faces, or
+    0.12 % where vertices lie along edges, too. `texture_points(...).report` counts them.
 
     Args:
         mesh: a Mesh, or anything that `as_mesh` accepts.
