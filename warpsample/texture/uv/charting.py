@@ -60,12 +60,12 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     """
     import xatlas
 
-    wanted, slack, choices = 0.0, _SLACK, list(_list_choices(parts))
-    left_out = len(choices) - 1
-    for attempt in range(left_out + _TRIES + _LARGER_STEPS):
+    choices = _list_choices(parts)
+    wanted, slack, tries, kept = 0.0, _SLACK, 0, next(choices)
+    while tries < _TRIES + _LARGER_STEPS:
         atlas = xatlas.Atlas()
         _alive.append(atlas)
-        for (vertices, faces), rows in zip(parts, choices[0], strict=True):
+        for (vertices, faces), rows in zip(parts, kept, strict=True):
             if len(rows):
                 atlas.add_mesh(vertices, faces[rows])
         options = xatlas.PackOptions()
@@ -74,12 +74,13 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
         side = max(atlas.width, atlas.height)
         if not side:
             raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-        if not wanted and len(choices) > 1 and _is_spoiled(parts, choices[0], atlas):
-            del choices[0]
+        if not wanted and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
+            kept = fewer
             continue
         if side <= size:
-            return np.array((atlas.width, atlas.height)) / size, atlas, choices[0]
-        slack = _SLACK if attempt < left_out + _TRIES else slack**2
+            return np.array((atlas.width, atlas.height)) / size, atlas, kept
+        tries += 1
+        slack = _SLACK if tries <= _TRIES else slack**2
         wanted = atlas.texels_per_unit * slack * size / side
     raise ValueError(
         f"size: got {size}, want a larger image: {atlas.chart_count:,} charts, {padding} texels apart, take {side} texels"
