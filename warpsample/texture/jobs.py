@@ -15,8 +15,9 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, convert_read_errors
 from warpsample.texture.high import average_normals
 from warpsample.texture.materials import OCCLUSION, Slot, name_group
-from warpsample.texture.notes import join_names
+from warpsample.texture.notes import describe_coarse_texels, join_names
 from warpsample.texture.primitives import Primitive, group_by_material, is_flat, list_primitives, visible_primitives
+from warpsample.texture.report import TextureReport
 from warpsample.texture.sets import Texels, TextureOptions
 from warpsample.texture.texture_points import TexturePoints
 from warpsample.texture.uv.new_uv import add_uv, charts_for
@@ -42,26 +43,38 @@ class TextureJob:
 
     Attributes:
         name: name of the material, or of the file.
-        points: texels as points on the mesh.
+        points_at: function that returns the texels of the primitives at one place as points on the mesh.
+        report: report on the coordinates at the first place.
+        count: number of points there.
+        coarse: warning about texels that are too small for the rays, or None.
         set: number of the set of texture coordinates; for new coordinates, the number that the set gets.
         coordinates: description of the coordinates, and of sets of the file that are not used.
         group: primitives that show the image; empty for an image of a whole file.
-        remake: function that returns the texels of the same primitives at other places.
     """
 
     name: str
-    points: TexturePoints
+    points_at: Callable[[list[Primitive]], TexturePoints]
+    report: TextureReport
+    count: int
+    coarse: str | None
     set: int
     coordinates: str
     group: list[Primitive]
-    remake: Callable[[list[Primitive]], TexturePoints] | None = None
+
+    @property
+    def places(self) -> int:
+        """Number of places of the mesh in the scene."""
+        return 1 + max((len(one.others) for one in self.group), default=0)
+
+    def make_points(self) -> TexturePoints:
+        """Compute the texels as points on the mesh; hold them for one image at a time, since they take much memory."""
+        return self.points_at(self.group)
 
     def at_other_places(self) -> Iterator["TextureJob"]:
         """Yield a copy of this job for each further place of its mesh in the scene."""
-        for place in range(max((len(one.others) for one in self.group), default=0)):
+        for place in range(self.places - 1):
             group = [one.others[place] for one in self.group if place < len(one.others)]
-            assert self.remake is not None
-            yield replace(self, name=f"{self.name}, place {place + 2}", points=self.remake(group), group=group)
+            yield replace(self, name=f"{self.name}, place {place + 2}", group=group)
 
     def convert_lengths(
         self, lengths: np.ndarray, directions: np.ndarray, face: np.ndarray, weights: np.ndarray
@@ -77,7 +90,7 @@ class TextureJob:
 
 
 def plan_jobs(
-    path: Path, mesh: Mesh, how: TextureOptions, output: str, slot: Slot
+    path: Path, mesh: Mesh, how: TextureOptions, output: str, *, slot: Slot, traced: Mesh
 ) -> tuple[list[TextureJob], GlbFile | None]:
     """List all images to bake for an output file; for a .glb or .gltf, also return the scene with new coordinates.
 
@@ -89,22 +102,24 @@ def plan_jobs(
         how: options of the texture.
         output: suffix of the output file.
         slot: place of the image in a material.
+        traced: mesh that the rays are traced against.
 
     Raises:
         ValueError: the coordinates cannot be used, or have flaws and `how.strict` is set.
     """
     jobs, file = (
-        _plan_scene_jobs(path, mesh, how, slot) if output in SCENES else ([_plan_file_job(path, mesh, how, output)], None)
+        _plan_scene_jobs(path, mesh, how, slot, traced)
+        if output in SCENES
+        else ([_plan_file_job(path, mesh, how, output, traced)], None)
     )
-    flaws = [line for job in jobs for line in describe_flaws(job, _REFUSED)]
+    flaws = [line for job in jobs for line in describe_flaws(job.report, _REFUSED)]
     if how.strict and flaws:
         raise ValueError(f"--strict: got {path.name!r} with {'; '.join(flaws)}")
     return jobs, file
 
 
-def describe_flaws(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Iterator[str]:
+def describe_flaws(report: TextureReport, names: Sequence[str] = tuple(_FLAWS)) -> Iterator[str]:
     """Yield phrases on flaws of the texture coordinates of an image to bake, for example overlapping faces."""
-    report = job.points.report
     for name in names:
         count, parts = getattr(report, name), report.named[name]
         if count:
@@ -112,7 +127,9 @@ def describe_flaws(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Ite
             yield f"{_FLAWS[name]}: {count:,}" + (f" ({join_names(parts[:_MOST_NAMES])}{more})" if any(parts) else "")
 
 
-def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[list[TextureJob], GlbFile]:
+def _plan_scene_jobs(
+    path: Path, mesh: Mesh, how: TextureOptions, slot: Slot, traced: Mesh
+) -> tuple[list[TextureJob], GlbFile]:
     """List an image to bake for each group of primitives that share materials; also return the edited scene."""
     with convert_read_errors(path):
         file = GlbFile(path)
@@ -138,21 +155,25 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
             charts = charts_for(faced, mesh, square_side(how.size, found.passed))
             with convert_read_errors(path):
                 number, uv = add_uv(file, faced, charts)
-            remake = partial(_make_points_by_new_uv, texels, uv, faced)
+            points_at = partial(_make_points_by_new_uv, texels, uv, faced)
             label = found.describe(f"new coordinates, set {number}")
-            visible = [(one.faces, own) for one, own in zip(faced, uv, strict=True) if not is_flat(mesh, [one])]
-            jobs.append(TextureJob(name, texels.points(visible), number, label, faced, remake))
+            jobs.append(TextureJob(name, points_at, *_look_at(points_at(faced), traced), number, label, faced))
         else:
             own = f"TEXCOORD_{found.number}"
             able = [one for one in group if own in one.part.part("attributes")]  # flat primitives may lack the set
-            remake = partial(_make_points_by_set, texels, found.number)
-            jobs.append(TextureJob(name, found.points, found.number, found.describe(f"set {found.number}"), able, remake))
+            points_at, label = partial(_make_points_by_set, texels, found.number), found.describe(f"set {found.number}")
+            jobs.append(TextureJob(name, points_at, *_look_at(found.points, traced), found.number, label, able))
     return jobs, file
+
+
+def _look_at(points: TexturePoints, traced: Mesh) -> tuple[TextureReport, int, str | None]:
+    """Return the fields `report`, `count` and `coarse` of a texture to compute."""
+    return points.report, len(points), describe_coarse_texels(points, traced)
 
 
 def _make_points_by_set(texels: Texels, number: int, group: list[Primitive]) -> TexturePoints:
     """Return the texels of glTF primitives as points, by the file's set of texture coordinates `number`."""
-    return texels.points_by_set(number, [one.faces for one in group])
+    return texels.points_by_set(number, [one.faces for one in group if not is_flat(texels.mesh, [one])])
 
 
 def _make_points_by_new_uv(
@@ -160,7 +181,7 @@ def _make_points_by_new_uv(
 ) -> TexturePoints:
     """Return the texels of primitives at another place, by texture coordinates computed at their first place."""
     known = {(one.mesh, one.number): (one, own) for one, own in zip(first, uv, strict=True)}
-    found = [(one, *known[one.mesh, one.number]) for one in group]
+    found = [(one, *known[one.mesh, one.number]) for one in group if not is_flat(texels.mesh, [one])]
     parts = [(one.faces, own if one.mirrored == source.mirrored else own[:, ::-1]) for one, source, own in found]
     return texels.points(parts)
 
@@ -175,20 +196,24 @@ def _groups_with_slot(file: GlbFile, mesh: Mesh, slot: Slot) -> Iterator[list[Pr
             yield group
 
 
-def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
+def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str, traced: Mesh) -> TextureJob:
     """Return the single image to bake for all faces of a file that is no scene."""
     with convert_read_errors(path):
         texels, rows = Texels(path, mesh, how, _read_corner_normals(path, mesh, how)), [slice(0, len(mesh.faces))]
     found = texels.choose_set(rows, path.name, lenient=output != ".npz")
     if found.points is not None:
-        return TextureJob(path.name, found.points, found.number, found.describe(f"set {found.number}"), [])
+        number, label = found.number, found.describe(f"set {found.number}")
+        return TextureJob(
+            path.name, lambda _: texels.points_by_set(number, rows), *_look_at(found.points, traced), number, label, []
+        )
     if output != ".npz":
         raise ValueError(
             f"--output: got a {output} for {path.name!r} {found.describe('without texture coordinates that can be used')}, "
             "want .npz, which holds new ones, or .glb for a glTF file"
         )
     uv = unwrap(mesh, square_side(how.size, found.passed), padding=PADDING)[1]
-    return TextureJob(path.name, texels.points([(rows[0], uv)]), 0, found.describe("new coordinates"), [])
+    points, label = texels.points([(rows[0], uv)]), found.describe("new coordinates")
+    return TextureJob(path.name, lambda _: texels.points([(rows[0], uv)]), *_look_at(points, traced), 0, label, [])
 
 
 def _read_corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndarray | None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from warpsample.mesh.mesh import Mesh
+from warpsample.texture.uv.charts import find_wide
 
 _OUTSIDE = 1e-6  # of the image: tolerance for coordinates 0 and 1 rounded to float32
 _FLAT = 2.0**-48  # of the product of two edge lengths: a smaller area is rounding error (16 float64 epsilons)
@@ -22,7 +23,8 @@ class TextureReport:
         overlapped: number of texels in which two or more faces overlap within 0.001 texels of the centre. Such a texel shows
             the face of the lowest number.
         outside: number of faces partly or wholly outside the image. The part outside has no texels.
-        zero_area: number of faces without an area in the image, which have no texels.
+        zero_area: number of faces without an area in the image, which have no texels. Faces less than 1/10,000 as wide as
+            their longest edge in space do not count.
         mirrored: number of faces mirrored in the image, which is no flaw.
         without_uv: number of faces with coordinates that are not finite, which have no texels.
         squeezed: number of faces narrower than a texel in the image that would be wider than eight texels at the scale of
@@ -55,6 +57,14 @@ def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
         "mirrored": finite & ~flat & (area > 0.0),  # v points down
         "without_uv": ~finite,
     }
+
+
+def find_lost_faces(mesh: Mesh, faces: np.ndarray | None, flat: np.ndarray) -> np.ndarray:
+    """Return the mask of the faces in the mask `flat`, (R,), that are no slivers in space; `faces` are their numbers."""
+    rows = np.flatnonzero(flat)
+    lost = np.zeros(len(flat), np.bool_)
+    lost[rows] = find_wide(mesh.vertices[mesh.faces[rows if faces is None else faces[rows]]])
+    return lost
 
 
 def find_outside_faces(uv: np.ndarray) -> np.ndarray:

@@ -11,10 +11,8 @@ from warpsample.mesh.files import gltf, usd
 from warpsample.mesh.files.text import has_obj_lines
 from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, MissingSetError, find_ply_names, load_uv
 from warpsample.mesh.mesh import Mesh
-from warpsample.texture.report import find_face_flaws
 from warpsample.texture.shading import compute_corner_normals
 from warpsample.texture.texture_points import TexturePoints, place_texels
-from warpsample.texture.uv.charts import find_wide
 
 UV_CHOICES = ("auto", "0", "1", "new")
 
@@ -154,7 +152,7 @@ class Texels:
                 passed.append(f"set {number} is passed over: {self._unreadable.get(number, why)}")
             if not lacking:
                 found = self.points_by_set(number, rows)
-                why = self._describe_flaw(number, rows, found, may_overlap=number == first)
+                why = self._describe_flaw(number, found, may_overlap=number == first)
                 if why is None:
                     return ChosenSet(number, found, tuple(passed))
                 passed.append(f"set {number} is passed over: {why}")
@@ -162,7 +160,7 @@ class Texels:
                     within = within or ChosenSet(number, found, tuple(passed[:-1]))  # without its own flaw
         return within if lenient and within else ChosenSet(passed=tuple(passed))
 
-    def _describe_flaw(self, number: int, rows: list[slice], found: TexturePoints, *, may_overlap: bool) -> str | None:
+    def _describe_flaw(self, number: int, found: TexturePoints, *, may_overlap: bool) -> str | None:
         """Return why `--uv auto` does not choose a set of texture coordinates, or None if the set can be chosen."""
         report = found.report
         if report.outside:
@@ -174,7 +172,7 @@ class Texels:
             return f"faces overlap in {counts}, and auto accepts none" + (
                 f"; --uv {number} takes it" if str(number) in UV_CHOICES else ""
             )
-        if self._is_flat(number, rows):
+        if report.zero_area:
             return "faces have no area in it"
         if report.squeezed:
             return f"{report.squeezed:,} faces more than eight texels wide on the mesh are less than one wide in it"
@@ -190,13 +188,6 @@ class Texels:
         if uv is None:
             return sum(len(self.mesh.faces[some]) for some in rows)
         return sum(int(np.count_nonzero(~np.isfinite(uv[some]).all(axis=(1, 2)))) for some in rows)
-
-    def _is_flat(self, number: int, rows: Iterable[slice]) -> bool:
-        """Return whether any of the given faces has no area in the image, and is no sliver in space."""
-        uv, mesh = self._read_set(number), self.mesh
-        assert uv is not None
-        flat = (find_face_flaws(uv[some])["zero_area"] & find_wide(mesh.vertices[mesh.faces[some]]) for some in rows)
-        return any(faces.any() for faces in flat)
 
     def points_by_set(self, number: int, rows: list[slice]) -> TexturePoints:
         """Return the texels of some faces as points, by the file's set of texture coordinates `number`."""

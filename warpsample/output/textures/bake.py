@@ -12,8 +12,8 @@ from warpsample.host.files import complete_or_absent, write_arrays
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import quantity_of
 from warpsample.output.run_record import RunRecord
-from warpsample.output.textures.images import Filled, fill_texture
-from warpsample.output.textures.instances import PlacedTexture, describe_places, pictures_of, place_pictures
+from warpsample.output.textures.images import Filled, Images, fill_texture
+from warpsample.output.textures.instances import Encoded, PlacedTexture, describe_places, pictures_of, place_pictures
 from warpsample.output.textures.source import TextureSource
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.inside import Closed
@@ -61,19 +61,31 @@ def bake_texture(source: TextureSource, record: RunRecord) -> str:
 def _compute(source: TextureSource, record: RunRecord) -> list[list[PlacedTexture]]:
     """Compute the images of all textures of a command, for each place of the meshes in the scene."""
     closed = Closed(source.traced)
-    reader = FrameReader(source.run.mesh, source.jobs[0].points.mesh)
+    reader = FrameReader(source.run.mesh, source.mesh)
     fill = partial(
         fill_texture, run=source.run, how=source.how, closed=closed, high=source.high, reader=reader, record=record
     )
-    points = sum(len(job.points) * (1 + max((len(one.others) for one in job.group), default=0)) for job in source.jobs)
+    encode = _keep if source.file is None else partial(_encode, source.run, source.how)
+    points = sum(job.count * job.places for job in source.jobs)
     with record.count(points, f"{source.run.output} is as it was before"):
         try:  # coordinates, normals and tangents are read from the files again
-            found = [pictures_of(job, fill, source.how) for job in source.jobs]
+            found = [pictures_of(job, fill, source.how, encode) for job in source.jobs]
         except (TypeError, ValueError, OSError):
             source.state.check()
             raise
     source.state.check()
     return found
+
+
+def _keep(images: Images) -> Images:
+    """Return images as they are, for a file that holds a single picture."""
+    return images
+
+
+def _encode(run: BakeRun, how: TextureOptions, images: Images) -> Encoded:
+    """Encode the values of a texture as a .png; lengths become fractions of the longest length."""
+    longest = float(images.value.max()) if slot_for_quantity(run.quantity) is THICKNESS else 1.0
+    return Encoded(encode_png(images.value / (longest or 1.0), how.depth), longest)
 
 
 def _refuse_without_values(source: TextureSource, found: list[list[PlacedTexture]]) -> None:
@@ -107,11 +119,12 @@ def _write(source: TextureSource, found: list[list[PlacedTexture]]) -> list[str]
     """Write the pictures into a glTF file or an image; return sentences on replaced textures and rounded positions."""
     if source.file is not None:
         return _write_scene(source.file, source, found)
-    filled = found[0][0].filled
+    images = found[0][0].picture
+    assert isinstance(images, Images)
     with complete_or_absent(source.run.output) as stream:
-        _write_image(stream, source.run, source.how, filled)
-    is_rounded = source.run.output.suffix == ".exr" and filled.value.dtype == np.float64
-    return list(describe_rounding(filled.job.points, filled.value)) if is_rounded else []
+        _write_image(stream, source.run, source.how, images)
+    is_rounded = source.run.output.suffix == ".exr" and images.value.dtype == np.float64
+    return list(describe_rounding(images.points, images.value)) if is_rounded else []
 
 
 def _write_scene(file: GlbFile, source: TextureSource, found: list[list[PlacedTexture]]) -> list[str]:
@@ -121,7 +134,7 @@ def _write_scene(file: GlbFile, source: TextureSource, found: list[list[PlacedTe
     users = find_users(file)
     for row, groups in zip(found, placed, strict=True):
         for number, (picture, group) in reversed(list(enumerate(zip(row, groups, strict=True)))):
-            notes += _add_picture(file, users, picture.filled, group, slot, source.how, is_first=number == 0)
+            notes += _add_picture(file, users, picture, group, slot, source.how, is_first=number == 0)
     notes = list(dict.fromkeys(notes))
     with complete_or_absent(run.output) as stream:
         (file.write if run.output.suffix == ".glb" else file.write_text)(stream)
@@ -129,21 +142,25 @@ def _write_scene(file: GlbFile, source: TextureSource, found: list[list[PlacedTe
 
 
 def _add_picture(
-    file: GlbFile, users: Users, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions, *, is_first: bool
+    file: GlbFile,
+    users: Users,
+    one: PlacedTexture,
+    group: list[Primitive],
+    slot: Slot,
+    how: TextureOptions,
+    *,
+    is_first: bool,
 ) -> Iterator[str]:
-    """Store a computed image in a glTF file as a texture, and return sentences on textures that it replaces.
-
-    Lengths become fractions of the longest length, in units of the primitives.
-    """
-    info: dict[str, Any] = {"texCoord": one.job.set} if one.job.set else {}
+    """Store a picture in a glTF file as a texture, and return sentences on textures that it replaces."""
+    assert isinstance(one.picture, Encoded)
+    set = one.filled.job.set
+    info: dict[str, Any] = {"texCoord": set} if set else {}
     info |= {"strength": how.strength} if how.strength != 1.0 else {}
-    longest = float(one.value.max()) if slot is THICKNESS else 1.0
-    more = {"thicknessFactor": longest} if slot is THICKNESS else {}
-    png = encode_png(one.value / (longest or 1.0), how.depth)
-    return add_texture(file, users, group, png, slot, is_first=is_first, info=info, more=more)
+    more = {"thicknessFactor": one.picture.longest} if slot is THICKNESS else {}
+    return add_texture(file, users, group, one.picture.png, slot, is_first=is_first, info=info, more=more)
 
 
-def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Filled) -> None:
+def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Images) -> None:
     """Write an image; an .npz also holds the texture coordinates and the arguments."""
     if run.output.suffix == ".png":
         stream.write(encode_png(found.value, how.depth))
@@ -152,8 +169,8 @@ def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Fil
     else:
         texture = {f"texture_{item.name}": str(getattr(how, item.name)) for item in fields(how)}
         options = {name: str(value) for name, value in quantity_of(run.quantity).recorded_options(run.options).items()}
-        uv = found.job.points.corners / np.array(how.size)
-        arrays = {"value": found.value, "standard_error": found.error, "covered": found.job.points.covered, "uv": uv}
+        uv = found.points.corners / np.array(how.size)
+        arrays = {"value": found.value, "standard_error": found.error, "covered": found.points.covered, "uv": uv}
         write_arrays(stream, {**arrays, "run": np.array(json.dumps(run.recorded | options | texture))})
 
 
@@ -165,11 +182,10 @@ def _count(found: list[list[PlacedTexture]]) -> str:
 
 def _describe_picture(found: Filled) -> Iterator[str]:
     """Yield sentences on a picture: mean, standard error, flaws of the coordinates, and filled points."""
-    job, report = found.job, found.job.points.report
-    known = np.sqrt(np.mean(np.square(found.unbiased[job.points.covered], dtype=np.float64)))
-    numbers = "none with a value" if np.isnan(found.mean) else f"mean {found.mean:.4f}; standard error {known:.2g}"
-    yield f"{job.name!r}, {job.coordinates}: {report.covered:,} texels, {numbers}"
-    yield from describe_flaws(job)
+    job, error = found.job, found.error
+    numbers = "none with a value" if np.isnan(found.mean) else f"mean {found.mean:.4f}; standard error {error:.2g}"
+    yield f"{job.name!r}, {job.coordinates}: {found.report.covered:,} texels, {numbers}"
+    yield from describe_flaws(found.report)
     if found.inside:
         yield f"{found.inside:,} points inside closed bodies, filled from their charts"
     if found.mostly_inside:

@@ -4,10 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from warpsample.output.textures.images import Filled
+from warpsample.output.textures.images import Images
 from warpsample.texture.pictures import WHITE
 
 _BLOCK = 8  # texels along a side
+_HELD = 1 << 30  # bytes of images: those of about 18 pictures of 2048 x 2048 texels, or of 290 of 512 x 512
 _LOOKED_AT = 4096  # texels of a digest
 _FEW = 16  # texels: the errors of fewer texels are too uncertain to be a block's only measure
 _SIGMAS_OF_TEXEL = 5.0  # largest of 20 million differences between equal places: 4.2
@@ -15,6 +16,58 @@ _SIGMAS_OF_BLOCK = 6.0  # of the mean: by chance about one block of 10^9 differs
 _SIGMAS_OF_WHOLE = 4.0  # of the mean over a whole picture, one number: by chance about 1 of 16,000 differs by more
 _RARE = 20.7  # -log(1e-9): by chance the squares of one block of 10^9 add up to more than the bound
 _UNSURE = 1.1  # factor on variances: measured squared differences of equal places are up to 1.02 of the variances
+
+
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """Images of a texture at one place, as far as they are compared with others.
+
+    Attributes:
+        value: (H, W) or (H, W, C) values.
+        noise: errors that come from rays: above 0 where all rays agree, and unbiased.
+        own: (H, W) bool, texels with a value of their own.
+        covered: (H, W) bool, texels with at least one point.
+    """
+
+    value: np.ndarray
+    noise: tuple[np.ndarray, np.ndarray]
+    own: np.ndarray
+    covered: np.ndarray
+
+    @property
+    def nbytes(self) -> int:
+        """Memory of the images, in bytes."""
+        return sum(image.nbytes for image in (self.value, *self.noise, self.own, self.covered))
+
+
+class KnownPictures:
+    """Pictures of places that a new picture is compared with: those added or found last, as many as memory allows.
+
+    A new picture that is equal to an older one counts as different, so it is stored once more.
+    """
+
+    def __init__(self, depth: int) -> None:
+        """Start without pictures; `depth` is the number of bits per channel of a picture."""
+        self._depth, self._count = depth, 0
+        self._held: dict[int, tuple[Compared, Digest | None]] = {}  # by number, the one added or found last at the end
+
+    def find_or_add(self, images: Images) -> int:
+        """Return the number of the first picture that is equal, or the next number if none is, and hold the picture."""
+        made = Compared(images.value, images.noise, images.own, images.points.covered)
+        digest = Digest.of(made)
+        equal = (number for number in sorted(self._held) if not self._differ(*self._held[number], made, digest))
+        number = next(equal, self._count)
+        self._held[number] = self._held.pop(number, (made, digest))
+        self._count = max(self._count, number + 1)
+        while len(self._held) > 1 and sum(one.nbytes for one, _ in self._held.values()) > _HELD:
+            del self._held[next(iter(self._held))]
+        return number
+
+    def _differ(self, known: Compared, digest: "Digest | None", made: Compared, own: "Digest | None") -> bool:
+        """Return whether two pictures differ; digests show most differences in a fraction of the time."""
+        if digest is not None and own is not None and digest.differ(own, self._depth):
+            return True
+        return do_pictures_differ(known, made, self._depth)
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,22 +101,21 @@ class Digest:
     largest: float | None
 
     @classmethod
-    def of(cls, filled: Filled) -> "Digest | None":
+    def of(cls, made: Compared) -> "Digest | None":
         """Return the digest of a picture, or None if no texel has a value of its own."""
-        covered = filled.job.points.covered
-        own = filled.own[covered]
+        covered, own = made.covered, made.own[made.covered]
         if not own.any():
             return None
         block = _number_blocks(covered)
-        images = (filled.value, *filled.noise)
+        images = (made.value, *made.noise)
         value, *errors = (np.nan_to_num(image[covered].reshape(len(block), -1).T.astype(np.float64)) for image in images)
         raised, unbiased = (np.square(error).sum(axis=0) for error in errors)
         sums = np.stack([np.bincount(block, channel) for channel in value])
         some = slice(None, None, -(-len(block) // _LOOKED_AT))
         count, variances = np.bincount(block), [np.bincount(block, variance) for variance in (unbiased, raised)]
-        texels = np.flatnonzero(covered)[some], block[some], value[:, some].copy(), raised[some].copy()
+        texels = (array[..., some].copy() for array in (np.flatnonzero(covered), block, value, raised))
         is_own = np.bincount(block, own) == count
-        return cls(count, is_own, int(own.sum()), sums, *variances, *texels, _find_largest(filled.value))
+        return cls(count, is_own, int(own.sum()), sums, *variances, *texels, _find_largest(made.value))
 
     def differ(self, other: "Digest", depth: int) -> bool:
         """Return whether pictures differ by rule 1 or 3 of `do_pictures_differ`; False leaves the question open.
@@ -82,7 +134,7 @@ class Digest:
         return any(_is_any_block_off(one, unbiased, self.count, unbiased.sum() / most, level) for one in gaps)
 
 
-def do_pictures_differ(known: Filled, other: Filled, depth: int) -> bool:
+def do_pictures_differ(known: Compared, other: Compared, depth: int) -> bool:
     """Return whether two places need pictures of their own.
 
     They do if one of these is larger than standard errors and the rounding of the picture explain:
@@ -105,7 +157,7 @@ def do_pictures_differ(known: Filled, other: Filled, depth: int) -> bool:
         other: Images of the other place.
         depth: Bits per channel of the picture.
     """
-    covered = known.job.points.covered & other.job.points.covered & (known.own | other.own)
+    covered = known.covered & other.covered & (known.own | other.own)
     if not covered.any():
         return False
     block = _number_blocks(covered)

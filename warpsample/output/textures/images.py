@@ -20,26 +20,50 @@ from warpsample.texture.high import HighMesh
 from warpsample.texture.inside import Closed, Enclosed
 from warpsample.texture.jobs import SCENES, TextureJob
 from warpsample.texture.materials import slot_for_quantity
+from warpsample.texture.report import TextureReport
 from warpsample.texture.sets import TextureOptions
 from warpsample.texture.tangents import FrameReader
-from warpsample.texture.texture_points import find_rows
+from warpsample.texture.texture_points import TexturePoints, find_rows
 
 COUNTS = ("inside", "enclosed", "mostly_inside", "missed", "lost")
 """Fields of `Filled` that are counts of points or charts."""
 
 
 @dataclass(frozen=True, eq=False)
-class Filled:
-    """Computed images of one texture, and counts of points without a value of their own.
+class Images:
+    """Computed images of one texture.
 
     Attributes:
-        job: Texture that the images belong to.
         value: (H, W) or (H, W, C) values, float32, or float64 for positions.
         error: Standard errors of the same shape, float32, raised where they ignore geometry that no ray has hit.
         unbiased: Standard errors that are 0 where all rays agree, without a gutter: their squares may be added.
         noise: Errors with which places are compared: the parts of `error` and `unbiased` that come from rays, without the
             spread of several samples within a texel. The whole errors if the texture is not compared.
         own: (H, W) bool, texels with a value of their own, which is no copy of another texel's value.
+        points: Texels as points.
+    """
+
+    value: np.ndarray
+    error: np.ndarray
+    unbiased: np.ndarray
+    noise: tuple[np.ndarray, np.ndarray]
+    own: np.ndarray
+    points: TexturePoints
+
+    @property
+    def known_error(self) -> float:
+        """Root mean square of the unbiased standard errors of the covered texels."""
+        return float(np.sqrt(np.mean(np.square(self.unbiased[self.points.covered], dtype=np.float64))))
+
+
+@dataclass(frozen=True, eq=False)
+class Filled:
+    """Numbers on the computed images of one texture, such as counts of points without a value of their own.
+
+    Attributes:
+        job: Texture that the images belong to.
+        report: Report on its coordinates.
+        error: Root mean square of the standard errors of the texels.
         mean: Mean of the values at the points.
         inside: Number of points inside closed bodies that are filled.
         enclosed: Number of points inside closed bodies that keep their values.
@@ -51,11 +75,8 @@ class Filled:
     """
 
     job: TextureJob
-    value: np.ndarray
-    error: np.ndarray
-    unbiased: np.ndarray
-    noise: tuple[np.ndarray, np.ndarray]
-    own: np.ndarray
+    report: TextureReport
+    error: float
     mean: float
     inside: int
     enclosed: int
@@ -68,6 +89,7 @@ class Filled:
 
 def fill_texture(
     job: TextureJob,
+    points: TexturePoints,
     *,
     is_compared: bool,
     run: BakeRun,
@@ -76,18 +98,19 @@ def fill_texture(
     high: HighMesh | None,
     reader: FrameReader,
     record: RunRecord,
-) -> Filled:
+) -> tuple[Filled, Images]:
     """Compute a quantity at all texels of one texture, and return the images of values and standard errors.
 
-    `is_compared` states whether the picture is compared with those of other places.
+    `points` are the texels of the job, and `is_compared` states whether the picture is compared with those of other places.
     """
-    quantity, points, options = quantity_of(run.quantity), job.points, dict(run.options)
+    quantity, options = quantity_of(run.quantity), dict(run.options)
     if how.samples > 1 and quantity.takes("samples"):
         options["samples"] = max(2, (options.get("samples") or quantity.default("samples")) // how.samples)
     numbers = quantity.numbers(closed.mesh, len(points), options)
     workers = check_workers(options.get("workers"))
     missed, bodies = np.zeros(len(points), np.bool_), Enclosed(closed, points)
-    looks, convert = how.inside == "fill" and quantity.result is not ExactResult, _converter(job, run, quantity, reader)
+    looks = how.inside == "fill" and quantity.result is not ExactResult
+    convert = _converter(job, points, run, quantity, reader)
 
     def of_part(part: SurfacePoints, first: int) -> Any:
         """Compute the quantity at a range of the texels' points, beginning with point number `first`."""
@@ -111,14 +134,15 @@ def fill_texture(
     buried = bodies.find_buried(np.isfinite(value.reshape(len(value), -1)).all(axis=1)) & ~missed
     within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, bodies.inside & ~buried & ~missed, missed))
     value[buried] = np.nan
-    pictures = _images(job, how, value, error, unbiased, runs, is_compared=is_compared)
+    images, mean = _make_images(points, how, value, error, unbiased, runs, is_compared=is_compared)
     charts = bodies.count_mostly_buried(buried)
     counts = {"mostly_inside": charts, "inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
-    return Filled(job, *pictures, **counts, rays=rays, inside_rays=bodies.rays)
+    numbers_of_rays = {"rays": rays, "inside_rays": bodies.rays}
+    return Filled(job, points.report, images.known_error, mean, **counts, **numbers_of_rays), images
 
 
-def _images(
-    job: TextureJob,
+def _make_images(
+    points: TexturePoints,
     how: TextureOptions,
     value: np.ndarray,
     error: np.ndarray,
@@ -126,12 +150,12 @@ def _images(
     runs: list[np.ndarray],
     *,
     is_compared: bool,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, tuple[np.ndarray, np.ndarray], np.ndarray, float]:
-    """Return the fields `value`, `error`, `unbiased`, `noise`, `own` and `mean` of `Filled`.
+) -> tuple[Images, float]:
+    """Return the images of values at points and of their standard errors, and the mean of the values.
 
     `runs` holds, in parts, the light that faces reflect in each of its independent runs; empty without such light.
     """
-    known, texels = np.isfinite(value), job.points.texel_rows
+    known, texels = np.isfinite(value), points.texel_rows
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
     error[~known] = unbiased[~known] = np.nan
     rows = [some.reshape(len(value), -1) for some in (value, error, unbiased)]
@@ -151,19 +175,19 @@ def _images(
     if is_compared and how.samples > 1:
         least, own = texels.ray_errors(*rows)
         noise = fill(least, 0), fill(own, 0)
-    return image, raised, plain, noise, own_texels, mean
+    return Images(image, raised, plain, noise, own_texels, points), mean
 
 
 def _converter(
-    job: TextureJob, run: BakeRun, quantity: Quantity, reader: FrameReader
+    job: TextureJob, points: TexturePoints, run: BakeRun, quantity: Quantity, reader: FrameReader
 ) -> Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
     """Return the function that converts values for the picture, for example to tangent-space normals.
 
     Its arguments are the values, the normals along which they are computed, the faces, and the barycentric weights.
     """
     if slot_for_quantity(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
-        frames = reader.frames(job.points.corners, job.points.faces, job.group)
-        return lambda value, _, face, weights: frames.to_components(value, find_rows(job.points, face), weights)
+        frames = reader.frames(points.corners, points.faces, job.group)
+        return lambda value, _, face, weights: frames.to_components(value, find_rows(points, face), weights)
     if quantity.result is Thickness and job.group:
         return job.convert_lengths
     return lambda value, *_: value

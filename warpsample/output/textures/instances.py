@@ -3,12 +3,13 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import chain
 from typing import Any
 
 import numpy as np
 
-from warpsample.output.textures.comparison import Digest, do_pictures_differ
-from warpsample.output.textures.images import COUNTS, Filled
+from warpsample.output.textures.comparison import KnownPictures
+from warpsample.output.textures.images import COUNTS, Filled, Images
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.jobs import TextureJob
 from warpsample.texture.notes import join_names
@@ -16,100 +17,120 @@ from warpsample.texture.primitives import Primitive
 from warpsample.texture.sets import TextureOptions
 
 
+@dataclass(frozen=True)
+class Encoded:
+    """Picture as a glTF file stores it.
+
+    Attributes:
+        png: content of the .png.
+        longest: length that is stored as 1; 1 for values that are no lengths.
+    """
+
+    png: bytes
+    longest: float
+
+
+Picture = Encoded | Images
+"""Picture to write: encoded, or as images for a file that holds one picture."""
+
+
 @dataclass(frozen=True, eq=False)
 class PlacedTexture:
     """Computed texture, and the places in the scene (instances of the mesh) that show the texture.
 
     Attributes:
-        filled: its numbers.
+        filled: its numbers; of counts, the largest of all places.
         groups: the primitives of each place.
         rays: (numbers, points inside bodies), how many were cast for all these places.
+        picture: its picture.
     """
 
     filled: Filled
     groups: list[list[Primitive]]
     rays: tuple[int, int]
+    picture: Picture
+
+    @classmethod
+    def of(cls, places: list[Filled], picture: Picture) -> "PlacedTexture":
+        """Return the texture that some places share."""
+        rays = sum(one.rays for one in places), sum(one.inside_rays for one in places)
+        most = {name: max(getattr(one, name) for one in places) for name in COUNTS}
+        return cls(replace(places[0], **most), [one.job.group for one in places], rays, picture)
 
 
-def pictures_of(job: TextureJob, fill: Callable[..., Filled], how: TextureOptions) -> list[PlacedTexture]:
+def pictures_of(
+    job: TextureJob,
+    fill: Callable[..., tuple[Filled, Images]],
+    how: TextureOptions,
+    encode: Callable[[Images], Picture],
+) -> list[PlacedTexture]:
     """Compute a texture for each place of its mesh in the scene, and return the pictures that differ.
 
-    The arguments of `fill` are a texture at one place, and `is_compared`, whether its picture is compared with others.
+    The arguments of `fill` are a texture at one place, its points, and `is_compared`, whether its picture is compared with
+    others. `encode` returns the picture to write. The images of few places are in memory at a time.
     """
-    is_compared = how.instances == "split" and any(one.others for one in job.group)
-    fill = partial(fill, is_compared=is_compared)
-    found, bare = [_picture(fill(job), job)], []
-
-    def pictures() -> Iterator[PlacedTexture]:
-        """Yield the picture of each other place; a place without texels goes to `bare`."""
-        for other in job.at_other_places():
-            if len(other.points):
-                yield _picture(fill(other), other)
-            else:
-                bare.append(other.group)
-
-    if how.instances == "mean":
-        found = [_mean_of(found[0], pictures(), how.gutter)]
-    else:
-        digests = [Digest.of(found[0].filled)] if is_compared else []
-        for made in pictures():
-            own = Digest.of(made.filled)
-            equal = (i for i in range(len(found)) if not _do_places_differ(found[i], digests[i], made, own, how.depth))
-            if (same := next(equal, None)) is None:
-                found.append(made)
-                digests.append(own)
-            else:
-                found[same] = _joined(found[same], made)
+    is_compared, bare = how.instances == "split" and job.places > 1, list[list[Primitive]]()
+    places = _fill_places(job, partial(fill, is_compared=is_compared), bare)
+    found = _share(places, how.depth, encode) if is_compared else [_mean_of(places, how.gutter, encode)]
     return [replace(found[0], groups=found[0].groups + bare), *found[1:]]
 
 
-def _do_places_differ(
-    known: PlacedTexture, digest: Digest | None, made: PlacedTexture, own: Digest | None, depth: int
-) -> bool:
-    """Return whether the pictures of two places differ; digests show most differences in a fraction of the time."""
-    if digest is not None and own is not None and digest.differ(own, depth):
-        return True
-    return do_pictures_differ(known.filled, made.filled, depth)
+def _fill_places(
+    job: TextureJob, fill: Callable[..., tuple[Filled, Images]], bare: list[list[Primitive]]
+) -> Iterator[tuple[Filled, Images]]:
+    """Yield a texture at each place of its mesh; the primitives of places without texels go to `bare`."""
+    for one in chain([job], job.at_other_places()):
+        points = one.make_points()
+        if len(points):
+            yield fill(one, points)
+        else:
+            bare.append(one.group)
+        del points  # before those of the next place are made
 
 
-def _joined(known: PlacedTexture, other: PlacedTexture) -> PlacedTexture:
-    """Return one picture for the places of two equal pictures, with the larger number of points of each count."""
-    rays = known.rays[0] + other.rays[0], known.rays[1] + other.rays[1]
-    most = {name: max(getattr(known.filled, name), getattr(other.filled, name)) for name in COUNTS}
-    return replace(known, filled=replace(known.filled, **most), groups=known.groups + other.groups, rays=rays)
+def _share(places: Iterator[tuple[Filled, Images]], depth: int, encode: Callable[[Images], Picture]) -> list[PlacedTexture]:
+    """Return the pictures that differ; places with equal pictures share one."""
+    known, pictures, alike = KnownPictures(depth), list[Picture](), list[list[Filled]]()
+    for filled, images in places:
+        number = known.find_or_add(images)
+        if number == len(pictures):
+            pictures.append(encode(images))
+            alike.append([])
+        alike[number].append(filled)
+        del images  # before those of the next place are computed
+    return [PlacedTexture.of(some, picture) for some, picture in zip(alike, pictures, strict=True)]
 
 
-def _mean_of(first: PlacedTexture, others: Iterator[PlacedTexture], gutter: Any) -> PlacedTexture:
+def _mean_of(places: Iterator[tuple[Filled, Images]], gutter: Any, encode: Callable[[Images], Picture]) -> PlacedTexture:
     """Return the mean of the pictures of all places of a mesh, with the mean of their standard errors."""
-    total, count = _sums(first.filled)
-    for other in others:
-        first = _joined(first, other)
-        more, times = _sums(other.filled)
-        total += more
-        count += times
-    if len(first.groups) == 1:
-        return first
-    points, old = first.filled.job.points, first.filled
+    first, images = next(places)
+    alike, sums = [first], None
+    for other, made in places:
+        sums = _sums(images) if sums is None else sums
+        for total, more in zip(sums, _sums(made), strict=True):
+            np.add(total, more, out=total)
+        alike.append(other)
+        del made
+    if sums is None:
+        return PlacedTexture.of(alike, encode(images))
+    (total, count), points = sums, images.points
     rows = (total / np.where(count > 0, count, np.nan)).reshape(3, -1, total.shape[-1])[:, points.texel]
-    value, error, unbiased = (points.image(some, gutter=gutter).reshape(old.value.shape) for some in rows)
+    value, error, unbiased = (points.image(some, gutter=gutter).reshape(images.value.shape) for some in rows)
+    images = replace(images, value=value, error=error, unbiased=unbiased, own=count[..., 0] > 0)
+    found = PlacedTexture.of(alike, encode(images))
     mean = float(np.nanmean(rows[0])) if count.any() else float("nan")
     empty = int(np.count_nonzero(count.ravel()[points.texel] == 0))  # at all places
-    counts = {"missed": min(old.missed, empty), "lost": min(old.lost, empty)}
-    images = {"value": value, "error": error, "unbiased": unbiased, "own": count[..., 0] > 0}
-    return replace(first, filled=replace(old, **images, **counts, mean=mean))
+    counts = {"missed": min(found.filled.missed, empty), "lost": min(found.filled.lost, empty)}
+    return replace(found, filled=replace(found.filled, **counts, mean=mean, error=images.known_error))
 
 
-def _picture(filled: Filled, job: TextureJob) -> PlacedTexture:
-    return PlacedTexture(filled, [job.group], (filled.rays, filled.inside_rays))
-
-
-def _sums(filled: Filled) -> tuple[np.ndarray, np.ndarray]:
+def _sums(images: Images) -> tuple[np.ndarray, np.ndarray]:
     """Return values and two errors of a texture, (3, H, W, C), and counts, (H, W, 1).
 
     The count is 1 for a texel with a value of its own; for other texels all are 0.
     """
-    own = filled.own[..., None]
-    all_three = np.stack([filled.value, filled.error, filled.unbiased]).astype(np.float64)
+    own = images.own[..., None]
+    all_three = np.stack([images.value, images.error, images.unbiased]).astype(np.float64)
     return np.where(own, all_three.reshape(3, *own.shape[:2], -1), 0.0), own.astype(np.int64)
 
 

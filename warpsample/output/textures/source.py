@@ -19,13 +19,7 @@ from warpsample.texture.glb_file import GlbFile, convert_read_errors
 from warpsample.texture.high import HighMesh
 from warpsample.texture.jobs import TextureJob, plan_jobs
 from warpsample.texture.materials import slot_for_quantity
-from warpsample.texture.notes import (
-    describe_coarse_texels,
-    describe_light,
-    describe_materials,
-    describe_missing_files,
-    join_names,
-)
+from warpsample.texture.notes import describe_light, describe_materials, describe_missing_files, join_names
 from warpsample.texture.pictures import check_library
 from warpsample.texture.primitives import group_by_material, is_flat, list_primitives, visible_primitives
 from warpsample.texture.sets import TextureOptions
@@ -43,6 +37,7 @@ class TextureSource:
         state: State of the input files before they were read.
         how: Options of the texture.
         jobs: Textures to compute.
+        mesh: Mesh of the run.
         file: glTF file to write the textures into, or None for an image.
         high: Finer mesh, or None.
         traced: Mesh that the rays are traced against.
@@ -54,6 +49,7 @@ class TextureSource:
     state: InputState
     how: TextureOptions
     jobs: list[TextureJob]
+    mesh: Mesh
     file: GlbFile | None
     high: HighMesh | None
     traced: Mesh
@@ -74,23 +70,21 @@ def read_texture_source(run: BakeRun) -> TextureSource:
     mesh = load_mesh(run.mesh)
     high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
     traced = with_optics(mesh if high is None else high.mesh, **run.optics)
-    jobs, file = plan_jobs(
-        run.mesh, traced if high is None else mesh, how, run.output.suffix, slot_for_quantity(run.quantity)
-    )
-    notes = [] if file is None else _check_scene(file, run, how, jobs)
-    return TextureSource(run, state, how, jobs, file, high, traced, notes, _coarse(jobs, traced, how))
+    mesh = traced if high is None else mesh
+    jobs, file = plan_jobs(run.mesh, mesh, how, run.output.suffix, slot=slot_for_quantity(run.quantity), traced=traced)
+    notes = [] if file is None else _check_scene(file, mesh, run, how, jobs)
+    return TextureSource(run, state, how, jobs, mesh, file, high, traced, notes, _list_coarse(jobs, how))
 
 
-def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[str]:
-    """Return warnings about textures with texels too small for the rays; with `--strict` raise a ValueError instead."""
-    lines = [(job, describe_coarse_texels(job.points, traced)) for job in jobs]
-    found = [f"{job.name!r}: {line}" for job, line in lines if line is not None]
+def _list_coarse(jobs: list[TextureJob], how: TextureOptions) -> list[str]:
+    """Return the warnings about textures with texels too small for the rays; with `--strict` raise a ValueError instead."""
+    found = [f"{job.name!r}: {job.coarse}" for job in jobs if job.coarse is not None]
     if how.strict and found:
         raise ValueError(f"--strict: got {'; '.join(found)}")
     return found
 
 
-def _check_scene(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[TextureJob]) -> list[str]:
+def _check_scene(file: GlbFile, mesh: Mesh, run: BakeRun, how: TextureOptions, jobs: list[TextureJob]) -> list[str]:
     """Check a .glb or .gltf before anything is computed, and return sentences on its materials and missing files."""
     slot = slot_for_quantity(run.quantity)
     with convert_read_errors(run.mesh):
@@ -98,7 +92,6 @@ def _check_scene(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[Te
             file.check_no_trailing_bytes()
         group = [one for job in jobs for one in job.group]
         notes = list(describe_materials(file.part, group, slot.name))
-        mesh = jobs[0].points.mesh
         placed = visible_primitives(list_primitives(file.part, file.data), mesh)
         if how.high is None and run.quantity not in _WITHOUT_LIGHT:  # a finer mesh has none of these materials
             notes += describe_light(file.part, placed, mesh)

@@ -29,9 +29,13 @@ def label_charts(corners: np.ndarray) -> np.ndarray:
 def find_wide(corners: np.ndarray) -> np.ndarray:
     """Return the mask of faces (F, 3, 3) that are no slivers: at least 1/10,000 as wide as their longest edge is long."""
     corners = corners.astype(np.float64)
-    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     longest = find_longest_edges(corners)
-    return (areas >= _NARROW * longest**2) & (longest > 0.0)
+    return (2.0 * find_areas(corners) >= _NARROW * longest**2) & (longest > 0.0)
+
+
+def find_areas(corners: np.ndarray) -> np.ndarray:
+    """Return the areas of faces, (F,), for corners (F, 3, 3)."""
+    return 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
 
 
 def find_longest_edges(corners: np.ndarray) -> np.ndarray:

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from warpsample.texture.uv.charts import label_charts
+from warpsample.texture.uv.charts import find_areas, label_charts
 
 MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
 """Charts of a mesh: (V2,) old vertex of each new vertex, (F, 3) new vertices of each face, and (V2, 2) coordinates."""
@@ -87,12 +87,7 @@ def _find_small_width(parts: list[tuple[np.ndarray, np.ndarray]]) -> float:
     Areas count and not numbers of faces, because a file may have any number of slivers by rounding. Infinite if all faces
     are flat.
     """
-    areas = []
-    for vertices, faces in parts:
-        corners = vertices[faces]
-        cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        areas.append(0.5 * np.linalg.norm(cross, axis=1))
-    area = np.sort(np.concatenate(areas))
+    area = np.sort(np.concatenate([find_areas(vertices[faces]) for vertices, faces in parts]))
     total = np.cumsum(area)
     return float(np.sqrt(area[np.searchsorted(total, _SHARE * total[-1], side="right")])) if total[-1] else np.inf
 
