@@ -1,6 +1,7 @@
 """Thickness against the normal, and as a texture of materials that have a volume."""
 
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from textured_scenes import SQUARE, TWO, changed, opened, picture
 import warpsample as ws
 from warpsample.estimate.result import PointStatus
 from warpsample.host.json_tree import Part
+from warpsample.texture.jobs import TextureJob
 from warpsample.texture.primitives import Primitive
 
 
@@ -119,6 +121,25 @@ def test_lengths_in_the_scene_are_distances_in_the_mesh():
     assert np.allclose(found, np.linalg.norm(ends[1] - ends[0], axis=1), rtol=1e-12)
     turn, thin = np.linalg.qr(matrix)[0], normals.astype(np.float32)
     assert np.array_equal(primitive(3.0 * turn, 3.0).convert_lengths(lengths, thin, face, weights), lengths / 3.0)
+
+
+def test_lengths_are_converted_by_the_primitives_that_have_points_alone():
+    """Each of 5,000 primitives of a material took 10 ms for each part of the points, also without a point."""
+    seen = []
+
+    def part(number):
+        def convert(lengths, directions, face, weights):
+            seen.append(number)
+            assert (face // 3 == number).all()
+            return lengths / (number + 1)
+
+        return SimpleNamespace(faces=slice(3 * number, 3 * number + 3), convert_lengths=convert)
+
+    job = TextureJob("m", None, None, 0, None, 0, "", [part(number) for number in (40, 2, 0, 7)])
+    face = np.array([121, 6, 0, 122, 8, 120])
+    found = job.convert_lengths(np.full(6, 82.0), np.ones((6, 3)), face, np.ones((6, 3)))
+    assert sorted(seen) == [0, 2, 40]
+    assert found.tolist() == [2.0, 82.0 / 3.0, 82.0, 2.0, 82.0 / 3.0, 2.0]
 
 
 def test_directions_that_a_place_flattens_have_no_length():

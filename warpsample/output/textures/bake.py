@@ -153,8 +153,7 @@ def _add_picture(
 ) -> Iterator[str]:
     """Store a picture in a glTF file as a texture, and return sentences on textures that it replaces."""
     assert isinstance(one.picture, Encoded)
-    set = one.filled.job.set
-    info: dict[str, Any] = {"texCoord": set} if set else {}
+    info: dict[str, Any] = {"texCoord": one.filled.job.set} if one.filled.job.set else {}
     info |= {"strength": how.strength} if how.strength != 1.0 else {}
     more = {"thicknessFactor": one.picture.longest} if slot is THICKNESS else {}
     return add_texture(file, users, group, one.picture.png, slot, is_first=is_first, info=info, more=more)
