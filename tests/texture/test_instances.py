@@ -223,6 +223,21 @@ def test_a_first_place_of_scale_0_hides_no_other_place(call, tmp_path, uv):
 
 
 @pytest.mark.parametrize("instances", ["split", "mean"])
+@pytest.mark.parametrize("uv", ["0", "new"])
+def test_a_mesh_hidden_at_all_its_places_stops_nothing(call, tmp_path, instances, uv):
+    """By a scale of 0, as of animations; with the material of a visible mesh, the bake ended with a message of NumPy."""
+    square = np.float32([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)])
+    one = {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}
+    nodes = [{"mesh": 0}, *({"mesh": 1, "translation": [x, 0, 0], "scale": [0, 0, 0]} for x in (3, 6))]
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    tree = {"meshes": [{"primitives": [one]}, {"primitives": [one]}], "materials": [{"name": "a"}], "nodes": nodes}
+    path.write_bytes(glb(tree, [square, SQUARE, TWO]))
+    status, out, err = call("bake", path, "-o", output, *RAYS, "--uv", uv, "--instances", instances)
+    assert (status, err, "in one picture" in out) == (0, "", True)
+    assert [value for _, _, value in means_of_places(output)] == [1.0, 1.0, 1.0]
+
+
+@pytest.mark.parametrize("instances", ["split", "mean"])
 def test_places_without_a_texel_show_the_picture_of_their_material(call, tmp_path, instances):
     """A face outside the image at two places, with the material of a floor, ended the bake with a message of Python."""
     square, beyond = np.float32([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)]), np.float32(SQUARE) + 3.0

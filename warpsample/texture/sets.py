@@ -95,13 +95,13 @@ class Texels:
     def points(self, parts: list[tuple[slice, np.ndarray]]) -> TexturePoints:
         """Return the texels of some faces as points, for ranges of faces and the texture coordinates of each, (n, 3, 2)."""
         parts = sorted(parts, key=lambda part: part[0].start)
-        faces = np.concatenate([np.arange(some.start, some.stop) for some, _ in parts])
+        faces = np.concatenate([np.zeros(0, np.int64), *(np.arange(some.start, some.stop) for some, _ in parts)])
         is_whole, how = len(faces) == len(self.mesh.faces), self.how
         is_interpolated = how.high is not None or how.normals == "file"  # with a finer mesh, normals of the rays to it
         normals = "smooth" if is_interpolated else how.normals
         own, given = (None, self.normals) if is_whole else (faces, None if self.normals is None else self.normals[faces])
         turned = None if normals == "face" else compute_corner_normals(self.mesh, given, own)
-        uv, options = np.concatenate([uv for _, uv in parts]), CallOptions.of(1)
+        uv, options = np.concatenate([np.zeros((0, 3, 2)), *(uv for _, uv in parts)]), CallOptions.of(1)
         return place_texels(self.mesh, own, uv, turned, how.size, samples=how.samples, normals=normals, options=options)
 
     def choose_set(self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False) -> "ChosenSet":
