@@ -50,6 +50,26 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
     assert (status, " ".join(err.split())[: len(said)]) == (2, said)
 
 
+@pytest.mark.parametrize("is_far_first", [False, True])
+def test_texels_too_small_at_any_place_are_reported_and_refused(call, tmp_path, is_far_first):
+    """Only the first place was looked at: a crate 1,000 km away had texels off by 0.87, without a word."""
+    square = np.float32([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)])
+    one = {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2}
+    nodes = [{"mesh": 0}, {"mesh": 0, "translation": [1e6, 0, 0]}][:: -1 if is_far_first else 1]
+    nodes += [{"mesh": 1, "translation": [3 * i, 0, 0]} for i in range(40)]
+    tree = {"meshes": [{"primitives": [{**one, "material": i}]} for i in (0, 1)], "nodes": nodes}
+    tree["materials"] = [{"name": "far"}, {"name": "near"}]
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    path.write_bytes(glb(tree, [square, SQUARE, TWO]))
+    place = "" if is_far_first else " at place 2"
+    said = f"'far': rays resolve lengths above 1.9{place}, and 1,024 points have texels less than 4 times that"
+    options = ("--texture", 32, *RAYS, "--uv", 0)
+    status, out, _ = call("bake", path, "-o", output, *options)
+    assert (status, f"\n  {said}" in out) == (0, True)
+    status, _, err = call("bake", path, "-o", output, *options, "--strict")
+    assert (status, err.startswith(f"error: --strict: got {said}")) == (2, True)
+
+
 @pytest.mark.filterwarnings("ignore:mesh. got faces of size")  # it is of most faces; this is of the texels
 @pytest.mark.parametrize(("distance", "reports"), [(200, False), (20_000, True)])
 def test_texels_too_small_for_float32_are_reported_and_refused(call, tmp_path, distance, reports):

@@ -222,6 +222,29 @@ def test_a_first_place_of_scale_0_hides_no_other_place(call, tmp_path, uv):
     assert shown["nodes[2]", "roof"] == 1.0
 
 
+@pytest.mark.parametrize("height", [0.0, 1e-9, 5e-5, 1e-3])
+@pytest.mark.parametrize("is_first", [False, True])
+def test_a_flattened_place_does_not_decide_about_coordinates(call, tmp_path, height, is_first):
+    """The sides of a crate had no texels, or a strip of one texel, if the crate's first place was its shadow."""
+    box = trimesh.creation.box()
+    mesh = {"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}
+    nodes = [{"mesh": 0, "scale": [1, height, 1], "translation": [5, 0, 0]}, {"mesh": 0}][:: 1 if is_first else -1]
+    corners = np.float32(box.vertices[box.faces]).reshape(-1, 3)
+    flat = np.full((12, 3, 2), 0.5, np.float32)  # its sides have no area
+    flat[np.abs(box.face_normals[:, 1]) > 0.5] = [[0.1, 0.1], [0.9, 0.1], [0.1, 0.9]]
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    arrays = [corners, flat.reshape(-1, 2), np.arange(36, dtype=np.uint16)]
+    path.write_bytes(glb({"meshes": [mesh], "materials": [{}], "nodes": nodes}, arrays))
+    status, _, err = call("bake", path, "-o", output, "--texture", 64, "--samples", 4, "--uv", 0, "--strict")
+    assert (status, "faces without an area in the image: 8" in err) == (2, True)
+    status, out, _ = call("bake", path, "-o", output, "--texture", 128, "--samples", 4)
+    assert (status, "set 0 is passed over" in out) == (0, True)
+    uv = ws.load_uv(output, set=1)[:12]
+    first, second = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
+    areas = np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
+    assert areas.min() > 0.8 * areas.max()
+
+
 @pytest.mark.parametrize("instances", ["split", "mean"])
 @pytest.mark.parametrize("uv", ["0", "new"])
 def test_a_mesh_hidden_at_all_its_places_stops_nothing(call, tmp_path, instances, uv):

@@ -165,6 +165,8 @@ def test_a_place_that_flattens_a_box_has_no_part_in_the_mean(call, tmp_path):
         assert tree["materials"][0]["extensions"]["KHR_materials_volume"]["thicknessFactor"] == pytest.approx(3.0, rel=1e-5)
         levels = np.unique(np.round(255 * picture(tree, data, 0)))
         assert levels.tolist() == [85, 170, 255]
+    status, out, _ = call("bake", path, "-o", output, "--texture", 64, "--quantity", "thickness")
+    assert (status, "nan" in out, "none with a value" in out) == (0, False, True)
 
 
 def test_joints_scale_lengths_between_their_vertices():

@@ -27,6 +27,7 @@ _FLAWS = {
     "overlapped": "overlapping texels, which show one of several faces",
     "outside": "faces partly or wholly outside the image",
     "zero_area": "faces without an area in the image",
+    "flat_slivers": "slivers of the mesh without an area in the image",
     "squeezed": "faces more than eight texels wide on the mesh but less than one in the image",
     "mirrored": "mirrored faces",
 }
@@ -46,7 +47,7 @@ class TextureJob:
         points_at: function that returns the texels of the primitives at one place as points on the mesh.
         report: report on the coordinates at the first place.
         count: number of points there.
-        coarse: warning about texels that are too small for the rays, or None.
+        coarse: warning about texels that are too small for the rays, at any place, or None.
         set: number of the set of texture coordinates; for new coordinates, the number that the set gets.
         coordinates: description of the coordinates, and of sets of the file that are not used.
         group: primitives that show the image; empty for an image of a whole file.
@@ -157,18 +158,18 @@ def _plan_scene_jobs(
                 number, uv = add_uv(file, faced, charts)
             points_at = partial(_make_points_by_new_uv, texels, uv, faced)
             label = found.describe(f"new coordinates, set {number}")
-            jobs.append(TextureJob(name, points_at, *_look_at(points_at(faced), traced), number, label, faced))
+            jobs.append(TextureJob(name, points_at, *_look_at(points_at(faced), traced, faced), number, label, faced))
         else:
             own = f"TEXCOORD_{found.number}"
             able = [one for one in group if own in one.part.part("attributes")]  # flat primitives may lack the set
             points_at, label = partial(_make_points_by_set, texels, found.number), found.describe(f"set {found.number}")
-            jobs.append(TextureJob(name, points_at, *_look_at(found.points, traced), found.number, label, able))
+            jobs.append(TextureJob(name, points_at, *_look_at(found.points, traced, able), found.number, label, able))
     return jobs, file
 
 
-def _look_at(points: TexturePoints, traced: Mesh) -> tuple[TextureReport, int, str | None]:
+def _look_at(points: TexturePoints, traced: Mesh, group: Sequence[Primitive] = ()) -> tuple[TextureReport, int, str | None]:
     """Return the fields `report`, `count` and `coarse` of a texture to compute."""
-    return points.report, len(points), describe_coarse_texels(points, traced)
+    return points.report, len(points), describe_coarse_texels(points, traced, group)
 
 
 def _make_points_by_set(texels: Texels, number: int, group: list[Primitive]) -> TexturePoints:

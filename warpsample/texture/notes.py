@@ -1,6 +1,6 @@
 """Sentences for the user about what a baked glTF scene cannot show, for example morph targets."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -82,30 +82,45 @@ def _join_parts(mesh: Mesh, primitives: list[Primitive]) -> str:
     return join_names(names) if all(names) else ""
 
 
-def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
+def describe_coarse_texels(points: TexturePoints, traced: Mesh, group: Sequence[Primitive] = ()) -> str | None:
     """Return a warning about texels that are too small for float32 rays, or None without tiny texels.
 
     Rays are float32 relative to the centre of most of the mesh. A few distant faces lower the resolution of all rays.
     The float64 positions are coarse, too, if the mesh is about 10^15 texels from the origin.
 
     Args:
-        points: texels as points.
+        points: texels as points, at the first place.
         traced: mesh that the rays are traced against.
+        group: primitives with the points; their other places are looked at, too. Empty for all faces of a file.
     """
     scene, mesh = scene_of(traced, through=True), points.mesh
-    faces = np.unique(points.face)
-    reach = np.abs(mesh.vertices[mesh.faces[faces]] - scene.centre).max(axis=(1, 2))
-    resolution = np.maximum(resolutions_at(scene, reach), np.spacing(np.abs(scene.centre).max() + reach))
-    size = _texel_sizes(points, faces)
-    coarse = (resolution > _COARSE * size) & (size > 0.0)
-    count = np.bincount(np.searchsorted(faces, points.face), minlength=len(faces)) * coarse
-    if count.sum() <= _FEW * len(points):
-        return None
-    face = int(np.argmax(count))
-    return (
-        f"rays resolve lengths above {resolution[face]:.2g}, and {count.sum():,} points have texels less than 4 times that "
-        f"wide, such as {size[face]:.2g}: leave out distant faces, and place the mesh near the origin"
-    )
+    faces, count = np.unique(points.face, return_counts=True)
+    texels = _image_areas(points, faces)
+    for number, (rows, placed) in enumerate(_list_places(faces, group)):
+        reach = np.abs(mesh.vertices[mesh.faces[placed]] - scene.centre).max(axis=(1, 2))
+        resolution = np.maximum(resolutions_at(scene, reach), np.spacing(np.abs(scene.centre).max() + reach))
+        size = np.sqrt(mesh.face_areas[placed] / texels[rows])
+        coarse = count[rows] * ((resolution > _COARSE * size) & (size > 0.0))
+        if coarse.sum() > _FEW * count[rows].sum():
+            face = int(np.argmax(coarse))
+            return (
+                f"rays resolve lengths above {resolution[face]:.2g}{f' at place {number + 1}' if number else ''}, and "
+                f"{coarse.sum():,} points have texels less than 4 times that wide, such as {size[face]:.2g}: leave out "
+                "distant faces, and place the mesh near the origin"
+            )
+    return None
+
+
+def _list_places(faces: np.ndarray, group: Sequence[Primitive]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Yield (rows of faces, the numbers of these faces) for each place of primitives, at first for the given faces."""
+    yield np.arange(len(faces)), faces
+    for number in range(max((len(one.others) for one in group), default=0)):
+        rows, placed = [], []
+        for one in (one for one in group if number < len(one.others)):
+            own = np.arange(*np.searchsorted(faces, [one.faces.start, one.faces.stop]))
+            rows.append(own)
+            placed.append(faces[own] - one.faces.start + one.others[number].faces.start)
+        yield np.concatenate(rows), np.concatenate(placed)
 
 
 def describe_rounding(points: TexturePoints, image: np.ndarray) -> Iterator[str]:
@@ -126,10 +141,14 @@ def describe_rounding(points: TexturePoints, image: np.ndarray) -> Iterator[str]
 
 def _texel_sizes(points: TexturePoints, faces: np.ndarray) -> np.ndarray:
     """Return the side of a texel on each of some faces, (n,), in mesh units."""
+    return np.sqrt(points.mesh.face_areas[faces] / _image_areas(points, faces))
+
+
+def _image_areas(points: TexturePoints, faces: np.ndarray) -> np.ndarray:
+    """Return the area of some faces in the image, (n,), in texels, above 0."""
     corners = points.corners[find_rows(points, faces)]
     first, second = (corners[:, corner] - corners[:, 0] for corner in (1, 2))
-    texels = 0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
-    return np.sqrt(points.mesh.face_areas[faces] / np.maximum(texels, 1e-300))
+    return np.maximum(0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]), 1e-300)
 
 
 def describe_missing_files(path: Path, tree: dict[str, Any], output: Path) -> Iterator[str]:

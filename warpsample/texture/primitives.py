@@ -16,6 +16,8 @@ _VARIANTS = "KHR_materials_variants"
 _ROUNDING = 1e-6
 """Largest relative difference between scales that counts as rounding of float32 normals and matrices."""
 _FLAT = 1e-9  # of the volume for equal scales: a matrix with less has rounding errors in place of one direction
+_LEAST = 1e-30  # least share of the area
+_MARGIN = 0.7  # of mean logarithms: a crate flattened to less than a tenth of its height
 _UNEVEN = 1e-5  # largest relative difference of squared scales that turns tangents by less than a picture's rounding
 
 
@@ -131,17 +133,40 @@ def list_primitives(tree: Part, data: Data) -> list[Primitive]:
 def visible_primitives(primitives: list[Primitive], mesh: Mesh) -> list[Primitive]:
     """Remove places at which a primitive has no area (for example with a scale of 0), and return the primitives.
 
-    The first place with an area becomes the first place. Primitives without such a place are unchanged.
+    The first place with an area becomes the first place, or the least distorted one if that place flattens the mesh: the
+    first place decides about texture coordinates. Primitives without a place with an area are unchanged.
 
     Args:
         primitives: primitives as `list_primitives` returns them.
         mesh: mesh as `load_mesh` reads it.
     """
+    meshes: dict[int, list[Primitive]] = {}
+    for one in primitives:
+        meshes.setdefault(one.mesh, []).append(one)
+    first = {number: _find_first_place(own, mesh) for number, own in meshes.items()}
     found = []
     for one in primitives:
-        visible = [place for place in (one, *one.others) if not is_flat(mesh, [place])]
+        places = [one, *one.others]
+        places.insert(0, places.pop(first[one.mesh]))
+        visible = [place for place in places if not is_flat(mesh, [place])]
         found.append(replace(visible[0], others=visible[1:]) if visible else one)
     return found
+
+
+def _find_first_place(primitives: list[Primitive], mesh: Mesh) -> int:
+    """Return the number of the place of a mesh that decides about texture coordinates, by the primitives of the mesh.
+
+    That is the first place with an area, or the place at which the areas of faces are most even, if the mean logarithm of
+    their shares is larger there by `_MARGIN`. Scales that are equal along all axes change no shares.
+    """
+    evenness = []
+    for places in zip(*([one, *one.others] for one in primitives), strict=True):
+        areas = np.concatenate([mesh.face_areas[place.faces] for place in places])
+        total = areas.sum()
+        evenness.append(np.log(np.maximum(areas / total, _LEAST)).mean() if total > 0.0 else -np.inf)
+    first = next((number for number, even in enumerate(evenness) if even > -np.inf), 0)
+    best = int(np.argmax(evenness))
+    return best if evenness[best] > evenness[first] + _MARGIN else first
 
 
 def is_flat(mesh: Mesh, group: list[Primitive]) -> bool:

@@ -23,20 +23,22 @@ class TextureReport:
         overlapped: number of texels in which two or more faces overlap within 0.001 texels of the centre. Such a texel shows
             the face of the lowest number.
         outside: number of faces partly or wholly outside the image. The part outside has no texels.
-        zero_area: number of faces without an area in the image, which have no texels. Faces less than 1/10,000 as wide as
-            their longest edge in space do not count.
+        zero_area: number of faces without an area in the image, which have no texels; without `flat_slivers`.
+        flat_slivers: number of faces without an area in the image that are less than 1/10,000 as wide in space as their
+            longest edge is long, as by rounding. They have no texels.
         mirrored: number of faces mirrored in the image, which is no flaw.
         without_uv: number of faces with coordinates that are not finite, which have no texels.
         squeezed: number of faces narrower than a texel in the image that would be wider than eight texels at the scale of
             their longest edge there, or of an edge nearly as long. A row of texels has all their values.
-        named: names of the mesh parts with overlapped, outside, zero_area, mirrored, without_uv and squeezed faces, keyed by
-            these words; empty for a mesh without parts.
+        named: names of the mesh parts with overlapped, outside, zero_area, flat_slivers, mirrored, without_uv and squeezed
+            faces, keyed by these words; empty for a mesh without parts.
     """
 
     covered: int
     overlapped: int
     outside: int
     zero_area: int
+    flat_slivers: int
     mirrored: int
     without_uv: int
     squeezed: int
@@ -59,12 +61,14 @@ def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
     }
 
 
-def find_lost_faces(mesh: Mesh, faces: np.ndarray | None, flat: np.ndarray) -> np.ndarray:
-    """Return the mask of the faces in the mask `flat`, (R,), that are no slivers in space; `faces` are their numbers."""
-    rows = np.flatnonzero(flat)
-    lost = np.zeros(len(flat), np.bool_)
-    lost[rows] = find_wide(mesh.vertices[mesh.faces[rows if faces is None else faces[rows]]])
-    return lost
+def find_slivers(mesh: Mesh, faces: np.ndarray | None, among: np.ndarray) -> np.ndarray:
+    """Return the mask of the faces in the mask `among`, (R,), that are slivers in space.
+
+    `faces` holds the numbers of the R faces, or is None for all.
+    """
+    rows, slivers = np.flatnonzero(among), np.zeros(len(among), np.bool_)
+    slivers[rows] = ~find_wide(mesh.vertices[mesh.faces[rows if faces is None else faces[rows]]])
+    return slivers
 
 
 def find_outside_faces(uv: np.ndarray) -> np.ndarray:

@@ -18,7 +18,7 @@ from warpsample.mesh.surface import SurfacePoints, check_uv
 from warpsample.mesh.tangents import compute_tangents
 from warpsample.texture.claims import check_samples, check_size, claim_points, compute_weights
 from warpsample.texture.image import TexelRows
-from warpsample.texture.report import TextureReport, build_report, find_face_flaws, find_lost_faces, find_squeezed_faces
+from warpsample.texture.report import TextureReport, build_report, find_face_flaws, find_slivers, find_squeezed_faces
 from warpsample.texture.shading import NORMALS, compute_corner_normals, shade_points
 from warpsample.texture.uv.charts import label_charts
 
@@ -309,8 +309,9 @@ def place_texels(
     """
     flaws, corners = find_face_flaws(uv), uv * np.array(size, np.float64)
     claims = claim_points(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
+    slivers = find_slivers(mesh, faces, flaws["zero_area"])
     flaws |= {"overlapped": claims.overlapping, "squeezed": find_squeezed_faces(mesh, faces, corners)}
-    flaws["zero_area"] = find_lost_faces(mesh, faces, flaws["zero_area"])
+    flaws |= {"zero_area": flaws["zero_area"] & ~slivers, "flat_slivers": slivers}
     report = build_report(mesh, faces, claims.covered, claims.overlapped, flaws)
     turned = None if normals == "face" else corner_normals
     on = claims.face if faces is None else faces.astype(np.int32)[claims.face]

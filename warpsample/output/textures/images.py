@@ -9,7 +9,7 @@ import numpy as np
 from warpsample.estimate.intervals import errors_for_means, raised_errors
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.thickness import Thickness
-from warpsample.estimate.result import ExactResult
+from warpsample.estimate.result import ExactResult, PointStatus
 from warpsample.host.engine import check_workers
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.bake import compute_parts, part_size
@@ -120,7 +120,9 @@ def fill_texture(
         if looks:
             bodies.add(first, part, places, workers)
         found = numbers(places, 0)  # the points have ids
-        return replace(found, value=convert(found.value, places.normal, points.face[rows], part.barycentric))
+        value = convert(found.value, places.normal, points.face[rows], part.barycentric)
+        lost = ~np.isfinite(value.reshape(len(value), -1)).all(axis=1) & (found.status == 0)
+        return replace(found, value=value, status=np.where(lost, np.uint8(PointStatus.NONFINITE_VALUE), found.status))
 
     errors_of = raised_errors if how.samples == 1 else errors_for_means
     kept, runs, rays, bad = [], list[np.ndarray](), 0, 0
