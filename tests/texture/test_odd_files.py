@@ -37,6 +37,15 @@ def as_gltf(path, change=len, head="data:;base64,"):
     return made
 
 
+@pytest.mark.parametrize("texture", [(), ("--texture", 16)])
+def test_a_damaged_file_is_named(call, tmp_path, texture):
+    """The message had no file in it, only "the header declares 1,444 bytes"."""
+    path = two_quads(tmp_path, SQUARE)
+    path.write_bytes(path.read_bytes()[:-40])
+    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", *texture)
+    assert (status, f"mesh: got {str(path)!r}, which cannot be read as a mesh: the header declares" in err) == (2, True)
+
+
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 def test_a_set_with_a_number_that_is_none_is_named(call, tmp_path, bad):
     """One of four corners: of one of the two faces, whose new coordinates are no surprise then."""

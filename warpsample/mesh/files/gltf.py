@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.host.arguments import quote
+from warpsample.host.arguments import naming_file, quote
 from warpsample.host.json_tree import Part, parsed
 from warpsample.host.locks import multiply
 from warpsample.mesh.files.gltf_data import Data, binary
@@ -84,8 +84,9 @@ def describe_invisible(path: Path) -> list[str]:
     """
     if path.suffix.lower() not in (".glb", ".gltf") or not path.is_file():
         return []
-    tree = binary(path, with_data=False)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())
-    count = count_invisible(tree)
+    with naming_file("mesh", path, "a mesh"):
+        tree = binary(path, with_data=False)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())
+        count = count_invisible(tree)
     what = "one invisible mesh is" if count == 1 else f"{count:,} invisible meshes are"
     return [f"{what} left out ({VISIBILITY})"] if count else []
 
