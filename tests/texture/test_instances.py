@@ -245,6 +245,25 @@ def test_a_flattened_place_does_not_decide_about_coordinates(call, tmp_path, hei
     assert areas.min() > 0.8 * areas.max()
 
 
+def test_flaws_of_coordinates_count_at_all_places(call, tmp_path):
+    """Of a cube as a floor and as a wall, with two sides that have no area in the file's coordinates."""
+    box = trimesh.creation.box()
+    corners, uv = np.float32(box.vertices[box.faces]).reshape(-1, 3), np.full((12, 3, 2), 0.5, np.float32)
+    cells = np.arange(12).reshape(-1, 1) // np.array([4, 1]) % np.array([3, 4])
+    has_area = np.abs(box.face_normals[:, 0]) < 0.5
+    uv[has_area] = (cells[:, None] / 4 + np.array([[0.01, 0.01], [0.2, 0.01], [0.01, 0.2]]))[has_area]
+    mesh = {"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}
+    nodes = [{"mesh": 0, "scale": [2, 5e-5, 2]}, {"mesh": 0, "scale": [5e-5, 2, 2], "translation": [9, 0, 0]}]
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    arrays = [corners, uv.reshape(-1, 2), np.arange(36, dtype=np.uint16)]
+    path.write_bytes(glb({"meshes": [mesh], "materials": [{}], "nodes": nodes}, arrays))
+    options = ("--texture", 64, "--samples", 4)
+    status, _, err = call("bake", path, "-o", output, *options, "--uv", 0, "--strict")
+    assert (status, "with faces without an area in the image: 4" in err) == (2, True)
+    status, out, _ = call("bake", path, "-o", output, *options)
+    assert (status, "set 0 is passed over: faces have no area in it" in out) == (0, True)
+
+
 @pytest.mark.parametrize("instances", ["split", "mean"])
 @pytest.mark.parametrize("uv", ["0", "new"])
 def test_a_mesh_hidden_at_all_its_places_stops_nothing(call, tmp_path, instances, uv):

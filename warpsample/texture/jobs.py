@@ -113,10 +113,18 @@ def plan_jobs(
         if output in SCENES
         else ([_plan_file_job(path, mesh, how, output, traced)], None)
     )
-    flaws = [line for job in jobs for line in describe_flaws(job.report, _REFUSED)]
-    if how.strict and flaws:
-        raise ValueError(f"--strict: got {path.name!r} with {'; '.join(flaws)}")
+    if how.strict:
+        reports = [report for job in jobs for report in _report_places(job)]
+        if flaws := list(dict.fromkeys(line for report in reports for line in describe_flaws(report, _REFUSED))):
+            raise ValueError(f"--strict: got {path.name!r} with {'; '.join(flaws)}")
     return jobs, file
+
+
+def _report_places(job: TextureJob) -> Iterator[TextureReport]:
+    """Yield the reports on the texture coordinates of an image at each place of its mesh; others may stretch other faces."""
+    yield job.report
+    for other in job.at_other_places():
+        yield other.make_points().report
 
 
 def describe_flaws(report: TextureReport, names: Sequence[str] = tuple(_FLAWS)) -> Iterator[str]:
@@ -150,7 +158,8 @@ def _plan_scene_jobs(
         rows, name = [one.faces for one in group if not is_flat(mesh, [one])], name_group(file, group)
         with convert_read_errors(path):
             first = _find_set(materials, group, slot)
-        found = texels.choose_set(rows, name, first=first)
+        others = [place.faces for one in group for place in one.others if not is_flat(mesh, [place])]
+        found = texels.choose_set(rows, name, first=first, others=others)
         if found.points is None:
             faced = [one for one in group if len(one.triangles)]
             charts = charts_for(faced, mesh, square_side(how.size, found.passed))

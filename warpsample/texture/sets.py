@@ -1,6 +1,6 @@
 """Choice among the sets of texture coordinates in a mesh file, and points for the texels."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from warpsample.mesh.files import gltf, usd
 from warpsample.mesh.files.text import has_obj_lines
 from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, MissingSetError, find_ply_names, load_uv
 from warpsample.mesh.mesh import Mesh
+from warpsample.texture.report import find_face_flaws, find_slivers, find_squeezed_faces
 from warpsample.texture.shading import compute_corner_normals
 from warpsample.texture.texture_points import TexturePoints, place_texels
 
@@ -104,7 +105,15 @@ class Texels:
         uv, options = np.concatenate([np.zeros((0, 3, 2)), *(uv for _, uv in parts)]), CallOptions.of(1)
         return place_texels(self.mesh, own, uv, turned, how.size, samples=how.samples, normals=normals, options=options)
 
-    def choose_set(self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False) -> "ChosenSet":
+    def choose_set(
+        self,
+        rows: list[slice],
+        name: str,
+        *,
+        first: int | None = None,
+        lenient: bool = False,
+        others: Sequence[slice] = (),
+    ) -> "ChosenSet":
         """Choose the set of texture coordinates for some faces, as the option `--uv` asks.
 
         A number takes the set of that number. "new" returns a ChosenSet without points. "auto" takes the first of these:
@@ -120,6 +129,7 @@ class Texels:
             name: name of the faces in error messages.
             first: number of a set that "auto" prefers, or None.
             lenient: whether "auto" may take a set with overlaps.
+            others: the same faces at other places, where other faces may be flat or squeezed.
 
         Raises:
             ValueError: not all faces have the requested set, or the set has no texels.
@@ -152,7 +162,7 @@ class Texels:
                 passed.append(f"set {number} is passed over: {self._unreadable.get(number, why)}")
             if not lacking:
                 found = self.points_by_set(number, rows)
-                why = self._describe_flaw(number, found, may_overlap=number == first)
+                why = self._describe_flaw(number, found, others, may_overlap=number == first)
                 if why is None:
                     return ChosenSet(number, found, tuple(passed))
                 passed.append(f"set {number} is passed over: {why}")
@@ -160,7 +170,7 @@ class Texels:
                     within = within or ChosenSet(number, found, tuple(passed[:-1]))  # without its own flaw
         return within if lenient and within else ChosenSet(passed=tuple(passed))
 
-    def _describe_flaw(self, number: int, found: TexturePoints, *, may_overlap: bool) -> str | None:
+    def _describe_flaw(self, number: int, found: TexturePoints, others: Iterable[slice], *, may_overlap: bool) -> str | None:
         """Return why `--uv auto` does not choose a set of texture coordinates, or None if the set can be chosen."""
         report = found.report
         if report.outside:
@@ -172,11 +182,24 @@ class Texels:
             return f"faces overlap in {counts}, and auto accepts none" + (
                 f"; --uv {number} takes it" if str(number) in UV_CHOICES else ""
             )
-        if report.zero_area:
+        flat, squeezed = self._count_lost(number, others)
+        if report.zero_area or flat:
             return "faces have no area in it"
-        if report.squeezed:
-            return f"{report.squeezed:,} faces more than eight texels wide on the mesh are less than one wide in it"
+        if report.squeezed or squeezed:
+            return (
+                f"{report.squeezed or squeezed:,} faces more than eight texels wide on the mesh are less than one wide in it"
+            )
         return None
+
+    def _count_lost(self, number: int, rows: Iterable[slice]) -> tuple[int, int]:
+        """Count the given faces that have no area in a set of texture coordinates, without slivers, and those squeezed."""
+        uv, flat, squeezed = self._read_set(number), 0, 0
+        assert uv is not None
+        for some in rows:
+            face, lost = np.arange(some.start, some.stop), find_face_flaws(uv[some])["zero_area"]
+            flat += int(np.count_nonzero(lost & ~find_slivers(self.mesh, face, lost)))
+            squeezed += int(np.count_nonzero(find_squeezed_faces(self.mesh, face, uv[some] * np.array(self.how.size))))
+        return flat, squeezed
 
     def _is_named(self, number: int, rows: Iterable[slice]) -> bool:
         """Return whether the file has a set of texture coordinates, perhaps with NaN, for some of the given faces."""

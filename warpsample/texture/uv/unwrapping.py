@@ -1,5 +1,6 @@
 """New texture coordinates: `unwrap`, by xatlas."""
 
+import signal
 import sys
 from dataclasses import replace
 from importlib.util import find_spec
@@ -17,6 +18,8 @@ PADDING = 4
 """Default number of texels between charts."""
 
 _MOST_SIDE = 1 << 14
+_TRIES = 3  # xatlas crashes by chance: once in 600 runs on the same mesh, with several at a time
+_CRASHES = (-signal.SIGSEGV, -signal.SIGABRT)
 _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.texture.uv import charting; charting.main({size}, {padding})"
 
 
@@ -81,7 +84,10 @@ def _run(given: dict[str, np.ndarray], size: int, padding: int) -> Any:
     """
     stream = BytesIO()
     np.savez(stream, **given)
-    status, answer = run_program(_PROGRAM.format(path=sys.path, size=size, padding=padding), stream.getvalue())
+    for _ in range(_TRIES):
+        status, answer = run_program(_PROGRAM.format(path=sys.path, size=size, padding=padding), stream.getvalue())
+        if status not in _CRASHES:
+            break
     if status == REFUSED:
         raise ValueError(answer.decode())
     if status:
