@@ -191,6 +191,15 @@ def test_a_mesh_of_slivers_alone_is_unwrapped():
     assert ws.texture_points(split, uv, 256).report.covered > 100
 
 
+@pytest.mark.parametrize("width", [1e-5, 1e-9, 1e-12, 1e-15])
+def test_a_sliver_alone_hangs_nothing(width):
+    """Charts were a million times as long as the image, and had no end; printed assertions of xatlas spoiled its answer."""
+    sliver = ws.Mesh([[0, 0, 0], [100, 0, 0], [50, width, 0]], [[0, 1, 2]])
+    split, uv = ws.unwrap(sliver, 64)
+    assert ((uv >= 0) & (uv <= 1)).all()
+    assert len(split.faces) == 1
+
+
 def test_a_ground_that_is_large_beside_a_town_is_unwrapped():
     """Most vertices are within 1 m, and the ground is 100 km wide; both are in the image."""
     ground = 1e5 * np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)])

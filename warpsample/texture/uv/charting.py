@@ -9,10 +9,11 @@ from typing import Any, NoReturn
 import numpy as np
 
 from warpsample.host.extras import REFUSED
-from warpsample.texture.uv.charts import find_longest_edges, find_wide, label_charts
+from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_wide, label_charts
 
 _TRIES = 12
 _LARGER_STEPS = 8  # further tries with larger and larger steps: many equal charts, of whole texels, do not shrink otherwise
+_LONGEST = 1000.0  # longest edge of which xatlas chooses the scale, in sides of a square with the area of all faces
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
 _STRETCHED = 1.5  # longer than in space: faces of flat charts are not stretched, and those of curved ones by up to 1.4
 _ROUNDED = 4.0  # texels: charts are rounded up to whole texels
@@ -26,25 +27,27 @@ def main(size: int, padding: int) -> NoReturn:
     the image's width and height, and for each mesh "old0", the original vertex of each new vertex, "uv0", texture
     coordinates in the used part of the image, and "f0", the new faces.
     """
+    output = os.dup(1)
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # xatlas prints failed assertions to standard output
     given = np.load(BytesIO(sys.stdin.buffer.read()))
     parts = [(given[f"v{i}"], given[f"f{i}"]) for i in range(len(given.files) // 2)]
     try:
         share, atlas, kept = _packed(parts, size, padding)
     except ValueError as error:
-        _answer(str(error).encode(), REFUSED)
+        _answer(output, str(error).encode(), REFUSED)
     arrays = {"share": share}
     for i, ((_, faces), rows, made) in enumerate(zip(parts, kept, _read_meshes(atlas, kept), strict=True)):
         old, corners, uv = _add_left_out(faces, rows, *made)
         arrays |= {f"old{i}": old, f"f{i}": corners, f"uv{i}": uv}
     stream = BytesIO()
     np.savez(stream, **arrays)
-    _answer(stream.getvalue(), 0)
+    _answer(output, stream.getvalue(), 0)
 
 
-def _answer(content: bytes, status: int) -> NoReturn:
-    """Write bytes to standard output and end the process without destroying any atlas."""
-    sys.stdout.buffer.write(content)
-    sys.stdout.flush()
+def _answer(output: int, content: bytes, status: int) -> NoReturn:
+    """Write bytes to an open file and end the process without destroying any atlas."""
+    with os.fdopen(output, "wb") as stream:
+        stream.write(content)
     os._exit(status)
 
 
@@ -61,7 +64,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     import xatlas
 
     choices = _list_choices(parts)
-    wanted, slack, tries, kept = 0.0, _SLACK, 0, next(choices)
+    wanted, slack, tries, kept = _first_scale(parts, size), _SLACK, 0, next(choices)
     while tries < _TRIES + _LARGER_STEPS:
         atlas = xatlas.Atlas()
         _alive.append(atlas)
@@ -85,6 +88,16 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     raise ValueError(
         f"size: got {size}, want a larger image: {atlas.chart_count:,} charts, {padding} texels apart, take {side} texels"
     )
+
+
+def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> float:
+    """Return the texels per unit of length to begin with; 0 leaves the choice to xatlas, which goes by the area alone.
+
+    Faces that are all slivers have so little area that charts would be a million times as long as the image.
+    """
+    longest = max(float(find_longest_edges(vertices[faces]).max()) for vertices, faces in parts)
+    area = sum(float(find_areas(vertices[faces].astype(np.float64)).sum()) for vertices, faces in parts)
+    return 0.0 if longest <= _LONGEST * np.sqrt(area) else 2.0 * size / longest
 
 
 def _list_choices(parts: list[tuple[np.ndarray, np.ndarray]]) -> Iterator[list[np.ndarray]]:
