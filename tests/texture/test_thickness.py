@@ -52,6 +52,17 @@ def test_thin_panes_on_a_large_site_have_their_thickness(site):
     assert np.abs(value / thick[:, None] - 1.0)[large].max() < 1e-5  # a pane's vertices are float64
 
 
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_boxes_far_from_the_origin_have_their_thickness(kind):
+    """With float32 positions, rays start 2 spacings of the coordinates off their face: 1 at 5e6."""
+    box = trimesh.creation.box((64, 64, 16))
+    box.apply_translation((5e6, 5e6, 0))
+    mesh = ws.as_mesh(box)
+    points = ws.face_centers(mesh)
+    points = ws.SurfacePoints(np.rint(points.position).astype(kind), points.normal, points.face)
+    assert sorted(ws.thickness(mesh, points).value.tolist()) == [16.0] * 4 + [64.0] * 8
+
+
 def test_light_that_passes_a_body_changes_no_thickness():
     """Rays passed the back of glass, and the thickness of a slab reached to the ground below."""
     glass, ground = trimesh.creation.box((1.0, 1.0, 0.2)), trimesh.creation.box((9.0, 9.0, 1.0))

@@ -200,6 +200,16 @@ def test_a_sliver_alone_hangs_nothing(width):
     assert len(split.faces) == 1
 
 
+@pytest.mark.parametrize("end", [(0.0, 0.0, 0.0), (1500.0, 0.0, 0.0)])
+def test_a_long_face_without_area_shrinks_no_charts(end):
+    """Beside a crate of 1 m, a collapsed face of 3 km took all texels, though xatlas gives it no chart."""
+    box = trimesh.creation.box()
+    line = np.array([(0, 0, 0), (3000, 0, 0), end], np.float64)
+    mesh = ws.Mesh(np.concatenate([box.vertices, line]), [*box.faces, (8, 9, 10)])
+    split, uv = ws.unwrap(mesh, 128)
+    assert ws.texture_points(split, uv, 128).report.covered > 0.4 * 128**2
+
+
 def test_a_ground_that_is_large_beside_a_town_is_unwrapped():
     """Most vertices are within 1 m, and the ground is 100 km wide; both are in the image."""
     ground = 1e5 * np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)])

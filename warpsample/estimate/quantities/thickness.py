@@ -15,7 +15,7 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.placement import OFFSET
-from warpsample.tracing.scene import scene_of
+from warpsample.tracing.scene import coarseness_of, scene_of
 from warpsample.tracing.trace import Hits, trace
 
 _BLOCK = 1 << 16  # points at a time
@@ -90,8 +90,9 @@ def _exact_distances(mesh: Mesh, points: SurfacePoints, directions: np.ndarray, 
     of the ray by more than such steps, as at a face nearly parallel to the ray, stays the ray's.
     """
     scene, found = scene_of(mesh, through=True), hits.distance.astype(np.float64)
-    step = _STEPS * OFFSET * float(scene.extent.max()) / scene.scale
     position = np.asarray(points.position)
+    coarseness = coarseness_of(scene, position.dtype == np.float64)
+    step = _STEPS * (OFFSET * float(scene.extent.max()) + coarseness) / scene.scale
     for start in range(0, len(found), _BLOCK):
         rows = start + np.flatnonzero(hits.face[start : start + _BLOCK] >= 0)
         face, way = hits.face[rows], directions[rows].astype(np.float64)

@@ -13,6 +13,8 @@ from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_wi
 
 _TRIES = 12
 _LARGER_STEPS = 8  # further tries with larger and larger steps: many equal charts, of whole texels, do not shrink otherwise
+_DROPPED = 1e-7  # area of the faces that xatlas leaves out
+_FULL = 0.9  # of the side of the image
 _LONGEST = 1000.0  # longest edge of which xatlas chooses the scale, in sides of a square with the area of all faces
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
 _STRETCHED = 1.5  # longer than in space: faces of flat charts are not stretched, and those of curved ones by up to 1.4
@@ -64,7 +66,8 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     import xatlas
 
     choices = _list_choices(parts)
-    wanted, slack, tries, kept = _first_scale(parts, size), _SLACK, 0, next(choices)
+    slack, tries, kept = _SLACK, 0, next(choices)
+    wanted = first = _first_scale(parts, kept, size)
     while tries < _TRIES + _LARGER_STEPS:
         atlas = xatlas.Atlas()
         _alive.append(atlas)
@@ -77,10 +80,11 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
         side = max(atlas.width, atlas.height)
         if not side:
             raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-        if not wanted and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
+        if wanted == first and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
             kept = fewer
+            wanted = first = _first_scale(parts, kept, size)
             continue
-        if side <= size:
+        if side <= size and (not first or side >= _FULL * size or tries >= _TRIES):
             return np.array((atlas.width, atlas.height)) / size, atlas, kept
         tries += 1
         slack = _SLACK if tries <= _TRIES else slack**2
@@ -90,14 +94,15 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     )
 
 
-def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> float:
+def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], size: int) -> float:
     """Return the texels per unit of length to begin with; 0 leaves the choice to xatlas, which goes by the area alone.
 
     Faces that are all slivers have so little area that charts would be a million times as long as the image.
     """
-    longest = max(float(find_longest_edges(vertices[faces]).max()) for vertices, faces in parts)
-    area = sum(float(find_areas(vertices[faces].astype(np.float64)).sum()) for vertices, faces in parts)
-    return 0.0 if longest <= _LONGEST * np.sqrt(area) else 2.0 * size / longest
+    corners = np.concatenate([vertices[faces[rows]] for (vertices, faces), rows in zip(parts, kept, strict=True)])
+    areas = find_areas(corners.astype(np.float64))
+    longest = float(find_longest_edges(corners[areas > _DROPPED]).max(initial=0.0))
+    return 2.0 * size / longest if longest > _LONGEST * np.sqrt(areas.sum()) else 0.0
 
 
 def _list_choices(parts: list[tuple[np.ndarray, np.ndarray]]) -> Iterator[list[np.ndarray]]:
