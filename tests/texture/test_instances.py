@@ -245,6 +245,21 @@ def test_a_flattened_place_does_not_decide_about_coordinates(call, tmp_path, hei
     assert areas.min() > 0.8 * areas.max()
 
 
+def test_meshes_of_one_material_in_different_numbers_of_places_are_each_counted(call, tmp_path):
+    """The report had "the 5 places of" both."""
+    square = np.float32([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)])
+    meshes = [
+        {"name": "ab"[i], "primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1 + i}, "indices": 3, "material": 0}]}
+        for i in (0, 1)
+    ]
+    nodes = [{"mesh": i, "translation": [3 * k, 0, 9 * i]} for i, count in ((0, 2), (1, 5)) for k in range(count)]
+    arrays = [square, 0.4 * np.float32(SQUARE), 0.5 + 0.4 * np.float32(SQUARE), TWO]
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb({"meshes": meshes, "nodes": nodes, "materials": [{}]}, arrays))
+    _, out, _ = call("bake", path, "-o", tmp_path / "out.glb", *RAYS, "--uv", 0)
+    assert "\n  the 2 places of 'a' and the 5 places of 'b' share one picture\n" in out
+
+
 def test_flaws_of_coordinates_count_at_all_places(call, tmp_path):
     """Of a cube as a floor and as a wall, with two sides that have no area in the file's coordinates."""
     box = trimesh.creation.box()

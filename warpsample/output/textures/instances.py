@@ -169,13 +169,12 @@ def _mesh_for(file: GlbFile, one: Primitive, shown: dict[int, int], known: dict[
 
 
 def describe_places(pictures: list[PlacedTexture]) -> Iterator[str]:
-    """Yield a sentence on how many pictures the places of a mesh share, if the mesh is in several places."""
-    places = sum(len(picture.groups) for picture in pictures)
-    if places > 1:
-        several = join_names(one.name for one in pictures[0].groups[0] if one.others)
-        shown = (
-            "share one picture"
-            if len(pictures) == 1
-            else f"show {len(pictures)} pictures, by copies of meshes and materials"
-        )
-        yield f"the {places} places of {several} {shown}"
+    """Yield a sentence on how many pictures the places of meshes share, if a mesh is in several places."""
+    names: dict[int, list[str]] = {}
+    for one in pictures[0].groups[0]:
+        if one.others:
+            names.setdefault(1 + len(one.others), []).append(one.name)
+    if names:
+        places = " and ".join(f"the {count} places of {join_names(some)}" for count, some in names.items())
+        shown = f"show {len(pictures)} pictures, by copies of meshes and materials"
+        yield f"{places} {'share one picture' if len(pictures) == 1 else shown}"
