@@ -277,6 +277,8 @@ def test_flaws_of_coordinates_count_at_all_places(call, tmp_path):
     assert (status, "with faces without an area in the image: 4" in err) == (2, True)
     status, out, _ = call("bake", path, "-o", output, *options)
     assert (status, "set 0 is passed over: faces have no area in it" in out) == (0, True)
+    status, out, _ = call("bake", path, "-o", output, *options, "--uv", 0, "--instances", "mean")
+    assert (status, out.count("faces without an area in the image: 4")) == (0, 1)
 
 
 @pytest.mark.parametrize("instances", ["split", "mean"])

@@ -191,6 +191,19 @@ def test_a_mesh_of_slivers_alone_is_unwrapped():
     assert ws.texture_points(split, uv, 256).report.covered > 100
 
 
+def test_wires_have_more_texels_in_a_larger_image():
+    """They had fewer, as the charts of the first try were ten times as long as the image, and later ones too small."""
+    rng, corners = np.random.default_rng(1), np.array([(0, 0, 0), (300, 0, 0), (300, 0.005, 0), (0, 0.005, 0)])
+    turns = np.linalg.qr(rng.normal(size=(30, 3, 3)))[0]
+    vertices = (corners @ turns + rng.uniform(-300, 300, (30, 1, 3))).reshape(-1, 3)
+    faces = (4 * np.arange(30)[:, None, None] + np.array([(0, 1, 2), (0, 2, 3)])).reshape(-1, 3)
+    mesh, counts = ws.Mesh(vertices, faces), []
+    for size in (256, 1024):
+        split, uv = ws.unwrap(mesh, size)
+        counts.append(ws.texture_points(split, uv, size).report.covered)
+    assert counts[1] > 2.5 * counts[0]
+
+
 @pytest.mark.parametrize("width", [1e-5, 1e-9, 1e-12, 1e-15])
 def test_a_sliver_alone_hangs_nothing(width):
     """Charts were a million times as long as the image, and had no end; printed assertions of xatlas spoiled its answer."""

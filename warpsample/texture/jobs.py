@@ -31,7 +31,8 @@ _FLAWS = {
     "squeezed": "faces more than eight texels wide on the mesh but less than one in the image",
     "mirrored": "mirrored faces",
 }
-_REFUSED = ("overlapped", "outside", "zero_area", "squeezed")
+REFUSED = ("overlapped", "outside", "zero_area", "squeezed")
+"""Flaws of texture coordinates that are an error with `--strict`."""
 SCENES = (".glb", ".gltf")
 """Suffixes of files whose materials receive the pictures."""
 
@@ -115,7 +116,7 @@ def plan_jobs(
     )
     if how.strict:
         reports = [report for job in jobs for report in _report_places(job)]
-        if flaws := list(dict.fromkeys(line for report in reports for line in describe_flaws(report, _REFUSED))):
+        if flaws := list(dict.fromkeys(line for report in reports for line in describe_flaws(report, REFUSED))):
             raise ValueError(f"--strict: got {path.name!r} with {'; '.join(flaws)}")
     return jobs, file
 

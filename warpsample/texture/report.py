@@ -1,7 +1,7 @@
 """Report on texture coordinates: overlapping texels, faces outside the image, and other flaws."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -43,6 +43,17 @@ class TextureReport:
     without_uv: int
     squeezed: int
     named: Mapping[str, tuple[str, ...]]
+
+
+def merge_flaws(reports: Sequence[TextureReport], names: Sequence[str]) -> TextureReport:
+    """Return the first report, with those flaws of the given names that only other reports have."""
+    found = reports[0]
+    for other in reports[1:]:
+        for name in names:
+            if getattr(other, name) and not getattr(found, name):
+                named = {**found.named, name: other.named[name]}
+                found = replace(found, **{name: getattr(other, name)}, named=named)
+    return found
 
 
 def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:

@@ -11,9 +11,10 @@ import numpy as np
 from warpsample.output.textures.comparison import KnownPictures
 from warpsample.output.textures.images import COUNTS, Filled, Images
 from warpsample.texture.glb_file import GlbFile
-from warpsample.texture.jobs import TextureJob
+from warpsample.texture.jobs import REFUSED, TextureJob
 from warpsample.texture.notes import join_names
 from warpsample.texture.primitives import Primitive
+from warpsample.texture.report import merge_flaws
 from warpsample.texture.sets import TextureOptions
 
 
@@ -39,7 +40,7 @@ class PlacedTexture:
     """Computed texture, and the places in the scene (instances of the mesh) that show the texture.
 
     Attributes:
-        filled: its numbers; of counts, the largest of all places.
+        filled: its numbers; of counts, the largest of all places; and flaws of coordinates at any place.
         groups: the primitives of each place.
         rays: (numbers, points inside bodies), how many were cast for all these places.
         picture: its picture.
@@ -55,7 +56,8 @@ class PlacedTexture:
         """Return the texture that some places share."""
         rays = sum(one.rays for one in places), sum(one.inside_rays for one in places)
         most = {name: max(getattr(one, name) for one in places) for name in COUNTS}
-        return cls(replace(places[0], **most), [one.job.group for one in places], rays, picture)
+        report = merge_flaws([one.report for one in places], REFUSED)
+        return cls(replace(places[0], **most, report=report), [one.job.group for one in places], rays, picture)
 
 
 def pictures_of(

@@ -15,7 +15,7 @@ _TRIES = 12
 _LARGER_STEPS = 8  # further tries with larger and larger steps: many equal charts, of whole texels, do not shrink otherwise
 _DROPPED = 1e-7  # area of the faces that xatlas leaves out
 _FULL = 0.9  # of the side of the image
-_LONGEST = 1000.0  # longest edge of which xatlas chooses the scale, in sides of a square with the area of all faces
+_LONGEST = 16.0  # longest edge of which xatlas chooses the scale, in sides of a square with the area of all faces
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
 _STRETCHED = 1.5  # longer than in space: faces of flat charts are not stretched, and those of curved ones by up to 1.4
 _ROUNDED = 4.0  # texels: charts are rounded up to whole texels
@@ -97,9 +97,12 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
 def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], size: int) -> float:
     """Return the texels per unit of length to begin with; 0 leaves the choice to xatlas, which goes by the area alone.
 
-    Faces that are all slivers have so little area that charts would be a million times as long as the image.
+    Slivers alone have so little area that charts would be a hundred or a million times as long as the image. With other
+    faces, slivers that are stretched are found at the scale that xatlas chooses.
     """
     corners = np.concatenate([vertices[faces[rows]] for (vertices, faces), rows in zip(parts, kept, strict=True)])
+    if find_wide(corners).any():
+        return 0.0
     areas = find_areas(corners.astype(np.float64))
     longest = float(find_longest_edges(corners[areas > _DROPPED]).max(initial=0.0))
     return 2.0 * size / longest if longest > _LONGEST * np.sqrt(areas.sum()) else 0.0
