@@ -58,7 +58,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
 
     xatlas makes an image of only about the requested size. So charts are packed with fewer and fewer texels per unit of
     length, until all charts fit. If slivers by rounding have huge charts, they are left out, and packing starts again: first
-    without slivers that are connected to other faces, then without any.
+    without slivers that are connected to other faces, then without any. Slivers alone begin small, and grow until they fit.
 
     Returns:
         used fractions of width and height, the atlas, and for each mesh the rows of the faces in the atlas.
@@ -67,7 +67,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
 
     choices = _list_choices(parts)
     slack, tries, kept = _SLACK, 0, next(choices)
-    wanted = first = _first_scale(parts, kept, size)
+    wanted = first = _first_scale(parts, size)
     while tries < _TRIES + _LARGER_STEPS:
         atlas = xatlas.Atlas()
         _alive.append(atlas)
@@ -80,9 +80,8 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
         side = max(atlas.width, atlas.height)
         if not side:
             raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-        if wanted == first and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
+        if not wanted and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
             kept = fewer
-            wanted = first = _first_scale(parts, kept, size)
             continue
         if side <= size and (not first or side >= _FULL * size or tries >= _TRIES):
             return np.array((atlas.width, atlas.height)) / size, atlas, kept
@@ -94,13 +93,13 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     )
 
 
-def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], size: int) -> float:
+def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> float:
     """Return the texels per unit of length to begin with; 0 leaves the choice to xatlas, which goes by the area alone.
 
     Slivers alone have so little area that charts would be a hundred or a million times as long as the image. With other
     faces, slivers that are stretched are found at the scale that xatlas chooses.
     """
-    corners = np.concatenate([vertices[faces[rows]] for (vertices, faces), rows in zip(parts, kept, strict=True)])
+    corners = np.concatenate([vertices[faces] for vertices, faces in parts])
     if find_wide(corners).any():
         return 0.0
     areas = find_areas(corners.astype(np.float64))
