@@ -9,6 +9,9 @@ import trimesh
 from glb_files import glb
 from PIL import Image
 
+from warpsample.mesh.files.gltf import iterate_primitives
+from warpsample.texture.glb_file import GlbFile
+
 RAYS = ("--samples", 256)
 SQUARE = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], np.float32)
 TWO = np.array([0, 1, 2, 0, 2, 3], np.uint16)
@@ -156,3 +159,14 @@ def floor_and_glass(path, share_of_room=0.95):
     tree["materials"] = [{"name": "floor"}, {"name": "glass", "alphaMode": "BLEND"}]
     path.write_bytes(glb(tree, arrays))
     return path
+
+
+def means_of_places(path):
+    """The mean of the occlusion that each place of each primitive shows, by node and material's name."""
+    tree, data, _ = opened(path)
+    found = []
+    for one in iterate_primitives(GlbFile(path).part):
+        material = tree["materials"][tree["meshes"][one.mesh]["primitives"][one.number]["material"]]
+        info = material["occlusionTexture"]
+        found.append((one.node.path, material["name"], picture(tree, data, info["index"]).mean().round(2)))
+    return found

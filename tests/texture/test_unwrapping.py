@@ -191,17 +191,44 @@ def test_a_mesh_of_slivers_alone_is_unwrapped():
     assert ws.texture_points(split, uv, 256).report.covered > 100
 
 
-def test_wires_have_more_texels_in_a_larger_image():
-    """They had fewer, as the charts of the first try were ten times as long as the image, and later ones too small."""
+def straight_wires():
+    """Thirty quads of 300 x 0.005, in all directions."""
     rng, corners = np.random.default_rng(1), np.array([(0, 0, 0), (300, 0, 0), (300, 0.005, 0), (0, 0.005, 0)])
     turns = np.linalg.qr(rng.normal(size=(30, 3, 3)))[0]
     vertices = (corners @ turns + rng.uniform(-300, 300, (30, 1, 3))).reshape(-1, 3)
-    faces = (4 * np.arange(30)[:, None, None] + np.array([(0, 1, 2), (0, 2, 3)])).reshape(-1, 3)
-    mesh, counts = ws.Mesh(vertices, faces), []
-    for size in (256, 1024):
+    return vertices, (4 * np.arange(30)[:, None, None] + np.array([(0, 1, 2), (0, 2, 3)])).reshape(-1, 3)
+
+
+def hanging_cables(count):
+    """Cables of 300 m, 2 cm thick, of 50 pieces with three sides each."""
+    turns, along = np.arange(3) * 2 * np.pi / 3, np.linspace(-1, 1, 51)
+    ring = np.column_stack([np.zeros(3), np.cos(turns), np.sin(turns)]) * 0.01
+    axis = np.column_stack([150 * along, np.zeros(51), 8 * along**2])
+    one = (axis[:, None] + ring).reshape(-1, 3)
+    start = np.arange(150)
+    beside = start // 3 * 3 + (start + 1) % 3
+    faces = np.concatenate([np.column_stack([start, start + 3, beside]), np.column_stack([beside, start + 3, beside + 3])])
+    vertices = one + np.array([0, 3, 0]) * np.arange(count)[:, None, None]
+    return vertices.reshape(-1, 3), (faces + len(one) * np.arange(count)[:, None, None]).reshape(-1, 3)
+
+
+def cables_and_house():
+    vertices, faces = hanging_cables(3)
+    house = trimesh.creation.box((8, 8, 8)).apply_translation((0, 20, 0))
+    return np.concatenate([vertices, house.vertices]), np.concatenate([faces, house.faces + len(vertices)])
+
+
+@pytest.mark.parametrize(
+    ("scene", "sizes", "ratio"),
+    [(straight_wires(), (256, 1024), 2.5), (hanging_cables(1), (256, 512), 1.8), (cables_and_house(), (128, 256), 1.9)],
+)
+def test_wires_have_more_texels_in_a_larger_image(scene, sizes, ratio):
+    """They had fewer, as the charts of the first try were ten times as long as the image, and later ones too small."""
+    mesh, counts = ws.Mesh(*scene), []
+    for size in sizes:
         split, uv = ws.unwrap(mesh, size)
         counts.append(ws.texture_points(split, uv, size).report.covered)
-    assert counts[1] > 2.5 * counts[0]
+    assert counts[1] > ratio * counts[0]
 
 
 @pytest.mark.parametrize("width", [1e-5, 1e-9, 1e-12, 1e-15])

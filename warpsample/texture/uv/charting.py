@@ -15,7 +15,7 @@ _TRIES = 12
 _LARGER_STEPS = 8  # further tries with larger and larger steps: many equal charts, of whole texels, do not shrink otherwise
 _DROPPED = 1e-7  # area of the faces that xatlas leaves out
 _FULL = 0.9  # of the side of the image
-_LONGEST = 16.0  # longest edge of which xatlas chooses the scale, in sides of a square with the area of all faces
+_LONGEST = 16.0  # longest connected part of which xatlas chooses the scale, in sides of a square with the area of all faces
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
 _STRETCHED = 1.5  # longer than in space: faces of flat charts are not stretched, and those of curved ones by up to 1.4
 _ROUNDED = 4.0  # texels: charts are rounded up to whole texels
@@ -58,7 +58,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
 
     xatlas makes an image of only about the requested size. So charts are packed with fewer and fewer texels per unit of
     length, until all charts fit. If slivers by rounding have huge charts, they are left out, and packing starts again: first
-    without slivers that are connected to other faces, then without any. Slivers alone begin small, and grow until they fit.
+    without slivers that are connected to other faces, then without any. Wires alone begin small, and grow until they fit.
 
     Returns:
         used fractions of width and height, the atlas, and for each mesh the rows of the faces in the atlas.
@@ -67,7 +67,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
 
     choices = _list_choices(parts)
     slack, tries, kept = _SLACK, 0, next(choices)
-    wanted = first = _first_scale(parts, size)
+    wanted = _first_scale(parts, size)
     while tries < _TRIES + _LARGER_STEPS:
         atlas = xatlas.Atlas()
         _alive.append(atlas)
@@ -83,7 +83,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
         if not wanted and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
             kept = fewer
             continue
-        if side <= size and (not first or side >= _FULL * size or tries >= _TRIES):
+        if side <= size and (not wanted or side >= _FULL * size or tries >= _TRIES):
             return np.array((atlas.width, atlas.height)) / size, atlas, kept
         tries += 1
         slack = _SLACK if tries <= _TRIES else slack**2
@@ -96,15 +96,28 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
 def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> float:
     """Return the texels per unit of length to begin with; 0 leaves the choice to xatlas, which goes by the area alone.
 
-    Slivers alone have so little area that charts would be a hundred or a million times as long as the image. With other
-    faces, slivers that are stretched are found at the scale that xatlas chooses.
+    Wires and slivers alone have so little area that charts would be tens or millions of times as long as the image. With
+    slivers among other faces, those that are stretched are found at the scale that xatlas chooses.
     """
-    corners = np.concatenate([vertices[faces] for vertices, faces in parts])
-    if find_wide(corners).any():
+    corners = [vertices[faces].astype(np.float64) for vertices, faces in parts]
+    areas = [find_areas(own) for own in corners]
+    wide = np.concatenate([find_wide(own) for own in corners])
+    if wide.any() and not wide.all():
         return 0.0
-    areas = find_areas(corners.astype(np.float64))
-    longest = float(find_longest_edges(corners[areas > _DROPPED]).max(initial=0.0))
-    return 2.0 * size / longest if longest > _LONGEST * np.sqrt(areas.sum()) else 0.0
+    longest = max(_find_longest_part(own[area > _DROPPED]) for own, area in zip(corners, areas, strict=True))
+    return 2.0 * size / longest if longest > _LONGEST * np.sqrt(sum(area.sum() for area in areas)) else 0.0
+
+
+def _find_longest_part(corners: np.ndarray) -> float:
+    """Return the largest diagonal of the bounding boxes of connected faces (F, 3, 3); 0 without faces."""
+    if not len(corners):
+        return 0.0
+    label = label_charts(corners)
+    order = np.argsort(label, kind="stable")
+    starts = np.flatnonzero(np.diff(label[order], prepend=-1))
+    low = np.minimum.reduceat(corners.min(axis=1)[order], starts)
+    high = np.maximum.reduceat(corners.max(axis=1)[order], starts)
+    return float(np.linalg.norm(high - low, axis=1).max())
 
 
 def _list_choices(parts: list[tuple[np.ndarray, np.ndarray]]) -> Iterator[list[np.ndarray]]:
