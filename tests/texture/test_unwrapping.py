@@ -218,9 +218,21 @@ def cables_and_house():
     return np.concatenate([vertices, house.vertices]), np.concatenate([faces, house.faces + len(vertices)])
 
 
+def cable_and_sliver(width):
+    vertices, faces = hanging_cables(1)
+    sliver = [(-100, 0, 9), (100, 0, 9), (50, width, 9)]
+    return np.concatenate([vertices, sliver]), np.concatenate([faces, [len(vertices) + np.arange(3)]])
+
+
 @pytest.mark.parametrize(
     ("scene", "sizes", "ratio"),
-    [(straight_wires(), (256, 1024), 2.5), (hanging_cables(1), (256, 512), 1.8), (cables_and_house(), (128, 256), 1.9)],
+    [
+        (straight_wires(), (256, 1024), 2.5),
+        (hanging_cables(1), (256, 512), 1.8),
+        (cable_and_sliver(0.0), (256, 512), 1.8),
+        (cable_and_sliver(1e-3), (256, 512), 1.8),
+        (cables_and_house(), (128, 256), 1.9),
+    ],
 )
 def test_wires_have_more_texels_in_a_larger_image(scene, sizes, ratio):
     """They had fewer, as the charts of the first try were ten times as long as the image, and later ones too small."""

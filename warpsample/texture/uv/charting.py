@@ -80,7 +80,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
         side = max(atlas.width, atlas.height)
         if not side:
             raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-        if not wanted and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
+        if not tries and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
             kept = fewer
             continue
         if side <= size and (not wanted or side >= _FULL * size or tries >= _TRIES):
@@ -96,22 +96,21 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
 def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> float:
     """Return the texels per unit of length to begin with; 0 leaves the choice to xatlas, which goes by the area alone.
 
-    Wires and slivers alone have so little area that charts would be tens or millions of times as long as the image. With
-    slivers among other faces, those that are stretched are found at the scale that xatlas chooses.
+    Wires alone have so little area that charts would be tens or millions of times as long as the image. Slivers count only
+    if there are no other faces.
     """
-    corners = [vertices[faces].astype(np.float64) for vertices, faces in parts]
-    areas = [find_areas(own) for own in corners]
-    wide = np.concatenate([find_wide(own) for own in corners])
-    if wide.any() and not wide.all():
+    corners = np.concatenate([vertices[faces] for vertices, faces in parts]).astype(np.float64)
+    wide, areas = find_wide(corners), find_areas(corners)
+    counted = wide if wide.any() else areas > _DROPPED
+    corners, limit = corners[counted], _LONGEST * np.sqrt(areas[counted].sum())
+    if not len(corners) or np.linalg.norm(np.ptp(corners, axis=(0, 1))) <= limit:
         return 0.0
-    longest = max(_find_longest_part(own[area > _DROPPED]) for own, area in zip(corners, areas, strict=True))
-    return 2.0 * size / longest if longest > _LONGEST * np.sqrt(sum(area.sum() for area in areas)) else 0.0
+    longest = _find_longest_part(corners)
+    return 2.0 * size / longest if longest > limit else 0.0
 
 
 def _find_longest_part(corners: np.ndarray) -> float:
-    """Return the largest diagonal of the bounding boxes of connected faces (F, 3, 3); 0 without faces."""
-    if not len(corners):
-        return 0.0
+    """Return the largest diagonal of the bounding boxes of connected faces (F, 3, 3)."""
     label = label_charts(corners)
     order = np.argsort(label, kind="stable")
     starts = np.flatnonzero(np.diff(label[order], prepend=-1))
