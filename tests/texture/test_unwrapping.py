@@ -252,12 +252,21 @@ def test_a_sliver_alone_hangs_nothing(width):
     assert len(split.faces) == 1
 
 
-@pytest.mark.parametrize("end", [(0.0, 0.0, 0.0), (1500.0, 0.0, 0.0)])
-def test_a_long_face_without_area_shrinks_no_charts(end):
-    """Beside a crate of 1 m, a collapsed face of 3 km took all texels, though xatlas gives it no chart."""
+@pytest.mark.parametrize("first", [0, 8])  # connected to the crate, or not
+@pytest.mark.parametrize(("length", "width"), [(3000, 0), (3000, 0.1), (3000, 1e-9), (40, 1e-3)])
+def test_a_long_sliver_shrinks_no_charts(length, width, first):
+    """Beside a crate of 1 m, a line took all texels, if it was longer than the image and not stretched."""
     box = trimesh.creation.box()
-    line = np.array([(0, 0, 0), (3000, 0, 0), end], np.float64)
-    mesh = ws.Mesh(np.concatenate([box.vertices, line]), [*box.faces, (8, 9, 10)])
+    line = box.vertices[0] + np.array([(0, 0, 0), (length, 0, 0), (0.5 * length, width, 0)])
+    mesh = ws.Mesh(np.concatenate([box.vertices, line]), [*box.faces, (first, 9, 10)])
+    split, uv = ws.unwrap(mesh, 128)
+    assert ws.texture_points(split, uv, 128).report.covered > 0.4 * 128**2
+
+
+def test_a_collapsed_face_shrinks_no_charts():
+    """One of 3 km took all texels, though xatlas gives it no chart."""
+    box = trimesh.creation.box()
+    mesh = ws.Mesh(np.concatenate([box.vertices, [(3000, 0, 0)]]), [*box.faces, (0, 8, 0)])
     split, uv = ws.unwrap(mesh, 128)
     assert ws.texture_points(split, uv, 128).report.covered > 0.4 * 128**2
 

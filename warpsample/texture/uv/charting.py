@@ -80,7 +80,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
         side = max(atlas.width, atlas.height)
         if not side:
             raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-        if not tries and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
+        if not tries and _is_spoiled(parts, kept, atlas, size) and (fewer := next(choices, None)) is not None:
             kept = fewer
             continue
         if side <= size and (not wanted or side >= _FULL * size or tries >= _TRIES):
@@ -110,7 +110,9 @@ def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> float
 
 
 def _find_longest_part(corners: np.ndarray) -> float:
-    """Return the largest diagonal of the bounding boxes of connected faces (F, 3, 3)."""
+    """Return the largest diagonal of the bounding boxes of connected faces (F, 3, 3); 0 without faces."""
+    if not len(corners):
+        return 0.0
     label = label_charts(corners)
     order = np.argsort(label, kind="stable")
     starts = np.flatnonzero(np.diff(label[order], prepend=-1))
@@ -144,14 +146,24 @@ def _read_meshes(atlas: Any, kept: list[np.ndarray]) -> Iterator[tuple[np.ndarra
             yield np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32), np.zeros((0, 2), np.float32)
 
 
-def _is_spoiled(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], atlas: Any) -> bool:
-    """Return whether a sliver is longer in the image than in space, by more than charts are rounded up to whole texels."""
+def _is_spoiled(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], atlas: Any, size: int) -> bool:
+    """Return whether a sliver takes the place of other charts, because it is too long in the image.
+
+    That is, longer than in space, by more than charts are rounded up to whole texels; or longer than the image and than
+    all connected faces that are no slivers.
+    """
+    longest = 0.0
     for (vertices, faces), rows, (_, corners, uv) in zip(parts, kept, _read_meshes(atlas, kept), strict=True):
+        sliver = ~find_wide(vertices[faces[rows]])
         texels = find_longest_edges(uv[corners] * np.float32([atlas.width, atlas.height]))
         expected = atlas.texels_per_unit * find_longest_edges(vertices[faces[rows]])
-        if ((texels > _STRETCHED * expected + _ROUNDED) & ~find_wide(vertices[faces[rows]])).any():
+        if ((texels > _STRETCHED * expected + _ROUNDED) & sliver).any():
             return True
-    return False
+        longest = max(longest, float(expected[sliver & (texels > _ROUNDED)].max(initial=0.0)))
+    if longest <= size:
+        return False
+    whole = np.concatenate([vertices[faces] for vertices, faces in parts]).astype(np.float64)
+    return longest > atlas.texels_per_unit * _find_longest_part(whole[find_wide(whole)])
 
 
 def _add_left_out(
