@@ -52,6 +52,23 @@ def test_thin_panes_on_a_large_site_have_their_thickness(site):
     assert np.abs(value / thick[:, None] - 1.0)[large].max() < 1e-5  # a pane's vertices are float64
 
 
+def test_a_slender_mast_on_a_large_site_has_its_thickness():
+    """Sides at 0.1 degrees to the rays: their distances were off by up to 0.1 %, 3.0896 for 3.0861."""
+    half, height = 0.05, 30.0
+    base = half * np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)])
+    ground = 300 * np.array([(0, 0, -0.01), (1, 0, -0.01), (1, 1, -0.01), (0, 1, -0.01)])
+    mast = np.array([*base, (0, 0, height)]) + np.array([111, 63, 0])
+    faces = [(0, 2, 1), (0, 3, 2), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4), (5, 6, 7), (5, 7, 8)]
+    mesh = ws.Mesh(np.concatenate([mast, ground]), np.array(faces))
+    rng = np.random.default_rng(0)
+    place = rng.uniform(-0.9 * half, 0.9 * half, (2000, 2))
+    position = np.column_stack([place + np.array([111, 63]), np.zeros(2000)])
+    face = np.where(place[:, 0] > place[:, 1], 0, 1).astype(np.int32)
+    points = ws.SurfacePoints(position, np.tile(np.float32([0, 0, -1]), (2000, 1)), face)
+    want = height * (1.0 - np.abs(place).max(axis=1) / half)
+    assert np.abs(ws.thickness(mesh, points).value / want - 1.0).max() < 1e-5
+
+
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
 def test_boxes_far_from_the_origin_have_their_thickness(kind):
     """With float32 positions, rays start 2 spacings of the coordinates off their face: 1 at 5e6."""

@@ -86,8 +86,8 @@ def thickness(
 def _exact_distances(mesh: Mesh, points: SurfacePoints, directions: np.ndarray, hits: Hits) -> np.ndarray:
     """Return distances from points to the planes of hit faces, (P,), in float64.
 
-    Rays start a step inside of their face, which is much for thin walls in a large mesh. A distance that differs from that
-    of the ray by more than such steps, as at a face nearly parallel to the ray, stays the ray's.
+    Rays start a step inside of their face, which is much for thin walls in a large mesh, and for faces nearly parallel to
+    the ray. The distance stays the ray's if the plane is met outside the face, and more than such steps away from the hit.
     """
     scene, found = scene_of(mesh, through=True), hits.distance.astype(np.float64)
     position = np.asarray(points.position)
@@ -96,11 +96,19 @@ def _exact_distances(mesh: Mesh, points: SurfacePoints, directions: np.ndarray, 
     for start in range(0, len(found), _BLOCK):
         rows = start + np.flatnonzero(hits.face[start : start + _BLOCK] >= 0)
         face, way = hits.face[rows], directions[rows].astype(np.float64)
-        normal, ahead = mesh.cross_products[face], mesh.vertices[mesh.faces[face, 0]] - position[rows]
+        way /= np.linalg.norm(way, axis=1, keepdims=True)
+        normal, corners, origin = mesh.cross_products[face], mesh.vertices[mesh.faces[face]], position[rows]
         with np.errstate(divide="ignore", invalid="ignore"):
-            exact = (normal * ahead).sum(axis=1) / (normal * way).sum(axis=1) * np.linalg.norm(way, axis=1)
-        found[rows] = np.where(np.abs(exact - found[rows]) <= step, np.maximum(exact, 0.0), found[rows])
+            exact = (normal * (corners[:, 0] - origin)).sum(axis=1) / (normal * way).sum(axis=1)
+            met = (exact > 0.0) & _are_inside(corners, normal, origin + exact[:, None] * way)
+        found[rows] = np.where(met | (np.abs(exact - found[rows]) <= step), np.maximum(exact, 0.0), found[rows])
     return found
+
+
+def _are_inside(corners: np.ndarray, normals: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """Return whether points (N, 3), in the planes of triangles (N, 3, 3), are inside the triangles, (N,)."""
+    edges = np.roll(corners, -1, axis=1) - corners
+    return ((np.cross(edges, points[:, None] - corners) * normals[:, None]).sum(axis=2) >= 0.0).all(axis=1)
 
 
 RECORD = Quantity(
