@@ -16,6 +16,7 @@ _LARGER_STEPS = 8  # further tries with larger and larger steps: many equal char
 _DROPPED = 1e-7  # area of the faces that xatlas leaves out
 _FULL = 0.9  # of the side of the image
 _LONGEST = 16.0  # longest connected part of which xatlas chooses the scale, in sides of a square with the area of all faces
+_IMAGE = 1.6  # side of an image by xatlas, in sides of a square with the area of all faces
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
 _STRETCHED = 1.5  # longer than in space: faces of flat charts are not stretched, and those of curved ones by up to 1.4
 _ROUNDED = 4.0  # texels: charts are rounded up to whole texels
@@ -65,9 +66,9 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     """
     import xatlas
 
-    choices = _list_choices(parts)
+    wanted, longest = _plan(parts, size)
+    choices = _list_choices(parts, longest)
     slack, tries, kept = _SLACK, 0, next(choices)
-    wanted = _first_scale(parts, size)
     while tries < _TRIES + _LARGER_STEPS:
         atlas = xatlas.Atlas()
         _alive.append(atlas)
@@ -80,7 +81,7 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
         side = max(atlas.width, atlas.height)
         if not side:
             raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-        if not tries and _is_spoiled(parts, kept, atlas, size) and (fewer := next(choices, None)) is not None:
+        if not tries and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
             kept = fewer
             continue
         if side <= size and (not wanted or side >= _FULL * size or tries >= _TRIES):
@@ -93,20 +94,22 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     )
 
 
-def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> float:
-    """Return the texels per unit of length to begin with; 0 leaves the choice to xatlas, which goes by the area alone.
+def _plan(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> tuple[float, float]:
+    """Return the texels per unit of length to begin with, and the length of the longest sliver to keep.
 
-    Wires alone have so little area that charts would be tens or millions of times as long as the image. Slivers count only
-    if there are no other faces.
+    The scale 0 leaves the choice to xatlas, which goes by the area alone. Wires alone have so little area that charts would
+    be tens or millions of times as long as the image. Slivers count only if there are no other faces; longer than the
+    image, and than all connected other faces, they would shrink all charts.
     """
     corners = np.concatenate([vertices[faces] for vertices, faces in parts]).astype(np.float64)
     wide, areas = find_wide(corners), find_areas(corners)
     counted = wide if wide.any() else areas > _DROPPED
-    corners, limit = corners[counted], _LONGEST * np.sqrt(areas[counted].sum())
-    if not len(corners) or np.linalg.norm(np.ptp(corners, axis=(0, 1))) <= limit:
-        return 0.0
-    longest = _find_longest_part(corners)
-    return 2.0 * size / longest if longest > limit else 0.0
+    side = np.sqrt(areas[counted].sum())
+    if np.linalg.norm(np.ptp(corners, axis=(0, 1))) <= _IMAGE * side:
+        return 0.0, np.inf
+    longest = _find_longest_part(corners[counted])
+    scale = 2.0 * size / longest if longest > _LONGEST * side else 0.0
+    return scale, max(longest, _IMAGE * side) if wide.any() else np.inf
 
 
 def _find_longest_part(corners: np.ndarray) -> float:
@@ -121,16 +124,21 @@ def _find_longest_part(corners: np.ndarray) -> float:
     return float(np.linalg.norm(high - low, axis=1).max())
 
 
-def _list_choices(parts: list[tuple[np.ndarray, np.ndarray]]) -> Iterator[list[np.ndarray]]:
-    """Yield rows of faces to give to xatlas: all; without slivers connected to other faces; and without any slivers."""
-    wide = [find_wide(vertices[faces]) for vertices, faces in parts]
-    yield [np.arange(len(own)) for own in wide]
+def _list_choices(parts: list[tuple[np.ndarray, np.ndarray]], longest: float) -> Iterator[list[np.ndarray]]:
+    """Yield rows of faces to give to xatlas: all; without slivers connected to other faces; and without any slivers.
+
+    All are without slivers longer than `longest`.
+    """
+    corners = [vertices[faces] for vertices, faces in parts]
+    wide = [find_wide(own) for own in corners]
+    short = [own_wide | (find_longest_edges(own) <= longest) for own, own_wide in zip(corners, wide, strict=True)]
+    yield [np.flatnonzero(own) for own in short]
     if all(own.all() for own in wide) or not any(own.any() for own in wide):
         return
     kept = []
-    for (vertices, faces), own in zip(parts, wide, strict=True):
-        label = label_charts(vertices[faces].astype(np.float64))
-        kept.append(np.flatnonzero(own | (np.bincount(label, own) == 0)[label]))
+    for own, own_wide, own_short in zip(corners, wide, short, strict=True):
+        label = label_charts(own.astype(np.float64))
+        kept.append(np.flatnonzero(own_wide | (own_short & (np.bincount(label, own_wide) == 0)[label])))
     yield kept
     yield [np.flatnonzero(own) for own in wide]
 
@@ -146,24 +154,14 @@ def _read_meshes(atlas: Any, kept: list[np.ndarray]) -> Iterator[tuple[np.ndarra
             yield np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32), np.zeros((0, 2), np.float32)
 
 
-def _is_spoiled(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], atlas: Any, size: int) -> bool:
-    """Return whether a sliver takes the place of other charts, because it is too long in the image.
-
-    That is, longer than in space, by more than charts are rounded up to whole texels; or longer than the image and than
-    all connected faces that are no slivers.
-    """
-    longest = 0.0
+def _is_spoiled(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], atlas: Any) -> bool:
+    """Return whether a sliver is longer in the image than in space, by more than charts are rounded up to whole texels."""
     for (vertices, faces), rows, (_, corners, uv) in zip(parts, kept, _read_meshes(atlas, kept), strict=True):
-        sliver = ~find_wide(vertices[faces[rows]])
         texels = find_longest_edges(uv[corners] * np.float32([atlas.width, atlas.height]))
         expected = atlas.texels_per_unit * find_longest_edges(vertices[faces[rows]])
-        if ((texels > _STRETCHED * expected + _ROUNDED) & sliver).any():
+        if ((texels > _STRETCHED * expected + _ROUNDED) & ~find_wide(vertices[faces[rows]])).any():
             return True
-        longest = max(longest, float(expected[sliver & (texels > _ROUNDED)].max(initial=0.0)))
-    if longest <= size:
-        return False
-    whole = np.concatenate([vertices[faces] for vertices, faces in parts]).astype(np.float64)
-    return longest > atlas.texels_per_unit * _find_longest_part(whole[find_wide(whole)])
+    return False
 
 
 def _add_left_out(
