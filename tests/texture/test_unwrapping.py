@@ -263,6 +263,28 @@ def test_a_long_sliver_shrinks_no_charts(length, width, first):
     assert ws.texture_points(split, uv, 128).report.covered > 0.4 * 128**2
 
 
+@pytest.mark.parametrize("height", [1e5, 1e11, 1e30])
+def test_a_vertex_far_away_shrinks_no_charts(height):
+    """By a damaged number in a file: with a scale for its faces, the others had no area, and at 1e11 xatlas hung."""
+    ball = trimesh.creation.icosphere(1)
+    vertices = ball.vertices.copy()
+    vertices[5] = 0.0, 0.5, height
+    split, uv = ws.unwrap(ws.Mesh(vertices, ball.faces), 64)
+    report = ws.texture_points(split, uv, 64).report
+    assert (report.zero_area, report.flat_slivers) == (0, 5)
+    assert report.covered > 1000
+
+
+def test_a_mesh_of_long_slivers_alone_beside_another_has_no_charts():
+    ball = trimesh.creation.icosphere(1)
+    line = np.array([(0, 0, 5), (900, 0, 5), (400, 1e-3, 5), (0, 0, 9)], np.float64)
+    made = unwrapping.unwrap_meshes([(line, np.array([(0, 1, 2)])), (ball.vertices, ball.faces)], 128, 4)
+    (old, corners, uv), (_, faces, _) = made
+    assert old[corners].tolist() == [[0, 1, 2]]
+    assert not uv.any()
+    assert len(faces) == len(ball.faces)
+
+
 def test_a_collapsed_face_shrinks_no_charts():
     """One of 3 km took all texels, though xatlas gives it no chart."""
     box = trimesh.creation.box()

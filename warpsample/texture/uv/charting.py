@@ -9,14 +9,14 @@ from typing import Any, NoReturn
 import numpy as np
 
 from warpsample.host.extras import REFUSED
-from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_wide, label_charts
+from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_longest_part, find_wide, label_charts
+from warpsample.texture.uv.pieces import NO_CHARTS, MeshCharts, add_left_out
 
 _TRIES = 12
 _LARGER_STEPS = 8  # further tries with larger and larger steps: many equal charts, of whole texels, do not shrink otherwise
 _DROPPED = 1e-7  # area of the faces that xatlas leaves out
 _FULL = 0.9  # of the side of the image
 _LONGEST = 16.0  # longest connected part of which xatlas chooses the scale, in sides of a square with the area of all faces
-_IMAGE = 1.6  # side of an image by xatlas, in sides of a square with the area of all faces
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
 _STRETCHED = 1.5  # longer than in space: faces of flat charts are not stretched, and those of curved ones by up to 1.4
 _ROUNDED = 4.0  # texels: charts are rounded up to whole texels
@@ -40,7 +40,7 @@ def main(size: int, padding: int) -> NoReturn:
         _answer(output, str(error).encode(), REFUSED)
     arrays = {"share": share}
     for i, ((_, faces), rows, made) in enumerate(zip(parts, kept, _read_meshes(atlas, kept), strict=True)):
-        old, corners, uv = _add_left_out(faces, rows, *made)
+        old, corners, uv = add_left_out(faces, rows, *made)
         arrays |= {f"old{i}": old, f"f{i}": corners, f"uv{i}": uv}
     stream = BytesIO()
     np.savez(stream, **arrays)
@@ -66,9 +66,9 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     """
     import xatlas
 
-    wanted, longest = _plan(parts, size)
-    choices = _list_choices(parts, longest)
+    choices = _list_choices(parts)
     slack, tries, kept = _SLACK, 0, next(choices)
+    wanted = _first_scale(parts, size)
     while tries < _TRIES + _LARGER_STEPS:
         atlas = xatlas.Atlas()
         _alive.append(atlas)
@@ -94,56 +94,34 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     )
 
 
-def _plan(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> tuple[float, float]:
-    """Return the texels per unit of length to begin with, and the length of the longest sliver to keep.
+def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> float:
+    """Return the texels per unit of length to begin with; 0 leaves the choice to xatlas, which goes by the area alone.
 
-    The scale 0 leaves the choice to xatlas, which goes by the area alone. Wires alone have so little area that charts would
-    be tens or millions of times as long as the image. Slivers count only if there are no other faces; longer than the
-    image, and than all connected other faces, they would shrink all charts.
+    Wires alone have so little area that charts would be tens or millions of times as long as the image. Slivers count only
+    if there are no other faces.
     """
     corners = np.concatenate([vertices[faces] for vertices, faces in parts]).astype(np.float64)
     wide, areas = find_wide(corners), find_areas(corners)
     counted = wide if wide.any() else areas > _DROPPED
-    side = np.sqrt(areas[counted].sum())
-    if np.linalg.norm(np.ptp(corners, axis=(0, 1))) <= _IMAGE * side:
-        return 0.0, np.inf
-    longest = _find_longest_part(corners[counted])
-    scale = 2.0 * size / longest if longest > _LONGEST * side else 0.0
-    return scale, max(longest, _IMAGE * side) if wide.any() else np.inf
+    longest = find_longest_part(corners[counted], _LONGEST * np.sqrt(areas[counted].sum()))
+    return 2.0 * size / longest if longest else 0.0
 
 
-def _find_longest_part(corners: np.ndarray) -> float:
-    """Return the largest diagonal of the bounding boxes of connected faces (F, 3, 3); 0 without faces."""
-    if not len(corners):
-        return 0.0
-    label = label_charts(corners)
-    order = np.argsort(label, kind="stable")
-    starts = np.flatnonzero(np.diff(label[order], prepend=-1))
-    low = np.minimum.reduceat(corners.min(axis=1)[order], starts)
-    high = np.maximum.reduceat(corners.max(axis=1)[order], starts)
-    return float(np.linalg.norm(high - low, axis=1).max())
-
-
-def _list_choices(parts: list[tuple[np.ndarray, np.ndarray]], longest: float) -> Iterator[list[np.ndarray]]:
-    """Yield rows of faces to give to xatlas: all; without slivers connected to other faces; and without any slivers.
-
-    All are without slivers longer than `longest`.
-    """
-    corners = [vertices[faces] for vertices, faces in parts]
-    wide = [find_wide(own) for own in corners]
-    short = [own_wide | (find_longest_edges(own) <= longest) for own, own_wide in zip(corners, wide, strict=True)]
-    yield [np.flatnonzero(own) for own in short]
+def _list_choices(parts: list[tuple[np.ndarray, np.ndarray]]) -> Iterator[list[np.ndarray]]:
+    """Yield rows of faces to give to xatlas: all; without slivers connected to other faces; and without any slivers."""
+    wide = [find_wide(vertices[faces]) for vertices, faces in parts]
+    yield [np.arange(len(own)) for own in wide]
     if all(own.all() for own in wide) or not any(own.any() for own in wide):
         return
     kept = []
-    for own, own_wide, own_short in zip(corners, wide, short, strict=True):
-        label = label_charts(own.astype(np.float64))
-        kept.append(np.flatnonzero(own_wide | (own_short & (np.bincount(label, own_wide) == 0)[label])))
+    for (vertices, faces), own in zip(parts, wide, strict=True):
+        label = label_charts(vertices[faces].astype(np.float64))
+        kept.append(np.flatnonzero(own | (np.bincount(label, own) == 0)[label]))
     yield kept
     yield [np.flatnonzero(own) for own in wide]
 
 
-def _read_meshes(atlas: Any, kept: list[np.ndarray]) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+def _read_meshes(atlas: Any, kept: list[np.ndarray]) -> Iterator[MeshCharts]:
     """Yield the old vertices, the corners and the coordinates of each mesh; empty for a mesh without faces in the atlas."""
     number = 0
     for rows in kept:
@@ -151,7 +129,7 @@ def _read_meshes(atlas: Any, kept: list[np.ndarray]) -> Iterator[tuple[np.ndarra
             yield atlas.get_mesh(number)
             number += 1
         else:
-            yield np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32), np.zeros((0, 2), np.float32)
+            yield NO_CHARTS
 
 
 def _is_spoiled(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], atlas: Any) -> bool:
@@ -162,21 +140,3 @@ def _is_spoiled(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarra
         if ((texels > _STRETCHED * expected + _ROUNDED) & ~find_wide(vertices[faces[rows]])).any():
             return True
     return False
-
-
-def _add_left_out(
-    faces: np.ndarray, kept: np.ndarray, old: np.ndarray, corners: np.ndarray, uv: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return charts of all faces of a mesh: a face left out has the coordinates of one of its vertices, or 0."""
-    left = np.ones(len(faces), np.bool_)
-    left[kept] = False
-    if not left.any():
-        return old, corners, uv
-    place = np.zeros(int(faces.max()) + 1, np.int64)
-    place[old] = 1 + np.arange(len(old))
-    at = place[faces[left]].max(axis=1)  # any vertex that another face shares
-    own = np.concatenate([np.zeros((1, 2), np.float32), uv])[at]
-    whole = np.empty((len(faces), 3), np.uint32)
-    whole[~left] = corners
-    whole[left] = len(old) + np.arange(3 * len(at)).reshape(-1, 3)
-    return np.concatenate([old, faces[left].ravel()]), whole, np.concatenate([uv, np.repeat(own, 3, axis=0)])

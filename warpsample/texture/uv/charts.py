@@ -43,6 +43,19 @@ def find_longest_edges(corners: np.ndarray) -> np.ndarray:
     return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).max(axis=1)
 
 
+def find_longest_part(corners: np.ndarray, limit: float) -> float:
+    """Return the largest diagonal of the boxes of connected faces (F, 3, 3); 0 if none is longer than `limit`."""
+    if not len(corners) or np.linalg.norm(np.ptp(corners, axis=(0, 1))) <= limit:
+        return 0.0
+    label = label_charts(corners)
+    order = np.argsort(label, kind="stable")
+    starts = np.flatnonzero(np.diff(label[order], prepend=-1))
+    low = np.minimum.reduceat(corners.min(axis=1)[order], starts)
+    high = np.maximum.reduceat(corners.max(axis=1)[order], starts)
+    longest = float(np.linalg.norm(high - low, axis=1).max())
+    return longest if longest > limit else 0.0
+
+
 def label_closed(faces: np.ndarray) -> np.ndarray:
     """Return the number of the closed part that contains each face, (N,), counted from 0; -1 for faces in open parts.
 

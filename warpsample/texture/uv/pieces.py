@@ -4,15 +4,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from warpsample.texture.uv.charts import find_areas, label_charts
+from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_longest_part, find_wide, label_charts
 
 MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
 """Charts of a mesh: (V2,) old vertex of each new vertex, (F, 3) new vertices of each face, and (V2, 2) coordinates."""
+
+NO_CHARTS: MeshCharts = (np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32), np.zeros((0, 2), np.float32))
+"""Charts of a mesh without faces."""
 
 _DIAGONAL = 1000.0  # diagonal of the scaled meshes: xatlas drops faces with an area below 1e-7
 _SMALL = 2.0**-15  # of the diagonal: with narrower faces charts are uneven, and meshes are divided
 _SHARE = 1e-3  # of the area: faces with less of it have too few texels to count
 _CELL = 2.0**14  # side of the cells whose connected parts become one piece, in widths of small faces
+_IMAGE = 1.6  # side of an image by xatlas, in sides of a square with the area of all faces
 _LARGEST = 1e9  # largest diagonal of a scaled piece: xatlas fails at 1e12
 
 
@@ -32,6 +36,24 @@ class Piece(NamedTuple):
     old: np.ndarray
     vertices: np.ndarray
     faces: np.ndarray
+
+
+def find_kept(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[np.ndarray]:
+    """Return rows of the faces of each mesh for xatlas: all but slivers that would shrink all charts.
+
+    Such slivers are longer than the image at the scale of the other faces, and than all connected other faces.
+
+    Args:
+        parts: vertices and faces of each mesh.
+    """
+    corners = [vertices[faces] for vertices, faces in parts]
+    wide = [find_wide(own) for own in corners]
+    longest = [find_longest_edges(own) for own in corners]
+    others = np.concatenate([own[mask] for own, mask in zip(corners, wide, strict=True)])
+    limit = _IMAGE * np.sqrt(find_areas(others).sum()) if len(others) else np.inf
+    if max(own.max(initial=0.0) for own in longest) > limit:
+        limit = max(limit, find_longest_part(others, limit))
+    return [np.flatnonzero(own_wide | (own <= limit)) for own_wide, own in zip(wide, longest, strict=True)]
 
 
 def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
@@ -61,6 +83,32 @@ def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
         scaled = ((vertices[old] - 0.5 * (box[0] + box[1])) * scale).astype(np.float32)
         found.append(Piece(part, rows, old, scaled, local.reshape(-1, 3)))
     return found
+
+
+def add_left_out(
+    faces: np.ndarray, kept: np.ndarray, old: np.ndarray, corners: np.ndarray, uv: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return charts of all faces of a mesh: a face left out has the coordinates of one of its vertices, or 0.
+
+    Args:
+        faces: (F, 3) vertices of all faces of the mesh.
+        kept: (K,) rows of the faces that have charts.
+        old: (V2,) vertex of the mesh for each vertex of the charts.
+        corners: (K, 3) vertices of the charts, for each face with charts.
+        uv: (V2, 2) their coordinates.
+    """
+    left = np.ones(len(faces), np.bool_)
+    left[kept] = False
+    if not left.any():
+        return old, corners, uv
+    place = np.zeros(int(faces.max()) + 1, np.int64)
+    place[old] = 1 + np.arange(len(old))
+    at = place[faces[left]].max(axis=1)  # any vertex that another face shares
+    own = np.concatenate([np.zeros((1, 2), np.float32), uv])[at]
+    whole = np.empty((len(faces), 3), np.uint32)
+    whole[~left] = corners
+    whole[left] = len(old) + np.arange(3 * len(at)).reshape(-1, 3)
+    return np.concatenate([old, faces[left].ravel()]), whole, np.concatenate([uv, np.repeat(own, 3, axis=0)])
 
 
 def join_charts(pieces: list[Piece], charts: list[MeshCharts], count: int) -> list[MeshCharts]:

@@ -12,7 +12,7 @@ import numpy as np
 from warpsample.host.arguments import check_integer
 from warpsample.host.extras import REFUSED, missing, run_program
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.texture.uv.pieces import MeshCharts, divide_meshes, join_charts
+from warpsample.texture.uv.pieces import NO_CHARTS, MeshCharts, add_left_out, divide_meshes, find_kept, join_charts
 
 PADDING = 4
 """Default number of texels between charts."""
@@ -38,8 +38,9 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
     Returns:
         the mesh with vertices split at the borders of charts, and the same faces in the same order; and (F, 3, 2) float64
         coordinates from 0 to 1, v downward. A face without an area in float32 has equal coordinates at its three corners.
-        If xatlas gives slivers huge charts, faces narrower than 1/10,000 of their longest edge have the coordinates of a
-        neighbour's corner. Beside large parts, faces of a part below 1/5,000 of the mesh's size may have no area.
+        Slivers, narrower than 1/10,000 of their longest edge, have the coordinates of a neighbour's corner if they are
+        longer than all else, or if xatlas gives them huge charts. Beside large parts, faces of a part below 1/5,000 of the
+        mesh's size may have no area.
 
     Raises:
         TypeError, ValueError: an argument is invalid, xatlas fails on the mesh, or the image is too small for the charts.
@@ -67,13 +68,16 @@ def unwrap_meshes(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding
     """
     if find_spec("xatlas") is None:
         raise missing("new texture coordinates need xatlas", "xatlas")
-    pieces, given = divide_meshes(parts), {}
+    kept, given = find_kept(parts), {}
+    shown = [i for i, rows in enumerate(kept) if len(rows)]
+    pieces = divide_meshes([(parts[i][0], parts[i][1][kept[i]]) for i in shown])
     for i, one in enumerate(pieces):
         given |= {f"v{i}": one.vertices, f"f{i}": one.faces.astype(np.uint32)}
     made = _run(given, size, padding)
     share = made["share"]
     charts = [(made[f"old{i}"], made[f"f{i}"], made[f"uv{i}"].astype(np.float64) * share) for i in range(len(pieces))]
-    return join_charts(pieces, charts, len(parts))
+    joined = dict(zip(shown, join_charts(pieces, charts, len(shown)), strict=True))
+    return [add_left_out(faces, kept[i], *joined.get(i, NO_CHARTS)) for i, (_, faces) in enumerate(parts)]
 
 
 def _run(given: dict[str, np.ndarray], size: int, padding: int) -> Any:
