@@ -122,6 +122,20 @@ def test_slivers_do_not_take_the_picture(decimals):
         assert (np.abs(uv[wide[touching]] - uv[face, 0]).max(axis=2) == 0).any()
 
 
+def test_slivers_along_edges_do_not_end_xatlas():
+    """Panels with vertices on one edge: with charts of 10^7 texels in a first image, xatlas ended with a signal."""
+    rng, corners, faces = np.random.default_rng(3), [], []
+    for start in range(0, 84, 7):
+        along = np.sort(rng.uniform(0, 10, 3))
+        flat = np.array([(0, 0, 0), (10, 0, 0), (10, 3, 0), (0, 3, 0), *((x, 0, 0) for x in along)])
+        turned = flat @ np.linalg.qr(rng.normal(size=(3, 3)))[0] + rng.uniform(-20, 20, 3)
+        corners.append(turned.astype(np.float32))
+        faces += [(start + a, start + b, start + c) for a, b, c in [(0, 1, 2), (0, 2, 3), (0, 4, 1), (4, 5, 1), (5, 6, 1)]]
+    uv = ws.unwrap(ws.Mesh(np.concatenate(corners), np.array(faces)), 4096)[1]
+    first, second = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
+    assert 0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]).sum() > 0.4
+
+
 def test_long_slivers_shrink_no_charts():
     """Charts of slivers two or three times as long as a strip of 20 x 1 had left 0.22 of the texels."""
     mesh = panels(6, (20, 1))

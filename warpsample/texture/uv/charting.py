@@ -64,47 +64,61 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     Returns:
         used fractions of width and height, the atlas, and for each mesh the rows of the faces in the atlas.
     """
-    import xatlas
-
     choices = _list_choices(parts)
-    slack, tries, kept = _SLACK, 0, next(choices)
-    wanted = _first_scale(parts, size)
-    while tries < _TRIES + _LARGER_STEPS:
-        atlas = xatlas.Atlas()
-        _alive.append(atlas)
-        for (vertices, faces), rows in zip(parts, kept, strict=True):
-            if len(rows):
-                atlas.add_mesh(vertices, faces[rows])
-        options = xatlas.PackOptions()
-        options.resolution, options.texels_per_unit, options.padding = 0 if wanted else size, wanted, padding
-        atlas.generate(pack_options=options)
-        side = max(atlas.width, atlas.height)
-        if not side:
-            raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-        if not tries and _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
+    kept, wanted = next(choices), 0.0
+    for wanted in _first_scales(parts, size):
+        atlas = _pack(parts, kept, size, wanted, padding)
+        while _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
             kept = fewer
-            continue
+            atlas = _pack(parts, kept, size, wanted, padding)
+    slack = _SLACK
+    for tries in range(_TRIES + _LARGER_STEPS):
+        side = max(atlas.width, atlas.height)
         if side <= size and (not wanted or side >= _FULL * size or tries >= _TRIES):
             return np.array((atlas.width, atlas.height)) / size, atlas, kept
-        tries += 1
-        slack = _SLACK if tries <= _TRIES else slack**2
+        slack = _SLACK if tries < _TRIES else slack**2
         wanted = atlas.texels_per_unit * slack * size / side
+        atlas = _pack(parts, kept, size, wanted, padding)
     raise ValueError(
         f"size: got {size}, want a larger image: {atlas.chart_count:,} charts, {padding} texels apart, take {side} texels"
     )
 
 
-def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> float:
+def _pack(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], size: int, scale: float, padding: int) -> Any:
+    """Return an atlas of some faces with `scale` texels per unit of length; 0 takes the scale by which `size` about fits.
+
+    Raises:
+        ValueError: xatlas takes none of the faces.
+    """
+    import xatlas
+
+    atlas = xatlas.Atlas()
+    _alive.append(atlas)
+    for (vertices, faces), rows in zip(parts, kept, strict=True):
+        if len(rows):
+            atlas.add_mesh(vertices, faces[rows])
+    options = xatlas.PackOptions()
+    options.resolution, options.texels_per_unit, options.padding = 0 if scale else size, scale, padding
+    atlas.generate(pack_options=options)
+    if not atlas.width:
+        raise ValueError("mesh: got only faces without an area, want at least one face with an area")
+    return atlas
+
+
+def _first_scales(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> list[float]:
     """Return the texels per unit of length to begin with; 0 leaves the choice to xatlas, which goes by the area alone.
 
     Wires alone have so little area that charts would be tens or millions of times as long as the image. Slivers count only
-    if there are no other faces.
+    if there are no other faces. Beside others, charts of slivers may be millions of times as long, and end xatlas: they are
+    found in an image of a texel first.
     """
     corners = np.concatenate([vertices[faces] for vertices, faces in parts]).astype(np.float64)
     wide, areas = find_wide(corners), find_areas(corners)
     counted = wide if wide.any() else areas > _DROPPED
-    longest = find_longest_part(corners[counted], _LONGEST * np.sqrt(areas[counted].sum()))
-    return 2.0 * size / longest if longest else 0.0
+    side = float(np.sqrt(areas[counted].sum()))
+    longest = find_longest_part(corners[counted], _LONGEST * side)
+    first = 2.0 * size / longest if longest else 0.0
+    return [first] if wide.all() or not wide.any() else [1.0 / side, first]
 
 
 def _list_choices(parts: list[tuple[np.ndarray, np.ndarray]]) -> Iterator[list[np.ndarray]]:
