@@ -348,7 +348,7 @@ import numpy as np
 
 class Atlas:
     width = height = 8
-    chart_count, texels_per_unit = 1, 1.0
+    chart_count, texels_per_unit, atlas_count = 1, 1.0, 4
 
     def add_mesh(self, vertices, faces):
         pass
@@ -379,6 +379,40 @@ def test_an_atlas_that_is_never_destroyed_stops_nothing(monkeypatch, tmp_path, s
     else:
         with pytest.raises(ValueError, match="^size: got 4, want a larger image"):
             ws.unwrap(triangle, size)
+
+
+IN_A_ROW = """
+import numpy as np
+
+
+class Atlas:
+    chart_count, texels_per_unit = 81, 1.0
+
+    def add_mesh(self, vertices, faces):
+        pass
+
+    def generate(self, pack_options):
+        is_square = pack_options.resolution and pack_options.texels_per_unit
+        self.width, self.height = (pack_options.resolution,) * 2 if is_square else (200, 9)
+        self.atlas_count = 1 if pack_options.resolution > 40 else 2
+
+    def get_mesh(self, number):
+        return np.arange(3), np.array([[0, 1, 2]]), np.zeros((3, 2), np.float32)
+
+
+class PackOptions:
+    pass
+"""
+
+
+def test_charts_that_xatlas_lays_in_a_row_are_packed_into_a_square(monkeypatch, tmp_path):
+    """With 81 charts at 512, the image of the least area had 666 x 12 texels at any scale, and the bake was refused."""
+    (tmp_path / "xatlas.py").write_text(IN_A_ROW)
+    monkeypatch.syspath_prepend(tmp_path)
+    triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    assert len(ws.unwrap(triangle, 64)[0].faces) == 1
+    with pytest.raises(ValueError, match="^size: got 40, want a larger image: 81 charts, 4 texels apart, take 200 texels"):
+        ws.unwrap(triangle, 40)
 
 
 def test_a_picture_that_is_not_square_says_why_it_needs_new_coordinates():

@@ -14,6 +14,7 @@ from warpsample.texture.uv.pieces import NO_CHARTS, MeshCharts, add_left_out
 
 _TRIES = 12
 _LARGER_STEPS = 8  # further tries with larger and larger steps: many equal charts, of whole texels, do not shrink otherwise
+_LAST = _TRIES + _LARGER_STEPS
 _DROPPED = 1e-7  # area of the faces that xatlas leaves out
 _FULL = 0.9  # of the side of the image
 _LONGEST = 16.0  # longest connected part of which xatlas chooses the scale, in sides of a square with the area of all faces
@@ -72,20 +73,32 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
             kept = fewer
             atlas = _pack(parts, kept, size, wanted, padding)
     slack = _SLACK
-    for tries in range(_TRIES + _LARGER_STEPS):
+    for tries in range(_LAST):
         side = max(atlas.width, atlas.height)
         if side <= size and (not wanted or side >= _FULL * size or tries >= _TRIES):
             return np.array((atlas.width, atlas.height)) / size, atlas, kept
         slack = _SLACK if tries < _TRIES else slack**2
         wanted = atlas.texels_per_unit * slack * size / side
-        atlas = _pack(parts, kept, size, wanted, padding)
+        atlas = _pack(parts, kept, size, wanted, padding, is_square=tries + 1 == _LAST)
+    if atlas.atlas_count == 1:  # in an image of the least area, charts can lie in one row at any scale
+        return np.array((atlas.width, atlas.height)) / size, atlas, kept
     raise ValueError(
         f"size: got {size}, want a larger image: {atlas.chart_count:,} charts, {padding} texels apart, take {side} texels"
     )
 
 
-def _pack(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], size: int, scale: float, padding: int) -> Any:
+def _pack(
+    parts: list[tuple[np.ndarray, np.ndarray]],
+    kept: list[np.ndarray],
+    size: int,
+    scale: float,
+    padding: int,
+    *,
+    is_square: bool = False,
+) -> Any:
     """Return an atlas of some faces with `scale` texels per unit of length; 0 takes the scale by which `size` about fits.
+
+    Images have any sides, of the least area; or they are square, of this size, and as many as needed.
 
     Raises:
         ValueError: xatlas takes none of the faces.
@@ -98,7 +111,7 @@ def _pack(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], si
         if len(rows):
             atlas.add_mesh(vertices, faces[rows])
     options = xatlas.PackOptions()
-    options.resolution, options.texels_per_unit, options.padding = 0 if scale else size, scale, padding
+    options.resolution, options.texels_per_unit, options.padding = 0 if scale and not is_square else size, scale, padding
     atlas.generate(pack_options=options)
     if not atlas.width:
         raise ValueError("mesh: got only faces without an area, want at least one face with an area")
