@@ -1,6 +1,7 @@
 """New texture coordinates: the same faces, without overlap, as far apart as was asked for, in the size that was meant."""
 
 import signal
+import subprocess
 import sys
 
 import numpy as np
@@ -120,6 +121,38 @@ def test_slivers_do_not_take_the_picture(decimals):
     for face in left:  # faces left out show a texel of a neighbour
         touching = np.isin(mesh.faces[wide], mesh.faces[face]).any(axis=1)
         assert (np.abs(uv[wide[touching]] - uv[face, 0]).max(axis=2) == 0).any()
+
+
+SIDES = """
+import os, numpy as np
+from warpsample.texture.uv import charting, pieces
+
+pack, sides = charting._pack, []
+
+def recorded(*arguments, **options):
+    atlas = pack(*arguments, **options)
+    sides.append(max(atlas.width, atlas.height))
+    return atlas
+
+charting._pack = recorded
+turns = np.linspace(0, 2 * np.pi, 64, endpoint=False)
+ring = np.column_stack([np.cos(turns), np.sin(turns), np.zeros(64)])
+vertices = np.concatenate([radius * ring for line in range(9) for radius in (40.0 + line, 40.05 + line)])
+start = np.arange(64)
+one = np.concatenate([np.column_stack([start, 64 + start, 64 + (start + 1) % 64]),
+                      np.column_stack([start, 64 + (start + 1) % 64, (start + 1) % 64])])
+faces = (one + 128 * np.arange(9)[:, None, None]).reshape(-1, 3)
+parts = [(p.vertices, p.faces.astype(np.uint32)) for p in pieces.divide_meshes([(vertices, faces)])]
+charting._packed(parts, 256, 4)
+print(max(sides), flush=True)
+os._exit(0)
+"""
+
+
+def test_rings_alone_begin_small():
+    """The lines of a running track: a first image was 20 times too long, and took minutes at 2048."""
+    made = subprocess.run([sys.executable, "-c", SIDES], capture_output=True, text=True, check=True)
+    assert int(made.stdout.split()[-1]) < 8 * 256
 
 
 def test_slivers_along_edges_do_not_end_xatlas():
@@ -381,7 +414,7 @@ def test_an_atlas_that_is_never_destroyed_stops_nothing(monkeypatch, tmp_path, s
             ws.unwrap(triangle, size)
 
 
-IN_A_ROW = """
+STAYING_LONG = """
 import numpy as np
 
 
@@ -405,9 +438,9 @@ class PackOptions:
 """
 
 
-def test_charts_that_xatlas_lays_in_a_row_are_packed_into_a_square(monkeypatch, tmp_path):
-    """With 81 charts at 512, the image of the least area had 666 x 12 texels at any scale, and the bake was refused."""
-    (tmp_path / "xatlas.py").write_text(IN_A_ROW)
+def test_a_chart_that_stays_long_is_packed_into_a_square(monkeypatch, tmp_path):
+    """Three slivers at 512 had 666 texels at any scale, and the bake was refused."""
+    (tmp_path / "xatlas.py").write_text(STAYING_LONG)
     monkeypatch.syspath_prepend(tmp_path)
     triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
     assert len(ws.unwrap(triangle, 64)[0].faces) == 1

@@ -18,6 +18,9 @@ _LAST = _TRIES + _LARGER_STEPS
 _DROPPED = 1e-7  # area of the faces that xatlas leaves out
 _FULL = 0.9  # of the side of the image
 _LONGEST = 16.0  # longest connected part of which xatlas chooses the scale, in sides of a square with the area of all faces
+_COMPACT = 1.5  # longest connected part that needs no small image first, in such sides: a square has 1.4, a long house 1.6
+_SMALL = 64  # side of the small image
+_FAR = 6.0  # small images whose charts begin small: with many charts of a texel, up to 3 are usual
 _SLACK = 0.995  # factor on the scale that would just fit, because packing is uneven
 _STRETCHED = 1.5  # longer than in space: faces of flat charts are not stretched, and those of curved ones by up to 1.4
 _ROUNDED = 4.0  # texels: charts are rounded up to whole texels
@@ -65,13 +68,12 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
     Returns:
         used fractions of width and height, the atlas, and for each mesh the rows of the faces in the atlas.
     """
-    choices = _list_choices(parts)
-    kept, wanted = next(choices), 0.0
-    for wanted in _first_scales(parts, size):
-        atlas = _pack(parts, kept, size, wanted, padding)
-        while _is_spoiled(parts, kept, atlas) and (fewer := next(choices, None)) is not None:
-            kept = fewer
-            atlas = _pack(parts, kept, size, wanted, padding)
+    choices = list(_list_choices(parts))
+    if small := _small_scale(parts):
+        _pack_unspoiled(parts, choices, size, small, padding)
+    wanted = _first_scale(parts, choices[0], size)
+    atlas = _pack_unspoiled(parts, choices, size, wanted, padding)
+    kept = choices[0]
     slack = _SLACK
     for tries in range(_LAST):
         side = max(atlas.width, atlas.height)
@@ -80,11 +82,22 @@ def _packed(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int)
         slack = _SLACK if tries < _TRIES else slack**2
         wanted = atlas.texels_per_unit * slack * size / side
         atlas = _pack(parts, kept, size, wanted, padding, is_square=tries + 1 == _LAST)
-    if atlas.atlas_count == 1:  # in an image of the least area, charts can lie in one row at any scale
+    if atlas.atlas_count == 1:  # a sliver can stay longer than the image at any scale; in a square, it is shrunk
         return np.array((atlas.width, atlas.height)) / size, atlas, kept
     raise ValueError(
         f"size: got {size}, want a larger image: {atlas.chart_count:,} charts, {padding} texels apart, take {side} texels"
     )
+
+
+def _pack_unspoiled(
+    parts: list[tuple[np.ndarray, np.ndarray]], choices: list[list[np.ndarray]], size: int, scale: float, padding: int
+) -> Any:
+    """Return an atlas of the first of the choices without huge charts, and remove those before it from the list."""
+    atlas = _pack(parts, choices[0], size, scale, padding)
+    while len(choices) > 1 and _is_spoiled(parts, choices[0], atlas):
+        del choices[0]
+        atlas = _pack(parts, choices[0], size, scale, padding)
+    return atlas
 
 
 def _pack(
@@ -118,20 +131,32 @@ def _pack(
     return atlas
 
 
-def _first_scales(parts: list[tuple[np.ndarray, np.ndarray]], size: int) -> list[float]:
+def _small_scale(parts: list[tuple[np.ndarray, np.ndarray]]) -> float:
+    """Return the texels per unit of length for an image of a texel, if there are slivers among other faces, or 0.
+
+    Charts of slivers may be millions of times as long as all else, and end xatlas: they are found in a small image.
+    """
+    corners = np.concatenate([vertices[faces] for vertices, faces in parts]).astype(np.float64)
+    wide = find_wide(corners)
+    return 0.0 if wide.all() or not wide.any() else float(1.0 / np.sqrt(find_areas(corners[wide]).sum()))
+
+
+def _first_scale(parts: list[tuple[np.ndarray, np.ndarray]], kept: list[np.ndarray], size: int) -> float:
     """Return the texels per unit of length to begin with; 0 leaves the choice to xatlas, which goes by the area alone.
 
-    Wires alone have so little area that charts would be tens or millions of times as long as the image. Slivers count only
-    if there are no other faces. Beside others, charts of slivers may be millions of times as long, and end xatlas: they are
-    found in an image of a texel first.
+    Thin parts alone have so little area that charts would be tens or millions of times as long as the image. Slivers count
+    only if there are no other faces. Of thin parts in rings or coils, a small image tells how long their charts are.
     """
     corners = np.concatenate([vertices[faces] for vertices, faces in parts]).astype(np.float64)
     wide, areas = find_wide(corners), find_areas(corners)
     counted = wide if wide.any() else areas > _DROPPED
-    side = float(np.sqrt(areas[counted].sum()))
-    longest = find_longest_part(corners[counted], _LONGEST * side)
-    first = 2.0 * size / longest if longest else 0.0
-    return [first] if wide.all() or not wide.any() else [1.0 / side, first]
+    side = np.sqrt(areas[counted].sum())
+    longest = find_longest_part(corners[counted], _COMPACT * side)
+    if longest > _LONGEST * side or not longest:
+        return 2.0 * size / longest if longest else 0.0
+    atlas = _pack(parts, kept, _SMALL, 0.0, 0)
+    reached = max(atlas.width, atlas.height)
+    return 2.0 * atlas.texels_per_unit * size / reached if reached > _FAR * _SMALL else 0.0
 
 
 def _list_choices(parts: list[tuple[np.ndarray, np.ndarray]]) -> Iterator[list[np.ndarray]]:
