@@ -9,7 +9,7 @@ from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_lo
 MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
 """Charts of a mesh: (V2,) old vertex of each new vertex, (F, 3) new vertices of each face, and (V2, 2) coordinates."""
 
-NO_CHARTS: MeshCharts = (np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32), np.zeros((0, 2), np.float32))
+NO_CHARTS: MeshCharts = (np.zeros(0, np.uint32), np.zeros((0, 3), np.uint32), np.zeros((0, 2)))
 """Charts of a mesh without faces."""
 
 _DIAGONAL = 1000.0  # diagonal of the scaled meshes: xatlas drops faces with an area below 1e-7
@@ -104,7 +104,7 @@ def add_left_out(
     place = np.zeros(int(faces.max()) + 1, np.int64)
     place[old] = 1 + np.arange(len(old))
     at = place[faces[left]].max(axis=1)  # any vertex that another face shares
-    own = np.concatenate([np.zeros((1, 2), np.float32), uv])[at]
+    own = np.concatenate([np.zeros((1, 2)), uv])[at]
     whole = np.empty((len(faces), 3), np.uint32)
     whole[~left] = corners
     whole[left] = len(old) + np.arange(3 * len(at)).reshape(-1, 3)

@@ -74,8 +74,7 @@ def unwrap_meshes(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding
     for i, one in enumerate(pieces):
         given |= {f"v{i}": one.vertices, f"f{i}": one.faces.astype(np.uint32)}
     made = _run(given, size, padding)
-    share = made["share"]
-    charts = [(made[f"old{i}"], made[f"f{i}"], made[f"uv{i}"].astype(np.float64) * share) for i in range(len(pieces))]
+    charts = [(made[f"old{i}"], made[f"f{i}"], made[f"uv{i}"]) for i in range(len(pieces))]
     joined = dict(zip(shown, join_charts(pieces, charts, len(shown)), strict=True))
     return [add_left_out(faces, kept[i], *joined.get(i, NO_CHARTS)) for i, (_, faces) in enumerate(parts)]
 

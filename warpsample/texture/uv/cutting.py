@@ -1,0 +1,146 @@
+"""Cutting of meshes into charts with xatlas, and the size of charts."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_wide, label_charts
+from warpsample.texture.uv.packing import Charts, find_flat_areas, find_scale, measure_charts, new_atlas
+
+_SHEET = 4096  # texels: side of the images in which xatlas hands over charts
+_FINE = 1e6  # texels along the largest mesh there: xatlas rounds charts up to whole texels before it shrinks long ones
+_SHORTEST, _LONGEST = 8, 256  # texels: longest charts there, in meshes of very many faces and of few
+_LONGER = 1.05  # largest length of charts of slivers alone, in sides of the image
+_STRETCHED = 1.5  # largest length of a chart with slivers, in lengths of the chart without slivers
+_SHRUNK = 0.95  # least scale with slivers, in scales without slivers
+
+Meshes = list[tuple[np.ndarray, np.ndarray]]
+"""Vertices (V, 3) and faces (F, 3) of each mesh."""
+
+
+class Cut(NamedTuple):
+    """Faces of all meshes that have a chart.
+
+    Attributes:
+        mesh: (F,) number of each face's mesh.
+        row: (F,) row of each face in its mesh.
+        is_wide: (F,) whether it is no sliver.
+        old: (V,) vertex in its mesh for each vertex of the charts.
+        charts: the charts of these faces.
+    """
+
+    mesh: np.ndarray
+    row: np.ndarray
+    is_wide: np.ndarray
+    old: np.ndarray
+    charts: Charts
+
+    def select(self, mask: np.ndarray) -> "Cut":
+        """Return the charts of some faces only."""
+        charts = measure_charts(self.charts.places, self.charts.faces[mask], self.charts.chart[mask])
+        return Cut(self.mesh[mask], self.row[mask], self.is_wide[mask], self.old, charts)
+
+
+def cut_meshes(meshes: Meshes, size: int, padding: int) -> Cut:
+    """Compute the charts of all meshes for an image of `size` texels.
+
+    Slivers by rounding may have huge charts, or make all other charts smaller. Then charts are computed again without the
+    slivers that are connected to other faces. Charts of slivers alone are left out if they are longer than the image.
+
+    Raises:
+        ValueError: xatlas takes none of the faces.
+    """
+    cut = _cut(meshes, [np.arange(len(faces)) for _, faces in meshes])
+    if cut.is_wide.all() or not cut.is_wide.any():
+        return cut
+    loose = [_find_loose(*own) for own in meshes]
+    starts = np.cumsum([0] + [len(own) for own in loose])
+    without = _leave_out_long(cut.select(np.concatenate(loose)[starts[cut.mesh] + cut.row]), size, padding)
+    cut, scale = _leave_out_long(cut, size, padding), find_scale(without.charts, size, padding)
+    if find_scale(cut.charts, size, padding) >= _SHRUNK * scale and not _is_stretched(cut, 1.0 / scale):
+        return cut
+    return _leave_out_long(_cut(meshes, [np.flatnonzero(own) for own in loose]), size, padding)
+
+
+def _find_loose(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Return the mask of faces that are no slivers, or are connected to slivers only."""
+    wide, label = find_wide(vertices[faces]), label_charts(vertices[faces].astype(np.float64))
+    return wide | (np.bincount(label, wide) == 0)[label]
+
+
+def _leave_out_long(cut: Cut, size: int, padding: int) -> Cut:
+    """Leave out charts of slivers alone that are longer than the image."""
+    charts = cut.charts
+    scale = find_scale(cut.select(cut.is_wide).charts, size, padding)
+    is_long = (np.bincount(charts.chart, cut.is_wide) == 0) & (charts.sizes.max(axis=1) * scale > _LONGER * size)
+    return cut.select(~is_long[charts.chart])
+
+
+def _is_stretched(cut: Cut, texel: float) -> bool:
+    """Return whether slivers make any chart longer than its other faces are, by more than a texel."""
+    wide, number = cut.select(cut.is_wide).charts, np.unique(cut.charts.chart[cut.is_wide])
+    lengths = cut.charts.sizes[number].max(axis=1)
+    return bool((lengths > _STRETCHED * wide.sizes.max(axis=1) + texel).any())
+
+
+def _cut(meshes: Meshes, kept: list[np.ndarray]) -> Cut:
+    """Return the charts of some faces of each mesh."""
+    shown = [(i, meshes[i][0], meshes[i][1][rows], rows) for i, rows in enumerate(kept) if len(rows)]
+    atlas = _fill_atlas([(vertices, faces) for _, vertices, faces, _ in shown])
+    made = [(*atlas.get_mesh(i), atlas.get_mesh_vertex_assignment(i)[1].astype(np.int32)) for i in range(len(shown))]
+    starts = np.cumsum([0] + [len(old) for old, _, _, _ in made])
+    faces = np.concatenate(
+        [corners.astype(np.int64) + start for (_, corners, _, _), start in zip(made, starts, strict=False)]
+    )
+    old, _, uv, chart = (np.concatenate(own) for own in zip(*made, strict=True))
+    places = uv.astype(np.float64) * (atlas.width, atlas.height)
+    drawn = (chart[faces] >= 0).all(axis=1) & np.isfinite(places[faces]).all(axis=(1, 2))
+    if not drawn.any():
+        raise ValueError("mesh: got only faces without an area, want at least one face with an area")
+    corners = np.concatenate([vertices[own] for _, vertices, own, _ in shown]).astype(np.float64)[drawn]
+    mesh, row = np.concatenate([np.stack([np.full(len(rows), i), rows]) for i, _, _, rows in shown], axis=1)
+    charts = _scale_charts(places, faces[drawn], chart[faces[drawn, 0]], corners)
+    return Cut(mesh[drawn], row[drawn], find_wide(corners), old, charts)
+
+
+def _fill_atlas(meshes: Meshes) -> Any:
+    """Return an atlas with the charts of some meshes.
+
+    xatlas hands over charts only in an image. In this one, charts have few texels, so that even huge charts are packed
+    quickly. Charts may be in several images of one size.
+    """
+    import xatlas
+
+    atlas = new_atlas()
+    for vertices, faces in meshes:
+        atlas.add_mesh(vertices, faces)
+    options = xatlas.PackOptions()
+    options.resolution, options.padding, options.rotate_charts, options.bilinear = _SHEET, 0, False, False
+    diagonal = max(float(np.linalg.norm(np.ptp(vertices[faces], axis=(0, 1)))) for vertices, faces in meshes)
+    options.texels_per_unit = _FINE / (diagonal or 1.0)
+    side = _SHEET / np.sqrt(sum(len(faces) for _, faces in meshes))
+    options.max_chart_size = int(np.clip(side, _SHORTEST, _LONGEST))
+    atlas.generate(pack_options=options)
+    return atlas
+
+
+def _scale_charts(places: np.ndarray, faces: np.ndarray, chart: np.ndarray, corners: np.ndarray) -> Charts:
+    """Return charts as large as in space.
+
+    A chart has the area in space of its faces other than slivers. A chart of slivers alone has their length.
+
+    Args:
+        places: (V, 2) places of the vertices, in an unknown unit in each chart.
+        faces: (F, 3) vertices of each face.
+        chart: (F,) number of each face's chart.
+        corners: (F, 3, 3) corners of each face in space.
+    """
+    flat, wide = places[faces], find_wide(corners)
+    area, flat_area = np.bincount(chart, wide * find_areas(corners)), np.bincount(chart, wide * find_flat_areas(flat))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        by_length = np.bincount(chart, find_longest_edges(corners)) / np.bincount(chart, find_longest_edges(flat))
+        scale = np.where(area * flat_area > 0.0, np.sqrt(area / flat_area), by_length)
+    owner = np.zeros(len(places), np.int64)
+    owner[faces] = chart[:, None]
+    scaled = np.nan_to_num(places) * np.nan_to_num(scale, posinf=0.0)[owner, None]
+    return measure_charts(scaled, faces, chart)

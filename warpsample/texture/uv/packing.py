@@ -1,0 +1,155 @@
+"""Packing of charts into one square image with xatlas, as large as they fit."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from warpsample.texture.uv.charts import find_areas
+
+_TRIES = 20
+_ENOUGH = 8  # tries after which charts need not fill the image
+_FILL = 0.7  # part of the image that xatlas usually fills with charts and the texels between them
+_NESTED = 0.5  # part of the empty texels in the boxes of charts that other charts take
+_FULL = 0.96  # of the side of the image
+_CLOSE = 1.02  # ratio of two scales between which no other is tried
+_SLACK = 0.99  # factor on the filled part at each further try, because packing is uneven
+_POINT = 1e-30  # length of a point, so that no length is 0
+_UNITS = 1024.0  # units per texel: xatlas leaves out faces with an area below 1e-7
+_alive: list[Any] = []  # all atlases: destroying one can wait forever for a thread of xatlas
+
+
+class Charts(NamedTuple):
+    """Charts of some faces, not packed yet.
+
+    Attributes:
+        places: (V, 2) positions of the vertices, in any unit of length; mostly different ones, because xatlas takes
+            quadratic time for equal ones.
+        faces: (F, 3) rows of `places`.
+        chart: (F,) number of each face's chart.
+        sizes: (C, 2) sides of the box of each chart.
+        areas: (C,) area of each chart.
+    """
+
+    places: np.ndarray
+    faces: np.ndarray
+    chart: np.ndarray
+    sizes: np.ndarray
+    areas: np.ndarray
+
+
+class _Packed(NamedTuple):
+    """Packed charts: used side of the image, (V, 2) places in texels, and which (V,) places belong to a packed chart."""
+
+    side: int
+    places: np.ndarray
+    is_packed: np.ndarray
+
+
+def new_atlas() -> Any:
+    """Return an empty atlas of xatlas that lives as long as the process."""
+    import xatlas
+
+    _alive.append(xatlas.Atlas())
+    return _alive[-1]
+
+
+def measure_charts(places: np.ndarray, faces: np.ndarray, chart: np.ndarray) -> Charts:
+    """Return charts with their sizes and areas, numbered from 0.
+
+    Args:
+        places: (V, 2) positions of the vertices.
+        faces: (F, 3) vertices of each face.
+        chart: (F,) number of each face's chart; numbers may be missing.
+    """
+    corners, chart = places[faces], np.unique(chart, return_inverse=True)[1]
+    order = np.argsort(chart, kind="stable")
+    starts = np.flatnonzero(np.diff(chart[order], prepend=-1))
+    low = np.minimum.reduceat(corners[order].min(axis=1), starts)
+    high = np.maximum.reduceat(corners[order].max(axis=1), starts)
+    return Charts(places, faces, chart, high - low, np.bincount(chart, find_flat_areas(corners)))
+
+
+def find_flat_areas(corners: np.ndarray) -> np.ndarray:
+    """Return the areas of faces in the plane, (F,), for corners (F, 3, 2)."""
+    return find_areas(np.pad(corners, ((0, 0), (0, 0), (0, 1))))
+
+
+def pack_charts(charts: Charts, size: int, padding: int) -> tuple[np.ndarray, np.ndarray]:
+    """Pack charts into one image, `padding` texels apart.
+
+    xatlas packs charts of a given scale into an image of any size. So charts are packed with several scales, and the largest
+    that fits is taken. The next scale follows from the part of the image that xatlas has filled.
+
+    Returns:
+        (V, 2) float64 texture coordinates from 0 to 1, and the mask (F,) of faces with an area in the image.
+
+    Raises:
+        ValueError: the image is too small, or no face has an area.
+    """
+    least, room = len(charts.sizes) * (1 + 2 * padding) ** 2, (size + 2 * padding) ** 2
+    if least > room:
+        raise _too_small(charts, size, padding, int(np.ceil(np.sqrt(least))) - 2 * padding)
+    scale, best, low, high = find_scale(charts, size, padding), None, 0.0, np.inf
+    for tries in range(_TRIES):
+        packed = _pack(charts, scale, padding)
+        if packed.side <= size:
+            best, low = packed, scale
+        else:
+            high = scale
+        if best and (best.side >= _FULL * size or tries >= _ENOUGH or high <= _CLOSE * low):
+            break
+        fill = _SLACK**tries * _find_room(charts, scale, padding) / (packed.side + 2 * padding) ** 2
+        scale = find_scale(charts, size, padding, fill)
+        if best and not low < scale < high:
+            scale = np.sqrt(low * high)
+        if not low < scale < high:  # the longest chart fills the image, or all charts are a texel
+            break
+    if not best:
+        raise _too_small(charts, size, padding, packed.side)
+    return best.places / size, best.is_packed[charts.faces].all(axis=1)
+
+
+def _too_small(charts: Charts, size: int, padding: int, side: int) -> ValueError:
+    charts_apart = f"{len(charts.sizes):,} charts, {padding} texels apart"
+    return ValueError(f"size: got {size}, want a larger image: {charts_apart}, take at least {side} texels")
+
+
+def _find_room(charts: Charts, scale: float, padding: int) -> float:
+    """Return the number of texels for all charts with those between them: xatlas rounds charts up to whole texels."""
+    boxes = (np.ceil(charts.sizes * scale) + 1 + 2 * padding).prod(axis=1)
+    empty = (charts.sizes.prod(axis=1) - charts.areas).clip(0.0) * scale**2
+    return float((boxes - _NESTED * empty).sum())
+
+
+def find_scale(charts: Charts, size: int, padding: int, fill: float = _FILL) -> float:
+    """Return the most texels per unit of length with which charts fill a part of the image, and the longest chart fits.
+
+    The longest chart has at least one texel.
+    """
+    longest, room = max(charts.sizes.max(), _POINT), fill * (size + 2 * padding) ** 2
+    low, high = 1.0 / longest, (size - 1) / longest
+    if _find_room(charts, high, padding) <= room:
+        return high
+    while high > (1.0 + 1e-6) * low:
+        middle = np.sqrt(low * high)
+        low, high = (middle, high) if _find_room(charts, middle, padding) <= room else (low, middle)
+    return low
+
+
+def _pack(charts: Charts, scale: float, padding: int) -> _Packed:
+    """Pack charts with `scale` texels per unit of length into an image of any sides, of the least area."""
+    import xatlas
+
+    atlas = new_atlas()
+    places = (charts.places * (_UNITS * scale)).astype(np.float32)
+    atlas.add_uv_mesh(places, charts.faces.astype(np.uint32), charts.chart[:, None].astype(np.uint32))
+    options = xatlas.PackOptions()
+    options.resolution, options.texels_per_unit, options.padding = 0, 1.0 / _UNITS, padding
+    options.rotate_charts_to_axis = False
+    atlas.generate(pack_options=options)
+    if not atlas.width:
+        raise ValueError("mesh: got only faces without an area, want at least one face with an area")
+    _, _, uv = atlas.get_mesh(0)
+    is_packed = atlas.get_mesh_vertex_assignment(0)[1].astype(np.int32) >= 0
+    places = uv.astype(np.float64) * (atlas.width, atlas.height)
+    return _Packed(max(atlas.width, atlas.height), places, is_packed)
