@@ -28,9 +28,10 @@ def main(size: int, padding: int) -> NoReturn:
         uv, is_packed = pack_charts(cut.charts, size, padding)
     except ValueError as error:
         _answer(output, str(error).encode(), REFUSED)
-    arrays = {}
+    arrays, packed = {}, np.flatnonzero(is_packed)
+    starts = np.searchsorted(cut.mesh[packed], np.arange(len(meshes) + 1))
     for i, (_, faces) in enumerate(meshes):
-        own = np.flatnonzero(is_packed & (cut.mesh == i))
+        own = packed[starts[i] : starts[i + 1]]
         vertex, corners = np.unique(cut.charts.faces[own], return_inverse=True)
         made = add_left_out(faces, cut.row[own], cut.old[vertex], corners.reshape(-1, 3), uv[vertex])
         arrays |= dict(zip((f"old{i}", f"f{i}", f"uv{i}"), made, strict=True))
