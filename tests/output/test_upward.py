@@ -75,6 +75,14 @@ def test_a_usd_file_says_its_own(tmp_path):
         assert said == (SAID.format("this USD file").strip() if axis == "Y" else "")
 
 
+def test_a_damaged_usd_file_is_named(tmp_path):
+    """The error was "line 2:15: Expected }", and "line 2:15" stood for the path."""
+    path = tmp_path / "damaged.usda"
+    path.write_text('#usda 1.0\ndef Mesh "m" {{\n}\n')
+    with pytest.raises(ValueError, match=r"^path: got '.*damaged.usda', which cannot be read as a mesh: line 2:15: "):
+        with_up(path, quantity_of("sky"), {})
+
+
 @pytest.mark.slow
 def test_north_follows_and_what_is_given_stays(tmp_path):
     """Turned upright, what was north of a map is -z; other files and quantities are left alone."""

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.estimate.quantities.record import Quantity
+from warpsample.host.arguments import naming_file
 from warpsample.host.locks import imported
 from warpsample.mesh.files.usd import read_up_axis
 
@@ -43,7 +44,10 @@ def upright_by_y(path: Path) -> str:
         return ""
     if suffix in _GLTF:
         return "glTF"
-    return "this USD file" if suffix in _USD and read_up_axis(path) == "Y" else ""
+    if suffix not in _USD:
+        return ""
+    with naming_file("path", path, "a mesh"):
+        return "this USD file" if read_up_axis(path) == "Y" else ""
 
 
 def up_of(quantity: Quantity, options: Mapping[str, Any]) -> Any:
