@@ -39,8 +39,8 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
         the mesh with vertices split at the borders of charts, and the same faces in the same order; and (F, 3, 2) float64
         coordinates from 0 to 1, v downward. A face without an area in float32 has equal coordinates at its three corners.
         Slivers, narrower than 1/10,000 of their longest edge, have the coordinates of a neighbour's corner if they are
-        longer than all else, or if xatlas gives them huge charts. Beside large parts, faces of a part below 1/5,000 of the
-        mesh's size may have no area.
+        longer than all else, or if they would make all charts smaller. Beside large parts, faces of a part below 1/5,000 of
+        the mesh's size may have no area.
 
     Raises:
         TypeError, ValueError: an argument is invalid, xatlas fails on the mesh, or the image is too small for the charts.
