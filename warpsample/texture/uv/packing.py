@@ -14,6 +14,7 @@ _FULL = 0.96  # of the side of the image
 _CLOSE = 1.02  # ratio of two scales between which no other is tried
 _SLACK = 0.99  # factor on the filled part at each further try, because packing is uneven
 _POINT = 1e-30  # length of a point, so that no length is 0
+_STEPS = 2.0**16  # steps of scales between powers of 2
 _UNITS = 1024.0  # units per texel: xatlas leaves out faces with an area below 1e-7
 _alive: list[Any] = []  # all atlases: destroying one can wait forever for a thread of xatlas
 
@@ -89,7 +90,7 @@ def pack_charts(charts: Charts, size: int, padding: int) -> tuple[np.ndarray, np
     least, room = len(charts.sizes) * (1 + 2 * padding) ** 2, (size + 2 * padding) ** 2
     if least > room:
         raise _too_small(charts, size, padding, int(np.ceil(np.sqrt(least))) - 2 * padding)
-    scale, best, low, high = find_scale(charts, size, padding), None, 0.0, np.inf
+    scale, slack, best, low, high = find_scale(charts, size, padding), 1.0, None, 0.0, np.inf
     for tries in range(_TRIES):
         packed = _pack(charts, scale, padding)
         if packed.side <= size:
@@ -98,8 +99,9 @@ def pack_charts(charts: Charts, size: int, padding: int) -> tuple[np.ndarray, np
             high = scale
         if best and (best.side >= _FULL * size or tries >= _ENOUGH or high <= _CLOSE * low):
             break
-        fill = _SLACK**tries * _find_room(charts, scale, padding) / (packed.side + 2 * padding) ** 2
-        scale = find_scale(charts, size, padding, fill)
+        fill = _find_room(charts, scale, padding) / (packed.side + 2 * padding) ** 2
+        scale = find_scale(charts, size, padding, slack * fill)
+        slack *= _SLACK
         if best and not low < scale < high:
             scale = np.sqrt(low * high)
         if not low < scale < high:  # the longest chart fills the image, or all charts are a texel
@@ -137,10 +139,14 @@ def find_scale(charts: Charts, size: int, padding: int, fill: float = _FILL) -> 
 
 
 def _pack(charts: Charts, scale: float, padding: int) -> _Packed:
-    """Pack charts with `scale` texels per unit of length into an image of any sides, of the least area."""
+    """Pack charts with `scale` texels per unit of length into an image of any sides, of the least area.
+
+    The scale is rounded down, so that sums in another order on another processor give the same image.
+    """
     import xatlas
 
-    atlas = new_atlas()
+    atlas, (fraction, exponent) = new_atlas(), np.frexp(scale)
+    scale = np.ldexp(np.floor(_STEPS * fraction) / _STEPS, exponent)
     places = (charts.places * (_UNITS * scale)).astype(np.float32)
     atlas.add_uv_mesh(places, charts.faces.astype(np.uint32), charts.chart[:, None].astype(np.uint32))
     options = xatlas.PackOptions()
