@@ -3,6 +3,7 @@
 import base64
 import json
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -233,3 +234,15 @@ def test_a_sliver_by_rounding_is_no_flaw_of_a_set(call, tmp_path):
     assert (status, err, ", set 0: " in out) == (0, "", True)
     assert re.search(r"\n  slivers of the mesh without an area in the image: \d+", out)
     assert "faces without an area" not in out
+
+
+@pytest.mark.parametrize("quantity", ["position", "ao"])
+def test_images_larger_than_the_free_memory_are_an_error(call, tmp_path, monkeypatch, quantity):
+    """The images of values need several times the memory of the texels, and the system killed the process."""
+    path, output = two_quads(tmp_path), tmp_path / "out.npz"
+    monkeypatch.setattr("warpsample.host.engine._ALWAYS_FREE", 0)
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=4_500_000))
+    status, _, err = call("bake", path, "-o", output, "--texture", 256, "--uv", 0, "--quantity", quantity)
+    assert status != 0
+    assert err.endswith("error: values of 256 x 256 texels need 0.0 GB and 0.0 GB are free; take fewer texels\n")
+    assert not output.exists()

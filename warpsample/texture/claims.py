@@ -12,7 +12,8 @@ from warpsample.host.engine import check_memory, run
 from warpsample.sequences.hashing import seed_for
 from warpsample.texture.coverage import claim_texels, mark_overlaps, weigh_corners
 
-_BYTES = 42  # memory per texel while points or images are computed
+_BYTES = 42  # memory per texel while texels are assigned to faces
+_POINT_BYTES = 25  # memory per point afterwards
 _MOST_TEXELS = (1 << 31) - 1  # times samples per texel: kernels index samples by int32
 _MOST_SAMPLES, _MOST_SIDE = 1024, 1 << 16
 _TASK = 1 << 16  # texels per kernel task; the bounding box of a large face is divided among several tasks
@@ -55,8 +56,8 @@ def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int],
     Raises:
         MemoryError: the image needs more memory than is free.
     """
-    texels = size[0] * size[1]
-    check_memory(texels * (_BYTES + 4 * samples), f"images of {size[0]} x {size[1]} texels", "take fewer texels")
+    texels, images = size[0] * size[1], f"images of {size[0]} x {size[1]} texels"
+    check_memory(texels * (_BYTES + 4 * samples), images, "take fewer texels")
     nearest, centre_counts = np.zeros(texels, np.uint64), np.zeros(texels, np.int32)
     owners = np.zeros(texels * samples if samples > 1 else 0, np.uint32)
     marks = np.zeros(len(corners), np.int32)
@@ -73,6 +74,7 @@ def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int],
             inputs = [*shared_inputs, size[0], loan.lend(centre_counts), loan.output(marks, zero=True)]
             run(mark_overlaps(), len(tasks), inputs, memory.device, workers=1, work=texels)
     id, face = _list_points(nearest, owners, samples, len(corners))
+    check_memory(len(id) * _POINT_BYTES, images, "take fewer texels")
     return Claims(id, face, int(np.count_nonzero(nearest)), overlapped, marks > 0)
 
 

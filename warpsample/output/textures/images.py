@@ -10,7 +10,7 @@ from warpsample.estimate.intervals import errors_for_means, raised_errors
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.thickness import Thickness
 from warpsample.estimate.result import ExactResult, PointStatus
-from warpsample.host.engine import check_workers
+from warpsample.host.engine import check_memory, check_workers
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.bake import compute_parts, part_size
 from warpsample.output.baked import BakeRun
@@ -127,6 +127,8 @@ def fill_texture(
     errors_of = raised_errors if how.samples == 1 else errors_for_means
     kept, runs, rays, bad = [], list[np.ndarray](), 0, 0
     for part in compute_parts(points, of_part, part_size(quantity, options), record):
+        if not kept:
+            _check_memory(points, how.size, part.value)
         kept.append((np.where(part.status == 0, part.value.T, np.nan).T, errors_of(part), part.standard_error))
         if how.samples > 1 and getattr(part, "reflected_runs", None) is not None:
             runs.append(part.reflected_runs)
@@ -141,6 +143,23 @@ def fill_texture(
     counts = {"mostly_inside": charts, "inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
     numbers_of_rays = {"rays": rays, "inside_rays": bodies.rays}
     return Filled(job, points.report, images.known_error, mean, **counts, **numbers_of_rays), images
+
+
+def _check_memory(points: TexturePoints, size: tuple[int, int], value: np.ndarray) -> None:
+    """Raise MemoryError if the values of a texture and its images do not fit into the free memory.
+
+    Args:
+        points: points of the texture.
+        size: columns and rows of the images.
+        value: (P, ...) values of some points.
+    """
+    (width, height), columns = size, int(np.prod(value.shape[1:]))
+    per_point, per_texel = (
+        14 + 19 * columns,
+        15 + 42 * columns,
+    )  # bytes, fitted to peaks
+    needed = len(points) * per_point + width * height * per_texel
+    check_memory(needed, f"values of {width} x {height} texels", "take fewer texels")
 
 
 def _make_images(
