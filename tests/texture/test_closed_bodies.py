@@ -46,7 +46,7 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
     tree, data, _ = opened(output)
     assert (status, picture(tree, data, occlusion(tree, 0)["index"]).min(), "closed bodies" in kept) == (0, 0.0, False)
     status, _, err = call("bake", path, "-o", tmp_path / "small.glb", "--texture", 8)
-    said = "error: --texture: got 8, want a larger image: 6 charts, 4 texels apart, "
+    said = "error: --texture: got 8, want a larger image: 6 charts with a padding of 4 "
     assert (status, " ".join(err.split())[: len(said)]) == (2, said)
 
 

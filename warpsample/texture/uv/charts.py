@@ -105,15 +105,15 @@ def _join_over_edges(along: np.ndarray, back: np.ndarray) -> np.ndarray:
     place = np.minimum(np.searchsorted(known, back), len(known) - 1)
     single = (known[place] == back) & (uses[place] == 1) & (uses[np.searchsorted(known, along)] == 1)
     mine = np.flatnonzero(single)
-    return _connect(mine // 3, order[first[place[mine]]] // 3, len(along) // 3)
+    return connect_nodes(mine // 3, order[first[place[mine]]] // 3, len(along) // 3)
 
 
 def _join_over_vertices(start: np.ndarray, end: np.ndarray, count: int) -> np.ndarray:
     """Return the number of each face's part, (N,), if faces are joined by common vertices."""
-    return _connect(start, end, count)[start[::3]]
+    return connect_nodes(start, end, count)[start[::3]]
 
 
-def _connect(start: np.ndarray, end: np.ndarray, count: int) -> np.ndarray:
+def connect_nodes(start: np.ndarray, end: np.ndarray, count: int) -> np.ndarray:
     """Return the number of each node's connected component, (count,), in a graph with edges from `start` to `end`."""
     links = imported("scipy.sparse").coo_array((np.ones(len(start), np.bool_), (start, end)), (count, count))
     return imported("scipy.sparse.csgraph").connected_components(links, directed=False)[1].astype(np.int64)

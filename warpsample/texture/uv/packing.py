@@ -7,11 +7,11 @@ import numpy as np
 from warpsample.texture.uv.charts import find_areas
 
 _TRIES = 20
-_ENOUGH = 8  # tries after which charts need not fill the image
+_ENOUGH = 5  # tries after which charts need not fill the image
 _FILL = 0.7  # part of the image that xatlas usually fills with charts and the texels between them
 _NESTED = 0.5  # part of the empty texels in the boxes of charts that other charts take
-_FULL = 0.96  # of the side of the image
-_CLOSE = 1.02  # ratio of two scales between which no other is tried
+_CLOSE = 1.03  # ratio of two scales between which no other is tried
+_FARTHER = 1.1  # largest scale to try next, in scales that fit
 _SLACK = 0.99  # factor on the filled part at each further try, because packing is uneven
 _POINT = 1e-30  # length of a point, so that no length is 0
 _STEPS = 2.0**16  # steps of scales between powers of 2
@@ -39,9 +39,17 @@ class Charts(NamedTuple):
 
 
 class _Packed(NamedTuple):
-    """Packed charts: used side of the image, (V, 2) places in texels, and which (V,) places belong to a packed chart."""
+    """Charts in an image, or as many of them as fit.
 
-    side: int
+    Attributes:
+        is_whole: whether all charts are in the image.
+        fill: part of the image that is taken, or part that would be taken if the image ended at the last chart.
+        places: (V, 2) places in texels.
+        is_packed: (F,) mask of the faces in packed charts.
+    """
+
+    is_whole: bool
+    fill: float
     places: np.ndarray
     is_packed: np.ndarray
 
@@ -76,10 +84,10 @@ def find_flat_areas(corners: np.ndarray) -> np.ndarray:
 
 
 def pack_charts(charts: Charts, size: int, padding: int) -> tuple[np.ndarray, np.ndarray]:
-    """Pack charts into one image, `padding` texels apart.
+    """Pack charts into one image, at least `padding` texels apart.
 
-    xatlas packs charts of a given scale into an image of any size. So charts are packed with several scales, and the largest
-    that fits is taken. The next scale follows from the part of the image that xatlas has filled.
+    xatlas packs charts of a given scale. So charts are packed with several scales, and the largest that fits is taken. The
+    next scale follows from the part of the image that xatlas has filled.
 
     Returns:
         (V, 2) float64 texture coordinates from 0 to 1, and the mask (F,) of faces with an area in the image.
@@ -87,40 +95,40 @@ def pack_charts(charts: Charts, size: int, padding: int) -> tuple[np.ndarray, np
     Raises:
         ValueError: the image is too small, or no face has an area.
     """
-    least, room = len(charts.sizes) * (1 + 2 * padding) ** 2, (size + 2 * padding) ** 2
-    if least > room:
-        raise _too_small(charts, size, padding, int(np.ceil(np.sqrt(least))) - 2 * padding)
-    scale, slack, best, low, high = find_scale(charts, size, padding), 1.0, None, 0.0, np.inf
+    scale, slack, best, low = find_scale(charts, size, padding), 1.0, None, 0.0
+    high = (1.0 + 1e-6) * (size - 1) / max(charts.sizes.max(), _POINT)  # xatlas shrinks longer charts
+    if len(charts.sizes) * (1 + 2 * padding) ** 2 > (size + 2 * padding) ** 2:
+        raise _too_small(charts, size, padding)
     for tries in range(_TRIES):
-        packed = _pack(charts, scale, padding)
-        if packed.side <= size:
+        packed = _pack(charts, scale, size, padding)
+        if packed.is_whole:
             best, low = packed, scale
         else:
             high = scale
-        if best and (best.side >= _FULL * size or tries >= _ENOUGH or high <= _CLOSE * low):
+        if best and (tries >= _ENOUGH or high <= _CLOSE * low):
             break
-        fill = _find_room(charts, scale, padding) / (packed.side + 2 * padding) ** 2
-        scale = find_scale(charts, size, padding, slack * fill)
+        scale = find_scale(charts, size, padding, slack * packed.fill)
         slack *= _SLACK
         if best and not low < scale < high:
-            scale = np.sqrt(low * high)
+            scale = np.sqrt(low * min(high, _FARTHER * low))
         if not low < scale < high:  # the longest chart fills the image, or all charts are a texel
             break
     if not best:
-        raise _too_small(charts, size, padding, packed.side)
-    return best.places / size, best.is_packed[charts.faces].all(axis=1)
+        raise _too_small(charts, size, padding)
+    return best.places / size, best.is_packed
 
 
-def _too_small(charts: Charts, size: int, padding: int, side: int) -> ValueError:
-    charts_apart = f"{len(charts.sizes):,} charts, {padding} texels apart"
-    return ValueError(f"size: got {size}, want a larger image: {charts_apart}, take at least {side} texels")
+def _too_small(charts: Charts, size: int, padding: int) -> ValueError:
+    side = np.sqrt(_find_rooms(charts, 0.0, padding).sum() / _FILL) - 2 * padding
+    many = f"{len(charts.sizes):,} charts with a padding of {padding} take about {np.ceil(side):.0f} texels"
+    return ValueError(f"size: got {size}, want a larger image: {many}")
 
 
-def _find_room(charts: Charts, scale: float, padding: int) -> float:
-    """Return the number of texels for all charts with those between them: xatlas rounds charts up to whole texels."""
-    boxes = (np.ceil(charts.sizes * scale) + 1 + 2 * padding).prod(axis=1)
+def _find_rooms(charts: Charts, scale: float, padding: int) -> np.ndarray:
+    """Return the number of texels of each chart, with those to the next chart; xatlas rounds charts up to whole texels."""
+    boxes = (np.ceil(charts.sizes * scale).clip(1.0) + 1 + 2 * padding).prod(axis=1)
     empty = (charts.sizes.prod(axis=1) - charts.areas).clip(0.0) * scale**2
-    return float((boxes - _NESTED * empty).sum())
+    return boxes - _NESTED * empty
 
 
 def find_scale(charts: Charts, size: int, padding: int, fill: float = _FILL) -> float:
@@ -130,16 +138,16 @@ def find_scale(charts: Charts, size: int, padding: int, fill: float = _FILL) -> 
     """
     longest, room = max(charts.sizes.max(), _POINT), fill * (size + 2 * padding) ** 2
     low, high = 1.0 / longest, (size - 1) / longest
-    if _find_room(charts, high, padding) <= room:
+    if _find_rooms(charts, high, padding).sum() <= room:
         return high
     while high > (1.0 + 1e-6) * low:
         middle = np.sqrt(low * high)
-        low, high = (middle, high) if _find_room(charts, middle, padding) <= room else (low, middle)
+        low, high = (middle, high) if _find_rooms(charts, middle, padding).sum() <= room else (low, middle)
     return low
 
 
-def _pack(charts: Charts, scale: float, padding: int) -> _Packed:
-    """Pack charts with `scale` texels per unit of length into an image of any sides, of the least area.
+def _pack(charts: Charts, scale: float, size: int, padding: int) -> _Packed:
+    """Pack charts with `scale` texels per unit of length into a square image, and the rest into further images.
 
     The scale is rounded down, so that sums in another order on another processor give the same image.
     """
@@ -150,12 +158,16 @@ def _pack(charts: Charts, scale: float, padding: int) -> _Packed:
     places = (charts.places * (_UNITS * scale)).astype(np.float32)
     atlas.add_uv_mesh(places, charts.faces.astype(np.uint32), charts.chart[:, None].astype(np.uint32))
     options = xatlas.PackOptions()
-    options.resolution, options.texels_per_unit, options.padding = 0, 1.0 / _UNITS, padding
+    options.resolution, options.texels_per_unit, options.padding = size, 1.0 / _UNITS, padding
     options.rotate_charts_to_axis = False
     atlas.generate(pack_options=options)
     if not atlas.width:
         raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-    _, _, uv = atlas.get_mesh(0)
-    is_packed = atlas.get_mesh_vertex_assignment(0)[1].astype(np.int32) >= 0
-    places = uv.astype(np.float64) * (atlas.width, atlas.height)
-    return _Packed(max(atlas.width, atlas.height), places, is_packed)
+    image, number = (own.astype(np.int32)[charts.faces] for own in atlas.get_mesh_vertex_assignment(0))
+    is_packed = (number[:, 0] >= 0) & (number == number[:, :1]).all(axis=1)  # a face left out may join two charts
+    places = atlas.get_mesh(0)[2].astype(np.float64) * size
+    areas = find_flat_areas(charts.places[charts.faces])
+    share = np.bincount(charts.chart, areas * (is_packed & (image[:, 0] == 0))) / np.maximum(charts.areas, _POINT)
+    taken = float((_find_rooms(charts, scale, padding) * share).sum())
+    side = size if atlas.atlas_count > 1 else places[charts.faces[is_packed]].max() + 0.5
+    return _Packed(atlas.atlas_count == 1, taken / (side + 2 * padding) ** 2, places, is_packed)

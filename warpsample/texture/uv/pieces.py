@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_longest_part, find_wide, label_charts
+from warpsample.texture.uv.smooth import divide_smooth
 
 MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
 """Charts of a mesh: (V2,) old vertex of each new vertex, (F, 3) new vertices of each face, and (V2, 2) coordinates."""
@@ -59,6 +60,8 @@ def find_kept(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[np.ndarray]:
 def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
     """Return meshes as pieces with one common scale: one piece each, or more if small faces are far apart.
 
+    Smooth surfaces that turn are divided, too, see `divide_smooth`.
+
     xatlas computes in float32 and drops small faces. A single face 10 km away would spoil the charts of all others.
     Connected faces stay in one piece, so that the borders of charts do not change.
 
@@ -71,10 +74,16 @@ def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
         scale, centre = _DIAGONAL / (diagonal or 1.0), 0.5 * (whole[0] + whole[1])
         scaled = [((vertices - centre) * scale).astype(np.float32) for vertices, _ in parts]
         return [
-            Piece(part, np.arange(len(faces)), np.arange(len(vertices)), scaled[part], faces)
+            Piece(part, rows, np.arange(len(vertices)), scaled[part], faces[rows])
             for part, (vertices, faces) in enumerate(parts)
+            for rows in divide_smooth(vertices, faces)
         ]
-    groups = [(part, rows) for part, own in enumerate(parts) for rows in _group_faces(*own, _CELL * small)]
+    groups = [
+        (part, rows[own])
+        for part, (vertices, faces) in enumerate(parts)
+        for rows in _group_faces(vertices, faces, _CELL * small)
+        for own in divide_smooth(vertices, faces[rows])
+    ]
     boxes = [_box(parts[part][0][parts[part][1][rows]].reshape(-1, 3)) for part, rows in groups]
     scale, found = min(1.0 / small, _LARGEST / max(map(_diagonal, boxes))), []
     for (part, rows), box in zip(groups, boxes, strict=True):

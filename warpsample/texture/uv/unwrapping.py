@@ -26,14 +26,15 @@ _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.texture.uv impor
 def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.ndarray]:
     """Compute new texture coordinates for a mesh: charts side by side in one square image, by xatlas.
 
-    Charts do not overlap, but on rough terrain xatlas may fold a chart: up to 0.05 % of the texels then lie in two faces, or
-    0.12 % where vertices lie along edges, too. `texture_points(...).report` counts them.
+    Charts do not overlap, but xatlas may fold a chart on rough terrain: up to 0.05 % of the texels then lie in two faces, or
+    0.12 % where vertices lie along edges, too. It also lays the turns of a smooth and nearly flat ramp on each other.
+    `texture_points(...).report` counts these texels.
 
     Args:
         mesh: a Mesh, or anything that `as_mesh` accepts.
         size: width and height of the image in texels, 1 to 16384.
-        padding: texels between charts, 0 to 64. Level k of a mipmap needs 3 x 2^k texels, so the default of 4 is enough for
-            the image itself and nearly for the next level.
+        padding: least number of texels between charts, 0 to 64; usually there are twice as many. Level k of a mipmap needs
+            3 x 2^k texels. With 64 in an image of 16384 texels, packing takes minutes.
 
     Returns:
         the mesh with vertices split at the borders of charts, and the same faces in the same order; and (F, 3, 2) float64
