@@ -7,10 +7,10 @@ import numpy as np
 from warpsample.texture.uv.charts import find_areas
 
 _TRIES = 20
-_ENOUGH = 5  # tries after which charts need not fill the image
+_ENOUGH = 8  # tries after which charts need not fill the image
 _FILL = 0.7  # part of the image that xatlas usually fills with charts and the texels between them
 _NESTED = 0.5  # part of the empty texels in the boxes of charts that other charts take
-_CLOSE = 1.03  # ratio of two scales between which no other is tried
+_CLOSE = 1.01  # ratio of two scales between which no other is tried
 _FARTHER = 1.1  # largest scale to try next, in scales that fit
 _SLACK = 0.99  # factor on the filled part at each further try, because packing is uneven
 _POINT = 1e-30  # length of a point, so that no length is 0
