@@ -1,6 +1,7 @@
 """New texture coordinates: the same faces, without overlap, as far apart as was asked for, in the size that was meant."""
 
 import signal
+import subprocess
 import sys
 
 import numpy as np
@@ -76,6 +77,38 @@ def test_distant_faces_leave_the_charts_of_others_as_they_are(distance):
 CREATE = trimesh.creation
 
 
+def arc(degrees):
+    """An open part of a tube with 300 x 4 quads, from one end to the other."""
+    turns = np.radians(np.linspace(0, degrees, 301))
+    ring = np.column_stack([np.cos(turns), np.sin(turns)])
+    vertices = np.concatenate([np.column_stack([ring, np.full(301, height)]) for height in np.linspace(0, 1, 5)])
+    start = (301 * np.arange(4)[:, None] + np.arange(300)).ravel()
+    faces = np.concatenate([start[:, None] + [0, 1, 302], start[:, None] + [0, 302, 301]])
+    return trimesh.Trimesh(vertices, faces, process=False)
+
+
+def turned_prism():
+    """A prism with rounded edges, whose sides of 100 x 50 faces are at 45 degrees to the axes."""
+    turns = np.radians(np.linspace(0, 90, 151)) + np.pi / 4
+    corners = [np.column_stack([np.cos(turns + k), np.sin(turns + k)]) for k in np.arange(4) * np.pi / 2]
+    middles = [1.5 * np.array([np.cos(k), np.sin(k)]) for k in np.arange(1, 5) * np.pi / 2]
+    ring = np.concatenate([own + middle for own, middle in zip(corners, middles, strict=True)])
+    count = len(ring)
+    vertices = np.concatenate([np.column_stack([ring, np.full(count, height)]) for height in np.linspace(0, 2, 11)])
+    start = (count * np.arange(10)[:, None] + np.arange(count)).ravel()
+    end = (count * np.arange(10)[:, None] + np.roll(np.arange(count), -1)).ravel()
+    faces = np.concatenate(
+        [np.column_stack([start, end, end + count]), np.column_stack([start, end + count, start + count])]
+    )
+    return trimesh.Trimesh(vertices, faces, process=False)
+
+
+def tube_with_collapsed_faces():
+    tube = CREATE.cylinder(1, 2, sections=600)
+    a, b, _ = tube.faces.T
+    return trimesh.Trimesh(tube.vertices, np.concatenate([np.column_stack([a, b, b]), tube.faces]), process=False)
+
+
 @pytest.mark.parametrize(
     "shape",
     [
@@ -84,8 +117,11 @@ CREATE = trimesh.creation
         CREATE.torus(1, 0.3, 600, 60),
         CREATE.icosphere(6),
         CREATE.uv_sphere(count=(64, 512)),
+        arc(90),
+        arc(99),
+        turned_prism(),
     ],
-    ids=["tube", "pipe", "torus", "sphere", "belts"],
+    ids=["tube", "pipe", "torus", "sphere", "belts", "quarter", "more", "prism"],
 )
 def test_finely_divided_surfaces_are_no_planes(shape):
     """xatlas took a tube for a plane, so that its front and back had the same texels; on the sphere it ended with -11."""
@@ -98,6 +134,29 @@ def test_finely_divided_surfaces_are_no_planes(shape):
     density = lengths[0] / lengths[1]
     assert density.min() / np.median(density) > 0.4  # across 45 degrees from the middle, cos 45 = 0.7; corners are 0.58
     assert density.max() / np.median(density) < 1.6
+
+
+PLACES = """
+import os, numpy as np
+from warpsample.texture.uv import packing
+
+square = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float)
+faces = np.array([(0, 1, 2), (0, 2, 3), (4, 5, 6), (4, 6, 7)])
+charts = packing.measure_charts(np.concatenate([square, 0.01 * square + 2]), faces, np.array([0, 0, 1, 1]))
+print([packing._pack(charts, scale, 100, 4).is_whole for scale in (99.0, 90.0, 80.0)], flush=True)
+os._exit(0)
+"""
+
+
+def test_a_chart_without_a_place_is_not_laid_on_others():
+    """In an image of any size, xatlas laid it at the origin: leaves of 0.5 m on a floor of 100 m, from 8192 texels on."""
+    made = subprocess.run([sys.executable, "-c", PLACES], capture_output=True, text=True, check=True)
+    assert made.stdout == "[False, False, True]\n"
+
+
+def test_collapsed_faces_do_not_hide_that_a_tube_is_smooth():
+    split, uv = ws.unwrap(tube_with_collapsed_faces(), 512)
+    assert ws.texture_points(split, uv, 512).report.overlapped == 0
 
 
 @pytest.mark.parametrize(("count", "size"), [(500, 1024), (500, 900)])
@@ -202,6 +261,8 @@ def test_what_cannot_be_unwrapped_is_named(monkeypatch):
         ValueError, match=r"^size: got 8, want a larger image: 6 charts with a padding of 4 take about 22 texels$"
     ):
         ws.unwrap(trimesh.creation.box(), 8)
+    with pytest.raises(ValueError, match="^size: got 1, want a larger image: 1 charts with a padding of 0 take about "):
+        ws.unwrap(([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), 1, padding=0)
     with pytest.raises(ValueError, match="^mesh: got only faces without an area"):
         ws.unwrap(([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]), 8)
     monkeypatch.setitem(sys.modules, "xatlas", None)

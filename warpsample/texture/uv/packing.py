@@ -97,7 +97,7 @@ def pack_charts(charts: Charts, size: int, padding: int) -> tuple[np.ndarray, np
     """
     scale, slack, best, low = find_scale(charts, size, padding), 1.0, None, 0.0
     high = (1.0 + 1e-6) * (size - 1) / max(charts.sizes.max(), _POINT)  # xatlas shrinks longer charts
-    if len(charts.sizes) * (1 + 2 * padding) ** 2 > (size + 2 * padding) ** 2:
+    if len(charts.sizes) * (1 + 2 * padding) ** 2 > (size + 2 * padding) ** 2 or scale > high:
         raise _too_small(charts, size, padding)
     for tries in range(_TRIES):
         packed = _pack(charts, scale, size, padding)
@@ -120,7 +120,8 @@ def pack_charts(charts: Charts, size: int, padding: int) -> tuple[np.ndarray, np
 
 def _too_small(charts: Charts, size: int, padding: int) -> ValueError:
     side = np.sqrt(_find_rooms(charts, 0.0, padding).sum() / _FILL) - 2 * padding
-    many = f"{len(charts.sizes):,} charts with a padding of {padding} take about {np.ceil(side):.0f} texels"
+    side = max(int(np.ceil(side)), size + 1)
+    many = f"{len(charts.sizes):,} charts with a padding of {padding} take about {side} texels"
     return ValueError(f"size: got {size}, want a larger image: {many}")
 
 
