@@ -87,26 +87,11 @@ def arc(degrees):
     return trimesh.Trimesh(vertices, faces, process=False)
 
 
-def turned_prism():
-    """A prism with rounded edges, whose sides of 100 x 50 faces are at 45 degrees to the axes."""
-    turns = np.radians(np.linspace(0, 90, 151)) + np.pi / 4
-    corners = [np.column_stack([np.cos(turns + k), np.sin(turns + k)]) for k in np.arange(4) * np.pi / 2]
-    middles = [1.5 * np.array([np.cos(k), np.sin(k)]) for k in np.arange(1, 5) * np.pi / 2]
-    ring = np.concatenate([own + middle for own, middle in zip(corners, middles, strict=True)])
-    count = len(ring)
-    vertices = np.concatenate([np.column_stack([ring, np.full(count, height)]) for height in np.linspace(0, 2, 11)])
-    start = (count * np.arange(10)[:, None] + np.arange(count)).ravel()
-    end = (count * np.arange(10)[:, None] + np.roll(np.arange(count), -1)).ravel()
-    faces = np.concatenate(
-        [np.column_stack([start, end, end + count]), np.column_stack([start, end + count, start + count])]
-    )
-    return trimesh.Trimesh(vertices, faces, process=False)
-
-
 def tube_with_collapsed_faces():
     tube = CREATE.cylinder(1, 2, sections=600)
-    a, b, _ = tube.faces.T
-    return trimesh.Trimesh(tube.vertices, np.concatenate([np.column_stack([a, b, b]), tube.faces]), process=False)
+    a, b, c = tube.faces.T
+    faces = np.stack([tube.faces, *(np.column_stack([p, q, q]) for p, q in ((a, b), (b, c), (c, a)))], axis=1)
+    return trimesh.Trimesh(tube.vertices, faces.reshape(-1, 3), process=False)
 
 
 @pytest.mark.parametrize(
@@ -119,9 +104,8 @@ def tube_with_collapsed_faces():
         CREATE.uv_sphere(count=(64, 512)),
         arc(90),
         arc(99),
-        turned_prism(),
     ],
-    ids=["tube", "pipe", "torus", "sphere", "belts", "quarter", "more", "prism"],
+    ids=["tube", "pipe", "torus", "sphere", "belts", "quarter", "more"],
 )
 def test_finely_divided_surfaces_are_no_planes(shape):
     """xatlas took a tube for a plane, so that its front and back had the same texels; on the sphere it ended with -11."""
