@@ -97,19 +97,19 @@ def tube_with_collapsed_faces():
 @pytest.mark.parametrize(
     "shape",
     [
-        CREATE.cylinder(1, 2, sections=512),
-        CREATE.annulus(0.9, 1, 3, sections=700),
-        CREATE.torus(1, 0.3, 600, 60),
-        CREATE.icosphere(6),
-        CREATE.uv_sphere(count=(64, 512)),
-        arc(90),
-        arc(99),
+        lambda: CREATE.cylinder(1, 2, sections=512),
+        lambda: CREATE.annulus(0.9, 1, 3, sections=700),
+        lambda: CREATE.torus(1, 0.3, 600, 60),
+        lambda: CREATE.icosphere(6),
+        lambda: CREATE.uv_sphere(count=(64, 512)),
+        lambda: arc(90),
+        lambda: arc(99),
     ],
     ids=["tube", "pipe", "torus", "sphere", "belts", "quarter", "more"],
 )
 def test_finely_divided_surfaces_are_no_planes(shape):
     """xatlas took a tube for a plane, so that its front and back had the same texels; on the sphere it ended with -11."""
-    mesh = ws.as_mesh(shape)
+    mesh = ws.as_mesh(shape())
     split, uv = ws.unwrap(mesh, 512)
     report = ws.texture_points(split, uv, 512).report
     assert (report.overlapped, report.zero_area) == (0, 0)
@@ -117,7 +117,7 @@ def test_finely_divided_surfaces_are_no_planes(shape):
     lengths = [np.linalg.norm(np.roll(own, -1, axis=1) - own, axis=2) for own in (uv, mesh.vertices[mesh.faces])]
     density = lengths[0] / lengths[1]
     assert density.min() / np.median(density) > 0.4  # across 45 degrees from the middle, cos 45 = 0.7; corners are 0.58
-    assert density.max() / np.median(density) < 1.6
+    assert density.max() / np.median(density) < 1.6  # xatlas' stretch; at most 1.4 was measured
 
 
 PLACES = """
