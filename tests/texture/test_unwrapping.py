@@ -77,14 +77,18 @@ def test_distant_faces_leave_the_charts_of_others_as_they_are(distance):
 CREATE = trimesh.creation
 
 
+def quads(rows, columns):
+    """Faces of a grid of vertices, row by row."""
+    start = (columns * np.arange(rows - 1)[:, None] + np.arange(columns - 1)).reshape(-1, 1)
+    return np.concatenate([np.add(start, [0, 1, columns]), np.add(start, [1, columns + 1, columns])])
+
+
 def arc(degrees):
     """An open part of a tube with 300 x 4 quads, from one end to the other."""
     turns = np.radians(np.linspace(0, degrees, 301))
     ring = np.column_stack([np.cos(turns), np.sin(turns)])
     vertices = np.concatenate([np.column_stack([ring, np.full(301, height)]) for height in np.linspace(0, 1, 5)])
-    start = (301 * np.arange(4)[:, None] + np.arange(300)).ravel()
-    faces = np.concatenate([start[:, None] + [0, 1, 302], start[:, None] + [0, 302, 301]])
-    return trimesh.Trimesh(vertices, faces, process=False)
+    return trimesh.Trimesh(vertices, quads(5, 301), process=False)
 
 
 def tube_with_collapsed_faces():
@@ -118,6 +122,65 @@ def test_finely_divided_surfaces_are_no_planes(shape):
     density = lengths[0] / lengths[1]
     assert density.min() / np.median(density) > 0.4  # across 45 degrees from the middle, cos 45 = 0.7; corners are 0.58
     assert density.max() / np.median(density) < 1.6  # xatlas' stretch; at most 1.4 was measured
+
+
+def coil(turns, steps, profile, pitch):
+    """A profile (S, 2), of radius and height, that is carried around the z axis and rises by `pitch` each turn."""
+    angle = np.linspace(0, 2 * np.pi * turns, round(turns * steps) + 1)[:, None]
+    radius, height = (own + np.zeros_like(angle) for own in profile.T)
+    height = height + pitch * angle / (2 * np.pi)
+    vertices = np.stack([radius * np.cos(angle), radius * np.sin(angle), height], axis=2).reshape(-1, 3)
+    return ws.Mesh(vertices, quads(len(angle), len(profile)))
+
+
+TURN = np.linspace(0, 2 * np.pi, 9) + 0.2
+WIRE = np.column_stack([1 + 0.1 * np.cos(TURN), 0.1 * np.sin(TURN)])
+
+
+@pytest.mark.parametrize(
+    ("mesh", "least"),
+    [
+        (coil(4, 8, np.array([(3.0, 0), (6, 0)]), 0.3), 0.3),
+        (coil(32, 48, np.array([(1.0, 0), (2, 0)]), 0.02), 0.3),
+        (coil(2.25, 96, np.array([(3.0, 0), (6, 0)]), 0.3), 0.3),
+        (coil(5, 450, WIRE, 0.3), 0.2),
+    ],
+    ids=["ramp of 64 faces", "32 turns", "2.25 turns", "spring"],
+)
+def test_turns_of_a_spiral_do_not_lie_on_each_other(mesh, least):
+    """For xatlas, strips along the turns were planes: 98 % of the texels of a ramp and 9 % of a spring lay in two turns."""
+    split, uv = ws.unwrap(mesh, 512)
+    report = ws.texture_points(split, uv, 512).report
+    assert (report.overlapped, report.zero_area) == (0, 0)
+    assert report.covered > least * 512**2
+
+
+def test_a_surface_with_one_layer_is_not_divided():
+    """A hill that is nearly flat stays one chart, with all its slopes."""
+    x, y = np.meshgrid(*[np.linspace(0, 1, 60)] * 2, indexing="ij")
+    vertices = np.stack([x, y, 0.01 * np.exp(-9 * (x - 0.5) ** 2 - 9 * (y - 0.5) ** 2)], axis=2).reshape(-1, 3)
+    _, uv = ws.unwrap(ws.Mesh(vertices, quads(60, 60)), 256)
+    assert label_charts(uv).max() == 0
+
+
+@pytest.mark.parametrize(
+    "repeat",
+    [
+        lambda faces: np.concatenate([faces, faces[:, ::-1]]),
+        lambda faces: np.stack([faces, faces[:, ::-1]], axis=1).reshape(-1, 3),
+        lambda faces: np.concatenate([faces, np.roll(faces, 1, axis=1)]),
+        lambda faces: np.concatenate([faces, faces[:, [0, 1, 1]], faces[:, [2, 1, 0]]]),
+    ],
+    ids=["two sides", "in pairs", "twice", "collapsed"],
+)
+def test_faces_with_the_same_corners_have_charts_of_their_own(repeat):
+    """xatlas laid a face given twice on itself, and gave each face of a surface with two sides a chart of its own."""
+    tube = CREATE.cylinder(1, 2, sections=24)
+    split, uv = ws.unwrap(ws.Mesh(tube.vertices, repeat(tube.faces)), 512)
+    report = ws.texture_points(split, uv, 512).report
+    assert report.overlapped == 0
+    assert report.covered > 0.4 * 512**2  # one side alone: 0.54
+    assert label_charts(uv[(np.ptp(uv, axis=1) > 0).all(axis=1)]).max() + 1 <= 12  # one side alone has 6
 
 
 PLACES = """
@@ -245,7 +308,7 @@ def test_what_cannot_be_unwrapped_is_named(monkeypatch):
         ValueError, match=r"^size: got 8, want a larger image: 6 charts with a padding of 4 take about 22 texels$"
     ):
         ws.unwrap(trimesh.creation.box(), 8)
-    with pytest.raises(ValueError, match="^size: got 1, want a larger image: 1 charts with a padding of 0 take about "):
+    with pytest.raises(ValueError, match="^size: got 1, want a larger image: 1 chart with a padding of 0 takes about "):
         ws.unwrap(([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), 1, padding=0)
     with pytest.raises(ValueError, match="^mesh: got only faces without an area"):
         ws.unwrap(([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]), 8)

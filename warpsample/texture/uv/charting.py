@@ -8,9 +8,9 @@ from typing import NoReturn
 import numpy as np
 
 from warpsample.host.extras import REFUSED
+from warpsample.texture.uv.charts import add_left_out
 from warpsample.texture.uv.cutting import cut_meshes
 from warpsample.texture.uv.packing import pack_charts
-from warpsample.texture.uv.pieces import add_left_out
 
 
 def main(size: int, padding: int) -> NoReturn:

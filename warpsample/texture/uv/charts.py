@@ -15,15 +15,19 @@ def label_charts(corners: np.ndarray) -> np.ndarray:
     Args:
         corners: (F, 3, k) float64, the values compared at each corner: texture coordinates, or coordinates and positions.
     """
-    width = corners.shape[-1]
-    flat = np.ascontiguousarray(np.nan_to_num(corners.reshape(-1, width)) + 0.0)  # + 0.0 turns -0 into 0
-    _, corner = np.unique(flat.view(f"V{8 * width}").ravel(), return_inverse=True)
+    corner = number_points(corners.reshape(-1, corners.shape[-1]))
     a, b, c = corner.reshape(-1, 3).T
     sparse = imported("scipy.sparse")
     count = int(corner.max()) + 1
     links = sparse.coo_array((np.ones(2 * len(a), np.bool_), (np.r_[a, b], np.r_[b, c])), (count, count))
     _, chart = imported("scipy.sparse.csgraph").connected_components(links, directed=False)
     return chart[a].astype(np.int32)
+
+
+def number_points(points: np.ndarray) -> np.ndarray:
+    """Return a number for each point, (n,) int64; equal points of k float64, (n, k), have equal numbers."""
+    same = np.ascontiguousarray(np.nan_to_num(points) + 0.0)  # + 0.0 turns -0 into 0
+    return np.unique(same.view(f"V{8 * same.shape[1]}").ravel(), return_inverse=True)[1].astype(np.int64)
 
 
 def find_wide(corners: np.ndarray) -> np.ndarray:
@@ -117,3 +121,29 @@ def connect_nodes(start: np.ndarray, end: np.ndarray, count: int) -> np.ndarray:
     """Return the number of each node's connected component, (count,), in a graph with edges from `start` to `end`."""
     links = imported("scipy.sparse").coo_array((np.ones(len(start), np.bool_), (start, end)), (count, count))
     return imported("scipy.sparse.csgraph").connected_components(links, directed=False)[1].astype(np.int64)
+
+
+def add_left_out(
+    faces: np.ndarray, kept: np.ndarray, old: np.ndarray, corners: np.ndarray, uv: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return charts of all faces of a mesh: a face left out has the coordinates of one of its vertices, or 0.
+
+    Args:
+        faces: (F, 3) vertices of all faces of the mesh.
+        kept: (K,) rows of the faces that have charts.
+        old: (V2,) vertex of the mesh for each vertex of the charts.
+        corners: (K, 3) vertices of the charts, for each face with charts.
+        uv: (V2, 2) their coordinates.
+    """
+    left = np.ones(len(faces), np.bool_)
+    left[kept] = False
+    if not left.any():
+        return old, corners, uv
+    place = np.zeros(int(faces.max()) + 1, np.int64)
+    place[old] = 1 + np.arange(len(old))
+    at = place[faces[left]].max(axis=1)  # any vertex that another face shares
+    own = np.concatenate([np.zeros((1, 2)), uv])[at]
+    whole = np.empty((len(faces), 3), np.uint32)
+    whole[~left] = corners
+    whole[left] = len(old) + np.arange(3 * len(at)).reshape(-1, 3)
+    return np.concatenate([old, faces[left].ravel()]), whole, np.concatenate([uv, np.repeat(own, 3, axis=0)])

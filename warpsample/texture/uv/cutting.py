@@ -10,7 +10,7 @@ from warpsample.texture.uv.packing import Charts, find_flat_areas, find_scale, m
 _SHEET = 4096  # texels: side of the images in which xatlas hands over charts
 _FINE = 1e6  # texels along the largest mesh there: xatlas rounds charts up to whole texels before it shrinks long ones
 _SHORTEST, _LONGEST = 8, 256  # texels: longest charts there, in meshes of very many faces and of few
-_LONGER = 1.05  # largest length of charts of slivers alone, in sides of the image
+_TOO_LONG = 1.05  # largest length of charts of slivers alone, in sides of the image
 _STRETCHED = 1.5  # largest length of a chart with slivers, in lengths of the chart without slivers
 _SHRUNK = 0.95  # least scale with slivers, in scales without slivers
 
@@ -72,7 +72,7 @@ def _leave_out_long(cut: Cut, size: int, padding: int) -> Cut:
     """Leave out charts of slivers alone that are longer than the image."""
     charts = cut.charts
     scale = find_scale(cut.select(cut.is_wide).charts, size, padding)
-    is_long = (np.bincount(charts.chart, cut.is_wide) == 0) & (charts.sizes.max(axis=1) * scale > _LONGER * size)
+    is_long = (np.bincount(charts.chart, cut.is_wide) == 0) & (charts.sizes.max(axis=1) * scale > _TOO_LONG * size)
     return cut.select(~is_long[charts.chart])
 
 

@@ -121,8 +121,11 @@ def pack_charts(charts: Charts, size: int, padding: int) -> tuple[np.ndarray, np
 def _too_small(charts: Charts, size: int, padding: int) -> ValueError:
     side = np.sqrt(_find_rooms(charts, 0.0, padding).sum() / _FILL) - 2 * padding
     side = max(int(np.ceil(side)), size + 1)
-    many = f"{len(charts.sizes):,} charts with a padding of {padding} take about {side} texels"
-    return ValueError(f"size: got {size}, want a larger image: {many}")
+    count = len(charts.sizes)
+    subject, verb = ("1 chart", "takes") if count == 1 else (f"{count:,} charts", "take")
+    return ValueError(
+        f"size: got {size}, want a larger image: {subject} with a padding of {padding} {verb} about {side} texels"
+    )
 
 
 def _find_rooms(charts: Charts, scale: float, padding: int) -> np.ndarray:

@@ -4,7 +4,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_longest_part, find_wide, label_charts
+from warpsample.texture.uv.charts import (
+    find_areas,
+    find_longest_edges,
+    find_longest_part,
+    find_wide,
+    label_charts,
+    number_points,
+)
 from warpsample.texture.uv.smooth import divide_smooth
 
 MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -60,7 +67,7 @@ def find_kept(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[np.ndarray]:
 def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
     """Return meshes as pieces with one common scale: one piece each, or more if small faces are far apart.
 
-    Smooth surfaces that turn are divided, too, see `divide_smooth`.
+    Smooth surfaces and faces with the same corners are divided, too: see `divide_smooth` and `_divide_repeated`.
 
     xatlas computes in float32 and drops small faces. A single face 10 km away would spoil the charts of all others.
     Connected faces stay in one piece, so that the borders of charts do not change.
@@ -70,22 +77,16 @@ def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
     """
     whole = _box(np.concatenate([vertices[np.unique(faces)] for vertices, faces in parts]))
     small, diagonal = _find_small_width(parts), _diagonal(whole)
-    if small >= _SMALL * diagonal:
-        scale, centre = _DIAGONAL / (diagonal or 1.0), 0.5 * (whole[0] + whole[1])
-        scaled = [((vertices - centre) * scale).astype(np.float32) for vertices, _ in parts]
-        return [
-            Piece(part, rows, np.arange(len(vertices)), scaled[part], faces[rows])
-            for part, (vertices, faces) in enumerate(parts)
-            for rows in divide_smooth(vertices, faces)
-        ]
+    is_even = small >= _SMALL * diagonal
     groups = [
-        (part, rows[own])
+        (part, near[own])
         for part, (vertices, faces) in enumerate(parts)
-        for rows in _group_faces(vertices, faces, _CELL * small)
-        for own in divide_smooth(vertices, faces[rows])
+        for near in ([np.arange(len(faces))] if is_even else _group_faces(vertices, faces, _CELL * small))
+        for own in _divide_faces(vertices, faces[near])
     ]
-    boxes = [_box(parts[part][0][parts[part][1][rows]].reshape(-1, 3)) for part, rows in groups]
-    scale, found = min(1.0 / small, _LARGEST / max(map(_diagonal, boxes))), []
+    boxes = [whole if is_even else _box(parts[part][0][parts[part][1][rows]].reshape(-1, 3)) for part, rows in groups]
+    scale = _DIAGONAL / (diagonal or 1.0) if is_even else min(1.0 / small, _LARGEST / max(map(_diagonal, boxes)))
+    found = []
     for (part, rows), box in zip(groups, boxes, strict=True):
         vertices, faces = parts[part]
         old, local = np.unique(faces[rows], return_inverse=True)
@@ -94,30 +95,29 @@ def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
     return found
 
 
-def add_left_out(
-    faces: np.ndarray, kept: np.ndarray, old: np.ndarray, corners: np.ndarray, uv: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return charts of all faces of a mesh: a face left out has the coordinates of one of its vertices, or 0.
+def _divide_faces(vertices: np.ndarray, faces: np.ndarray) -> list[np.ndarray]:
+    """Return rows of connected faces in groups that xatlas cuts apart from each other."""
+    used, local = np.unique(faces, return_inverse=True)
+    corners, numbers = vertices[faces], number_points(vertices[used])[local.reshape(-1, 3)]
+    return [rows[own] for rows in _divide_repeated(numbers) for own in divide_smooth(corners[rows], numbers[rows])]
+
+
+def _divide_repeated(numbers: np.ndarray) -> list[np.ndarray]:
+    """Return rows of faces in groups without two faces of the same corners, as in the two sides of a leaf.
+
+    xatlas lays a face given twice on itself, and it joins no faces where four of them share an edge.
 
     Args:
-        faces: (F, 3) vertices of all faces of the mesh.
-        kept: (K,) rows of the faces that have charts.
-        old: (V2,) vertex of the mesh for each vertex of the charts.
-        corners: (K, 3) vertices of the charts, for each face with charts.
-        uv: (V2, 2) their coordinates.
+        numbers: (F, 3) numbers of the corners of each face.
     """
-    left = np.ones(len(faces), np.bool_)
-    left[kept] = False
-    if not left.any():
-        return old, corners, uv
-    place = np.zeros(int(faces.max()) + 1, np.int64)
-    place[old] = 1 + np.arange(len(old))
-    at = place[faces[left]].max(axis=1)  # any vertex that another face shares
-    own = np.concatenate([np.zeros((1, 2)), uv])[at]
-    whole = np.empty((len(faces), 3), np.uint32)
-    whole[~left] = corners
-    whole[left] = len(old) + np.arange(3 * len(at)).reshape(-1, 3)
-    return np.concatenate([old, faces[left].ravel()]), whole, np.concatenate([uv, np.repeat(own, 3, axis=0)])
+    order = np.lexsort(np.sort(numbers, axis=1).T)
+    corner = np.sort(numbers[order], axis=1)
+    is_first = (corner != np.roll(corner, 1, axis=0)).any(axis=1)
+    is_first |= (corner == corner[:, 1:2]).sum(axis=1) > 1  # two equal corners: the face has no area
+    is_first[0] = True
+    rank = np.empty(len(order), np.int64)
+    rank[order] = np.arange(len(order)) - np.maximum.accumulate(np.where(is_first, np.arange(len(order)), 0))
+    return np.split(np.argsort(rank, kind="stable"), np.cumsum(np.bincount(rank))[:-1])
 
 
 def join_charts(pieces: list[Piece], charts: list[MeshCharts], count: int) -> list[MeshCharts]:

@@ -12,7 +12,8 @@ import numpy as np
 from warpsample.host.arguments import check_integer
 from warpsample.host.extras import REFUSED, missing, run_program
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.texture.uv.pieces import NO_CHARTS, MeshCharts, add_left_out, divide_meshes, find_kept, join_charts
+from warpsample.texture.uv.charts import add_left_out
+from warpsample.texture.uv.pieces import NO_CHARTS, MeshCharts, divide_meshes, find_kept, join_charts
 
 PADDING = 4
 """Default number of texels between charts."""
@@ -27,8 +28,7 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
     """Compute new texture coordinates for a mesh: charts side by side in one square image, by xatlas.
 
     Charts do not overlap, but xatlas may fold a chart on rough terrain: up to 0.05 % of the texels then lie in two faces, or
-    0.12 % where vertices lie along edges, too. It also lays the turns of a smooth and nearly flat ramp on each other.
-    `texture_points(...).report` counts these texels.
+    0.12 % where vertices lie along edges, too. `texture_points(...).report` counts these texels.
 
     Args:
         mesh: a Mesh, or anything that `as_mesh` accepts.
