@@ -2,9 +2,12 @@
 
 import json
 import re
+import signal
 import subprocess
 import sys
+import time
 
+import psutil
 import pytest
 
 from warpsample.host.extras import EXTRAS, missing
@@ -91,3 +94,31 @@ def test_no_page_or_message_installs_the_package_from_an_index(repository):
     by_name = re.compile(r"pip install [^`\n]*?(?<![\w/.:-])[\"']?warpsample\b(?![/.])")
     named = [path for path in files if path.suffix in suffixes and by_name.search(path.read_text(errors="replace"))]
     assert named == []
+
+
+RUN = """
+from warpsample.host.extras import run_program
+
+run_program("import os, sys, time; print(os.getpid(), file=open({path!r}, 'w'), flush=True); time.sleep(600)")
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells a process that its parent has ended")
+@pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGKILL])
+def test_a_program_ends_with_its_parent(tmp_path, sent):
+    """xatlas went on for up to a minute after the parent was killed."""
+    path = tmp_path / "child"
+    parent = subprocess.Popen([sys.executable, "-c", RUN.format(path=str(path))])
+    assert wait_for(lambda: path.exists() and path.read_text().endswith("\n"))
+    child = psutil.Process(int(path.read_text()))
+    parent.send_signal(sent)
+    parent.wait()
+    assert wait_for(lambda: not child.is_running() or child.status() == psutil.STATUS_ZOMBIE)
+
+
+def wait_for(is_done, seconds=60):
+    """Return whether a condition holds before the time is over."""
+    end = time.monotonic() + seconds
+    while not is_done() and time.monotonic() < end:
+        time.sleep(0.05)
+    return is_done()

@@ -155,6 +155,18 @@ def test_turns_of_a_spiral_do_not_lie_on_each_other(mesh, least):
     assert report.covered > least * 512**2
 
 
+@pytest.mark.parametrize("noise", [0.0, 1e-10, 1e-6])
+def test_seams_may_agree_up_to_rounding_alone(noise):
+    """xatlas joins vertices that are equal in float32: six parts of a tube, each 60 degrees wide, became a plane."""
+    angle = np.linspace(0, np.pi / 3, 101)
+    part = np.concatenate([np.column_stack([np.cos(angle), np.sin(angle), np.full(101, z)]) for z in np.linspace(0, 2, 5)])
+    turns = [trimesh.transformations.rotation_matrix(k * np.pi / 3, (0, 0, 1))[:3, :3] for k in range(6)]
+    vertices = np.concatenate([part @ turn.T for turn in turns])
+    vertices += noise * np.random.default_rng(0).standard_normal(vertices.shape)
+    split, uv = ws.unwrap(ws.Mesh(vertices, np.concatenate([quads(5, 101) + 505 * k for k in range(6)])), 512)
+    assert ws.texture_points(split, uv, 512).report.overlapped == 0
+
+
 def test_a_surface_with_one_layer_is_not_divided():
     """A hill that is nearly flat stays one chart, with all its slopes."""
     x, y = np.meshgrid(*[np.linspace(0, 1, 60)] * 2, indexing="ij")

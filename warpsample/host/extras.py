@@ -33,8 +33,16 @@ REFUSED = 3
 """Exit status of a program of `run_program` that writes a reason in place of its result."""
 
 
+_END_WITH_PARENT = """import ctypes, sys
+if sys.platform == "linux":
+    ctypes.CDLL(None).prctl(1, 9)  # PR_SET_PDEATHSIG, SIGKILL
+"""
+
+
 def run_program(program: str, content: bytes = b"") -> tuple[int, bytes]:
     """Run a Python program in a new process, for a library that may crash; an interrupt ends the process.
+
+    On Linux, the process also ends if a signal kills its parent.
 
     Args:
         program: source code.
@@ -43,9 +51,8 @@ def run_program(program: str, content: bytes = b"") -> tuple[int, bytes]:
     Returns:
         exit status, and standard output.
     """
-    with subprocess.Popen(
-        [sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
-    ) as child:
+    command = [sys.executable, "-c", _END_WITH_PARENT + program]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as child:
         try:
             output = child.communicate(content)[0]
         finally:

@@ -25,6 +25,7 @@ _SMALL = 2.0**-15  # of the diagonal: with narrower faces charts are uneven, and
 _SHARE = 1e-3  # of the area: faces with less of it have too few texels to count
 _CELL = 2.0**14  # side of the cells whose connected parts become one piece, in widths of small faces
 _IMAGE = 1.6  # side of an image by xatlas, in sides of a square with the area of all faces
+_APART = 2.0**-20  # steps of positions: xatlas joins vertices less than 1.2e-7 apart, and here only equal ones are joined
 _LARGEST = 1e9  # largest diagonal of a scaled piece: xatlas fails at 1e12
 
 
@@ -79,41 +80,46 @@ def divide_meshes(parts: list[tuple[np.ndarray, np.ndarray]]) -> list[Piece]:
     small, diagonal = _find_small_width(parts), _diagonal(whole)
     is_even = small >= _SMALL * diagonal
     groups = [
-        (part, near[own])
+        (part, vertices, faces, rows)
         for part, (vertices, faces) in enumerate(parts)
-        for near in ([np.arange(len(faces))] if is_even else _group_faces(vertices, faces, _CELL * small))
-        for own in _divide_faces(vertices, faces[near])
+        for rows in ([np.arange(len(faces))] if is_even else _group_faces(vertices, faces, _CELL * small))
     ]
-    boxes = [whole if is_even else _box(parts[part][0][parts[part][1][rows]].reshape(-1, 3)) for part, rows in groups]
+    boxes = [whole if is_even else _box(vertices[faces[rows]].reshape(-1, 3)) for _, vertices, faces, rows in groups]
     scale = _DIAGONAL / (diagonal or 1.0) if is_even else min(1.0 / small, _LARGEST / max(map(_diagonal, boxes)))
     found = []
-    for (part, rows), box in zip(groups, boxes, strict=True):
-        vertices, faces = parts[part]
+    for (part, vertices, faces, rows), box in zip(groups, boxes, strict=True):
         old, local = np.unique(faces[rows], return_inverse=True)
-        scaled = ((vertices[old] - 0.5 * (box[0] + box[1])) * scale).astype(np.float32)
-        found.append(Piece(part, rows, old, scaled, local.reshape(-1, 3)))
+        local = local.reshape(-1, 3)
+        scaled = (vertices[old] - 0.5 * (box[0] + box[1])) * scale
+        if find_wide(scaled[local]).any():
+            scaled = np.rint(scaled / _APART) * _APART
+        scaled = scaled.astype(np.float32)
+        for own in _divide_faces(scaled, local):
+            used, corners = np.unique(local[own], return_inverse=True)
+            found.append(Piece(part, rows[own], old[used], scaled[used], corners.reshape(-1, 3)))
     return found
 
 
 def _divide_faces(vertices: np.ndarray, faces: np.ndarray) -> list[np.ndarray]:
-    """Return rows of connected faces in groups that xatlas cuts apart from each other."""
-    used, local = np.unique(faces, return_inverse=True)
-    corners, numbers = vertices[faces], number_points(vertices[used])[local.reshape(-1, 3)]
-    return [rows[own] for rows in _divide_repeated(numbers) for own in divide_smooth(corners[rows], numbers[rows])]
+    """Return rows of faces in groups that xatlas cuts apart from each other."""
+    vertices = vertices.astype(np.float64)
+    corners, numbers = vertices[faces], number_points(vertices)[faces]
+    groups = _divide_repeated(numbers, find_wide(corners))
+    return [rows[own] for rows in groups for own in divide_smooth(corners[rows], numbers[rows])]
 
 
-def _divide_repeated(numbers: np.ndarray) -> list[np.ndarray]:
-    """Return rows of faces in groups without two faces of the same corners, as in the two sides of a leaf.
+def _divide_repeated(numbers: np.ndarray, is_wide: np.ndarray) -> list[np.ndarray]:
+    """Return rows of faces in groups without two wide faces of the same corners, as in the two sides of a leaf.
 
     xatlas lays a face given twice on itself, and it joins no faces where four of them share an edge.
 
     Args:
         numbers: (F, 3) numbers of the corners of each face.
+        is_wide: (F,) whether a face is no sliver.
     """
     order = np.lexsort(np.sort(numbers, axis=1).T)
     corner = np.sort(numbers[order], axis=1)
-    is_first = (corner != np.roll(corner, 1, axis=0)).any(axis=1)
-    is_first |= (corner == corner[:, 1:2]).sum(axis=1) > 1  # two equal corners: the face has no area
+    is_first = (corner != np.roll(corner, 1, axis=0)).any(axis=1) | ~is_wide[order]
     is_first[0] = True
     rank = np.empty(len(order), np.int64)
     rank[order] = np.arange(len(order)) - np.maximum.accumulate(np.where(is_first, np.arange(len(order)), 0))
