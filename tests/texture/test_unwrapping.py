@@ -87,8 +87,8 @@ def arc(degrees):
     """An open part of a tube with 300 x 4 quads, from one end to the other."""
     turns = np.radians(np.linspace(0, degrees, 301))
     ring = np.column_stack([np.cos(turns), np.sin(turns)])
-    vertices = np.concatenate([np.column_stack([ring, np.full(301, height)]) for height in np.linspace(0, 1, 5)])
-    return trimesh.Trimesh(vertices, quads(5, 301), process=False)
+    vertices = [np.column_stack([ring, np.full(301, height)]) for height in np.linspace(0, 1, 5)]
+    return trimesh.Trimesh(np.concatenate(vertices), quads(5, 301), process=False)
 
 
 def tube_with_collapsed_faces():
@@ -108,8 +108,9 @@ def tube_with_collapsed_faces():
         lambda: CREATE.uv_sphere(count=(64, 512)),
         lambda: arc(90),
         lambda: arc(99),
+        lambda: CREATE.cone(1, 0.9, sections=600),
     ],
-    ids=["tube", "pipe", "torus", "sphere", "belts", "quarter", "more"],
+    ids=["tube", "pipe", "torus", "sphere", "belts", "quarter", "more", "cone"],
 )
 def test_finely_divided_surfaces_are_no_planes(shape):
     """xatlas took a tube for a plane, so that its front and back had the same texels; on the sphere it ended with -11."""
