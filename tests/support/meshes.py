@@ -67,3 +67,9 @@ def aimed(mesh, count, seed=3):
 def icosphere():
     made = trimesh.creation.icosphere(2)
     return centred(ws.Mesh(made.vertices, made.faces))
+
+
+def quads(rows, columns):
+    """Faces of a grid of vertices, row by row."""
+    start = (columns * np.arange(rows - 1)[:, None] + np.arange(columns - 1)).reshape(-1, 1)
+    return np.concatenate([np.add(start, [0, 1, columns]), np.add(start, [1, columns + 1, columns])])

@@ -7,6 +7,7 @@ import sys
 import numpy as np
 import pytest
 import trimesh
+from meshes import quads
 
 import warpsample as ws
 from warpsample.texture.jobs import square_side
@@ -77,12 +78,6 @@ def test_distant_faces_leave_the_charts_of_others_as_they_are(distance):
 CREATE = trimesh.creation
 
 
-def quads(rows, columns):
-    """Faces of a grid of vertices, row by row."""
-    start = (columns * np.arange(rows - 1)[:, None] + np.arange(columns - 1)).reshape(-1, 1)
-    return np.concatenate([np.add(start, [0, 1, columns]), np.add(start, [1, columns + 1, columns])])
-
-
 def arc(degrees):
     """An open part of a tube with 300 x 4 quads, from one end to the other."""
     turns = np.radians(np.linspace(0, degrees, 301))
@@ -125,37 +120,6 @@ def test_finely_divided_surfaces_are_no_planes(shape):
     assert density.max() / np.median(density) < 1.6  # xatlas' stretch; at most 1.4 was measured
 
 
-def coil(turns, steps, profile, pitch):
-    """A profile (S, 2), of radius and height, that is carried around the z axis and rises by `pitch` each turn."""
-    angle = np.linspace(0, 2 * np.pi * turns, round(turns * steps) + 1)[:, None]
-    radius, height = (own + np.zeros_like(angle) for own in profile.T)
-    height = height + pitch * angle / (2 * np.pi)
-    vertices = np.stack([radius * np.cos(angle), radius * np.sin(angle), height], axis=2).reshape(-1, 3)
-    return ws.Mesh(vertices, quads(len(angle), len(profile)))
-
-
-TURN = np.linspace(0, 2 * np.pi, 9) + 0.2
-WIRE = np.column_stack([1 + 0.1 * np.cos(TURN), 0.1 * np.sin(TURN)])
-
-
-@pytest.mark.parametrize(
-    ("mesh", "least"),
-    [
-        (coil(4, 8, np.array([(3.0, 0), (6, 0)]), 0.3), 0.3),
-        (coil(32, 48, np.array([(1.0, 0), (2, 0)]), 0.02), 0.3),
-        (coil(2.25, 96, np.array([(3.0, 0), (6, 0)]), 0.3), 0.3),
-        (coil(5, 450, WIRE, 0.3), 0.2),
-    ],
-    ids=["ramp of 64 faces", "32 turns", "2.25 turns", "spring"],
-)
-def test_turns_of_a_spiral_do_not_lie_on_each_other(mesh, least):
-    """For xatlas, strips along the turns were planes: 98 % of the texels of a ramp and 9 % of a spring lay in two turns."""
-    split, uv = ws.unwrap(mesh, 512)
-    report = ws.texture_points(split, uv, 512).report
-    assert (report.overlapped, report.zero_area) == (0, 0)
-    assert report.covered > least * 512**2
-
-
 @pytest.mark.parametrize("noise", [0.0, 1e-10, 1e-6])
 def test_seams_may_agree_up_to_rounding_alone(noise):
     """xatlas joins vertices that are equal in float32: six parts of a tube, each 60 degrees wide, became a plane."""
@@ -166,14 +130,6 @@ def test_seams_may_agree_up_to_rounding_alone(noise):
     vertices += noise * np.random.default_rng(0).standard_normal(vertices.shape)
     split, uv = ws.unwrap(ws.Mesh(vertices, np.concatenate([quads(5, 101) + 505 * k for k in range(6)])), 512)
     assert ws.texture_points(split, uv, 512).report.overlapped == 0
-
-
-def test_a_surface_with_one_layer_is_not_divided():
-    """A hill that is nearly flat stays one chart, with all its slopes."""
-    x, y = np.meshgrid(*[np.linspace(0, 1, 60)] * 2, indexing="ij")
-    vertices = np.stack([x, y, 0.01 * np.exp(-9 * (x - 0.5) ** 2 - 9 * (y - 0.5) ** 2)], axis=2).reshape(-1, 3)
-    _, uv = ws.unwrap(ws.Mesh(vertices, quads(60, 60)), 256)
-    assert label_charts(uv).max() == 0
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import numpy as np
 
 from warpsample.host.extras import REFUSED
 from warpsample.texture.uv.charts import add_left_out
-from warpsample.texture.uv.cutting import cut_meshes
+from warpsample.texture.uv.cutting import cut_meshes, separate_overlaps
 from warpsample.texture.uv.packing import pack_charts
 
 
@@ -24,7 +24,7 @@ def main(size: int, padding: int) -> NoReturn:
     given = np.load(BytesIO(sys.stdin.buffer.read()))
     meshes = [(given[f"v{i}"], given[f"f{i}"]) for i in range(len(given.files) // 2)]
     try:
-        cut = cut_meshes(meshes, size, padding)
+        cut = separate_overlaps(cut_meshes(meshes, size, padding), size, padding)
         uv, is_packed = pack_charts(cut.charts, size, padding)
     except ValueError as error:
         _answer(output, str(error).encode(), REFUSED)

@@ -147,3 +147,12 @@ def add_left_out(
     whole[~left] = corners
     whole[left] = len(old) + np.arange(3 * len(at)).reshape(-1, 3)
     return np.concatenate([old, faces[left].ravel()]), whole, np.concatenate([uv, np.repeat(own, 3, axis=0)])
+
+
+def find_neighbours(numbers: np.ndarray) -> np.ndarray:
+    """Return pairs of faces that share an edge, (2, E), for the numbers of each face's corners, (F, 3)."""
+    start, end = numbers.ravel(), np.roll(numbers, -1, axis=1).ravel()
+    edge = np.minimum(start, end) * (numbers.max(initial=0) + 1) + np.maximum(start, end)
+    order = np.argsort(edge, kind="stable")
+    pairs = [np.stack([order[:-step], order[step:]])[:, edge[order[step:]] == edge[order[:-step]]] for step in (1, 2)]
+    return np.concatenate(pairs, axis=1) // 3

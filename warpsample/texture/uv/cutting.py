@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_wide, label_charts
+from warpsample.texture.uv.overlaps import divide_overlaps
 from warpsample.texture.uv.packing import Charts, find_flat_areas, find_scale, measure_charts, new_atlas
 
 _SHEET = 4096  # texels: side of the images in which xatlas hands over charts
@@ -12,6 +13,7 @@ _FINE = 1e6  # texels along the largest mesh there: xatlas rounds charts up to w
 _SHORTEST, _LONGEST = 8, 256  # texels: longest charts there, in meshes of very many faces and of few
 _TOO_LONG = 1.05  # largest length of charts of slivers alone, in sides of the image
 _STRETCHED = 1.5  # largest length of a chart with slivers, in lengths of the chart without slivers
+_SIDES = 1024, 2048  # sides of images in which overlaps are looked for
 _SHRUNK = 0.95  # least scale with slivers, in scales without slivers
 
 Meshes = list[tuple[np.ndarray, np.ndarray]]
@@ -26,6 +28,7 @@ class Cut(NamedTuple):
         row: (F,) row of each face in its mesh.
         is_wide: (F,) whether it is no sliver.
         old: (V,) vertex in its mesh for each vertex of the charts.
+        positions: (V, 3) positions of these vertices in space.
         charts: the charts of these faces.
     """
 
@@ -33,12 +36,13 @@ class Cut(NamedTuple):
     row: np.ndarray
     is_wide: np.ndarray
     old: np.ndarray
+    positions: np.ndarray
     charts: Charts
 
     def select(self, mask: np.ndarray) -> "Cut":
         """Return the charts of some faces only."""
         charts = measure_charts(self.charts.places, self.charts.faces[mask], self.charts.chart[mask])
-        return Cut(self.mesh[mask], self.row[mask], self.is_wide[mask], self.old, charts)
+        return self._replace(mesh=self.mesh[mask], row=self.row[mask], is_wide=self.is_wide[mask], charts=charts)
 
 
 def cut_meshes(meshes: Meshes, size: int, padding: int) -> Cut:
@@ -60,6 +64,21 @@ def cut_meshes(meshes: Meshes, size: int, padding: int) -> Cut:
     if find_scale(cut.charts, size, padding) >= _SHRUNK * scale and not _is_stretched(cut, 1.0 / scale):
         return cut
     return _leave_out_long(_cut(meshes, [np.flatnonzero(own) for own in loose]), size, padding)
+
+
+def separate_overlaps(cut: Cut, size: int, padding: int) -> Cut:
+    """Return charts that do not lie on themselves, by pixels about as large as the texels of an image of `size` texels."""
+    charts, positions = cut.charts, cut.positions[cut.charts.faces]
+    scale = find_scale(charts, int(np.clip(size, *_SIDES)), padding)
+    pixels = min(charts.areas.sum() * scale**2, _SIDES[1] ** 2)
+    chart = divide_overlaps(charts.places[charts.faces], positions, charts.chart, pixels)
+    if chart is charts.chart:
+        return cut
+    count = len(charts.places)
+    vertex, corner = np.unique(chart[:, None] * count + charts.faces, return_inverse=True)
+    own = vertex % count
+    charts = measure_charts(charts.places[own], corner.reshape(-1, 3), chart)
+    return cut._replace(old=cut.old[own], positions=cut.positions[own], charts=charts)
 
 
 def _find_loose(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -97,10 +116,13 @@ def _cut(meshes: Meshes, kept: list[np.ndarray]) -> Cut:
     drawn = (chart[faces] >= 0).all(axis=1) & np.isfinite(places[faces]).all(axis=(1, 2))
     if not drawn.any():
         raise ValueError("mesh: got only faces without an area, want at least one face with an area")
-    corners = np.concatenate([vertices[own] for _, vertices, own, _ in shown]).astype(np.float64)[drawn]
+    positions = np.concatenate([vertices[own[0]] for (_, vertices, _, _), own in zip(shown, made, strict=True)])
+    positions = positions.astype(np.float64)
+    corners, chart = positions[faces[drawn]], chart[faces[drawn, 0]]
+    places = _restore_places(places, positions, faces[drawn], chart)
     mesh, row = np.concatenate([np.stack([np.full(len(rows), i), rows]) for i, _, _, rows in shown], axis=1)
-    charts = _scale_charts(places, faces[drawn], chart[faces[drawn, 0]], corners)
-    return Cut(mesh[drawn], row[drawn], find_wide(corners), old, charts)
+    charts = _scale_charts(places, faces[drawn], chart, corners)
+    return Cut(mesh[drawn], row[drawn], find_wide(corners), old, positions, charts)
 
 
 def _fill_atlas(meshes: Meshes) -> Any:
@@ -122,6 +144,27 @@ def _fill_atlas(meshes: Meshes) -> Any:
     options.max_chart_size = int(np.clip(side, _SHORTEST, _LONGEST))
     atlas.generate(pack_options=options)
     return atlas
+
+
+def _restore_places(places: np.ndarray, positions: np.ndarray, faces: np.ndarray, chart: np.ndarray) -> np.ndarray:
+    """Return places where charts that xatlas shrinks to a point, small ones in a large scene, are projected on a plane.
+
+    Args:
+        places: (V, 2) places of the vertices.
+        positions: (V, 3) positions of the vertices in space.
+        faces: (F, 3) vertices of each face.
+        chart: (F,) number of each face's chart.
+    """
+    lost = np.flatnonzero((np.bincount(chart, np.ptp(places[faces], axis=1).sum(axis=1)) == 0.0)[chart])
+    corners = positions[faces[lost]]
+    crosses = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = np.column_stack([np.bincount(chart[lost], own) for own in crosses.T])[chart[lost]]
+    across = np.cross(normals, np.eye(3)[np.abs(normals).argmin(axis=1)])
+    planes = np.stack([across, np.cross(normals, across)], axis=1)
+    planes /= np.maximum(np.linalg.norm(planes, axis=2), np.finfo(np.float64).tiny)[:, :, None]
+    places = places.copy()
+    places[faces[lost]] = corners @ planes.transpose(0, 2, 1)
+    return places
 
 
 def _scale_charts(places: np.ndarray, faces: np.ndarray, chart: np.ndarray, corners: np.ndarray) -> Charts:
