@@ -10,7 +10,7 @@ from warpsample.texture.uv.charts import find_neighbours, number_points
 
 _SHARE = 2e-4  # of a chart's pixels: folds of rough terrain, which are not worth further charts, have less
 _FINE = 2.0**22  # most pixels of all charts that are divided
-_ROWS = 2.0**22  # most rows of pixels of all faces
+_ROWS = 2.0**22  # rows of pixels, over all faces, that are drawn at once
 _POINT = 1e-30  # so that nothing is divided by 0
 
 
@@ -87,7 +87,7 @@ def _grow_parts(pairs: np.ndarray, drawn: _Drawn, count: int) -> np.ndarray:
 
 
 def _draw_charts(corners: np.ndarray, chart: np.ndarray, pixels: float) -> _Drawn:
-    """Draw charts, apart from each other.
+    """Draw charts, apart from each other; in blocks, so that long faces with many rows of pixels fit into memory.
 
     Args:
         corners: (F, 3, 2) places of the corners.
@@ -96,9 +96,26 @@ def _draw_charts(corners: np.ndarray, chart: np.ndarray, pixels: float) -> _Draw
     """
     edges = corners[:, 1:] - corners[:, :1]
     area = 0.5 * np.abs(edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0]).sum()
-    height = np.ptp(corners[:, :, 1], axis=1).sum()
-    face, column, row = _draw(corners * min(np.sqrt(pixels / max(area, _POINT)), _ROWS / max(height, _POINT)))
-    own, count = chart[face], int(chart.max()) + 1
+    corners = corners * np.sqrt(pixels / max(area, _POINT))
+    width, height = (np.bincount(chart, own) for own in np.ptp(corners, axis=1).T)
+    corners = np.where((width < height)[chart, None, None], corners[:, :, ::-1], corners)
+    rows = np.minimum(width, height)
+    corners *= np.minimum(1.0, _ROWS / np.maximum(rows, 1.0))[chart, None, None]
+    block = (np.cumsum(np.minimum(rows, _ROWS)) / _ROWS).astype(np.int64)[chart]
+    drawn, first = [], 0
+    for own in np.split(np.argsort(block, kind="stable"), np.cumsum(np.bincount(block))[:-1]):
+        face, pixel, is_folded = _find_shared_pixels(corners[own], chart[own], len(rows))
+        drawn.append(_Drawn(own[face], first + pixel, is_folded))
+        first += int(pixel.max(initial=0)) + 1
+    face, pixel, is_folded = (np.concatenate(own) for own in zip(*drawn, strict=True))
+    order = np.argsort(face, kind="stable")
+    return _Drawn(face[order], pixel[order], is_folded.reshape(-1, len(rows)).any(axis=0))
+
+
+def _find_shared_pixels(corners: np.ndarray, chart: np.ndarray, count: int) -> _Drawn:
+    """Return the pixels in two or more faces of one of `count` charts; a pixel is a unit of length of the corners."""
+    face, column, row = _draw(corners)
+    own = chart[face]
     low, high = np.full((2, count), np.iinfo(np.int64).max), np.full((2, count), np.iinfo(np.int64).min)
     for axis, line in enumerate((column, row)):
         np.minimum.at(low[axis], own, line)
