@@ -63,7 +63,7 @@ def test_no_chart_lies_on_itself(shape):
     t = ws.texture_points(split, uv, 512)
     assert (t.report.overlapped, t.report.zero_area) == (0, 0)
     label = label_charts(uv)
-    assert label.max() < (400 if shape == "spring" else 36)
+    assert label.max() < (400 if shape == "spring" else 36)  # 220 to 260, and 33 for 32 turns, were measured
     chart = np.full(512 * 512, -1)
     chart[t.texel] = label[t.face]
     chart = chart.reshape(512, 512)

@@ -17,11 +17,7 @@ def label_charts(corners: np.ndarray) -> np.ndarray:
     """
     corner = number_points(corners.reshape(-1, corners.shape[-1]))
     a, b, c = corner.reshape(-1, 3).T
-    sparse = imported("scipy.sparse")
-    count = int(corner.max()) + 1
-    links = sparse.coo_array((np.ones(2 * len(a), np.bool_), (np.r_[a, b], np.r_[b, c])), (count, count))
-    _, chart = imported("scipy.sparse.csgraph").connected_components(links, directed=False)
-    return chart[a].astype(np.int32)
+    return connect_nodes(np.r_[a, b], np.r_[b, c], int(corner.max()) + 1)[a].astype(np.int32)
 
 
 def number_points(points: np.ndarray) -> np.ndarray:
