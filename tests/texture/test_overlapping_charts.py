@@ -73,20 +73,20 @@ def test_no_chart_lies_on_itself(shape):
             assert (first[both] == second[both]).all()
 
 
-def test_long_faces_do_not_make_the_pixels_of_other_charts_larger(monkeypatch):
-    """Charts are drawn in blocks of rows; with a coarser scale for all, folds of charts beside narrow strips were missed."""
-    vertices, faces = coil(2, 24, DECK / 6, 1e-3)
-    strip = np.array([(0.0, 0), (7, 7), (7, 7.001), (0, 0.001)])[[(0, 1, 2), (0, 2, 3)]]
-    strips = np.concatenate([np.add(strip, [0, 0.001 * k]) for k in range(1000)])
-    places = np.concatenate([vertices[faces][:, :, :2] + 5.0 * k for k in range(40)] + [strips])
-    heights = np.concatenate([np.tile(vertices[faces][:, :, 2], (40, 1)), np.zeros((2000, 3))])
-    chart = np.repeat(np.arange(41), [len(faces)] * 40 + [2000])
+def test_long_faces_make_no_pixels_larger(monkeypatch):
+    """Faces are drawn in blocks. Folds were missed with larger pixels, in a chart of narrow faces or beside long strips."""
+    coils = [coil(2, 24, DECK / 6, 1e-3)] * 40 + [coil(2, 4000, DECK / 6, 1e-3)]
+    strip = np.array([(0.0, 0, 0), (7, 7, 0), (7, 7.001, 0), (0, 0.001, 0)])[[(0, 1, 2), (0, 2, 3)]]
+    positions = [vertices[faces] for vertices, faces in coils]
+    positions.append(np.concatenate([np.add(strip, [0, 0.001 * k, 0]) for k in range(1000)]))
+    places = np.concatenate([own[:, :, :2] + 5.0 * k for k, own in enumerate(positions)])
+    chart = np.repeat(np.arange(42), [len(own) for own in positions])
     made = []
     for rows in (2.0**12, 2.0**22):
         monkeypatch.setattr(overlaps, "_ROWS", rows)
-        made.append(overlaps.divide_overlaps(places, np.dstack([places, heights]), chart, 2.0**20))
+        made.append(overlaps.divide_overlaps(places, np.concatenate(positions), chart, 2.0**20))
     assert np.array_equal(*made)
-    assert made[0].max() + 1 == 2 * 40 + 1
+    assert made[0].max() + 1 == 2 * 41 + 1
 
 
 def test_a_surface_with_one_layer_is_not_divided():

@@ -10,7 +10,8 @@ from warpsample.texture.uv.charts import find_neighbours, number_points
 
 _SHARE = 2e-4  # of a chart's pixels: folds of rough terrain, which are not worth further charts, have less
 _FINE = 2.0**22  # most pixels of all charts that are divided
-_ROWS = 2.0**22  # rows of pixels, over all faces, that are drawn at once
+_ROWS = 2.0**20  # rows of pixels, over all faces, that are drawn at once
+_LONGEST = 2.0**13  # most rows of pixels of a face
 _POINT = 1e-30  # so that nothing is divided by 0
 
 
@@ -99,23 +100,26 @@ def _draw_charts(corners: np.ndarray, chart: np.ndarray, pixels: float) -> _Draw
     corners = corners * np.sqrt(pixels / max(area, _POINT))
     width, height = (np.bincount(chart, own) for own in np.ptp(corners, axis=1).T)
     corners = np.where((width < height)[chart, None, None], corners[:, :, ::-1], corners)
-    rows = np.minimum(width, height)
-    corners *= np.minimum(1.0, _ROWS / np.maximum(rows, 1.0))[chart, None, None]
-    block = (np.cumsum(np.minimum(rows, _ROWS)) / _ROWS).astype(np.int64)[chart]
-    drawn, first = [], 0
-    for own in np.split(np.argsort(block, kind="stable"), np.cumsum(np.bincount(block))[:-1]):
-        face, pixel, is_folded = _find_shared_pixels(corners[own], chart[own], len(rows))
-        drawn.append(_Drawn(own[face], first + pixel, is_folded))
-        first += int(pixel.max(initial=0)) + 1
-    face, pixel, is_folded = (np.concatenate(own) for own in zip(*drawn, strict=True))
-    order = np.argsort(face, kind="stable")
-    return _Drawn(face[order], pixel[order], is_folded.reshape(-1, len(rows)).any(axis=0))
+    rows, longest = np.ptp(corners[:, :, 1], axis=1), np.full(len(width), _LONGEST)
+    np.maximum.at(longest, chart, rows)
+    scale = (_LONGEST / longest)[chart]
+    corners *= scale[:, None, None]
+    starts = np.flatnonzero(np.diff(np.cumsum(scale * rows) // _ROWS)) + 1
+    blocks = np.split(np.arange(len(chart)), starts)
+    drawn = [(own[face], column, row) for own in blocks for face, column, row in [_draw(corners[own])]]
+    return _find_shared_pixels(*(np.concatenate(own) for own in zip(*drawn, strict=True)), chart)
 
 
-def _find_shared_pixels(corners: np.ndarray, chart: np.ndarray, count: int) -> _Drawn:
-    """Return the pixels in two or more faces of one of `count` charts; a pixel is a unit of length of the corners."""
-    face, column, row = _draw(corners)
-    own = chart[face]
+def _find_shared_pixels(face: np.ndarray, column: np.ndarray, row: np.ndarray, chart: np.ndarray) -> _Drawn:
+    """Return the pixels that lie in two or more faces of a chart.
+
+    Args:
+        face: (n,) face of each pixel, ascending.
+        column: (n,) column of each pixel in its chart.
+        row: (n,) row of each pixel in its chart.
+        chart: (F,) number of each face's chart, counted from 0.
+    """
+    own, count = chart[face], int(chart.max()) + 1
     low, high = np.full((2, count), np.iinfo(np.int64).max), np.full((2, count), np.iinfo(np.int64).min)
     for axis, line in enumerate((column, row)):
         np.minimum.at(low[axis], own, line)

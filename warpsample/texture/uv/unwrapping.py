@@ -27,9 +27,9 @@ _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.texture.uv impor
 def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.ndarray]:
     """Compute new texture coordinates for a mesh: charts side by side in one square image, by xatlas.
 
-    Charts that xatlas lays on themselves are divided, so that at most about 0.05 % of the texels lie in two faces; more,
-    such as 0.2 %, in charts of several 100,000 narrow faces. `texture_points(...).report` counts these texels. xatlas takes
-    minutes for some smooth meshes of 10,000 faces and more: waves, and sheets of long twisted faces.
+    Charts that xatlas lays on themselves are divided, so that at most about 0.05 % of the texels lie in two faces.
+    `texture_points(...).report` counts these texels. xatlas takes minutes for some smooth meshes of 10,000 faces and more:
+    waves, and sheets of long twisted faces.
 
     Args:
         mesh: a Mesh, or anything that `as_mesh` accepts.
