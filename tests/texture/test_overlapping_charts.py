@@ -7,6 +7,7 @@ from meshes import quads
 import warpsample as ws
 from warpsample.texture.uv import overlaps
 from warpsample.texture.uv.charts import label_charts
+from warpsample.texture.uv.cutting import cut_meshes, separate_overlaps
 
 
 def coil(turns, steps, profile, pitch):
@@ -84,9 +85,22 @@ def test_long_faces_make_no_pixels_larger(monkeypatch):
     made = []
     for rows in (2.0**12, 2.0**22):
         monkeypatch.setattr(overlaps, "_ROWS", rows)
-        made.append(overlaps.divide_overlaps(places, np.concatenate(positions), chart, 2.0**20))
+        made.append(overlaps.divide_overlaps(places, np.concatenate(positions), chart, np.full(42, 2.0**15)))
     assert np.array_equal(*made)
     assert made[0].max() + 1 == 2 * 41 + 1
+
+
+def test_small_charts_of_large_images_are_drawn_as_finely_as_their_texels():
+    """Lock washers a few texels wide, beside a sheet, lay on themselves: they were drawn at 2,048 pixels at most."""
+    vertices, faces = coil(2, 8, DECK / 6, 0.02)
+    place = np.stack(np.meshgrid(*[np.arange(20) / 20] * 2, [0.1]), axis=3).reshape(-1, 1, 3)
+    small = (2e-4 * vertices + place)[:, faces].reshape(-1, 3)
+    sheet = np.array([(0.0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)])[[0, 1, 2, 0, 2, 3]]
+    cut = cut_meshes(
+        [((2e3 * own).astype(np.float32), np.arange(len(own)).reshape(-1, 3)) for own in (small, sheet)], 16384, 2
+    )
+    assert len(cut.charts.sizes) == 401
+    assert len(separate_overlaps(cut, 16384, 2).charts.sizes) >= 801  # 669 at 2,048
 
 
 def test_a_surface_with_one_layer_is_not_divided():

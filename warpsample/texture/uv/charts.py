@@ -38,6 +38,11 @@ def find_areas(corners: np.ndarray) -> np.ndarray:
     return 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
 
 
+def find_flat_areas(corners: np.ndarray) -> np.ndarray:
+    """Return the areas of faces in the plane, (F,), for corners (F, 3, 2)."""
+    return find_areas(np.pad(corners, ((0, 0), (0, 0), (0, 1))))
+
+
 def find_longest_edges(corners: np.ndarray) -> np.ndarray:
     """Return the length of the longest edge of each face, (F,), for corners (F, 3, k)."""
     return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).max(axis=1)

@@ -4,16 +4,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from warpsample.texture.uv.charts import find_areas, find_longest_edges, find_wide, label_charts
+from warpsample.texture.uv.charts import find_areas, find_flat_areas, find_longest_edges, find_wide, label_charts
 from warpsample.texture.uv.overlaps import divide_overlaps
-from warpsample.texture.uv.packing import Charts, find_flat_areas, find_scale, measure_charts, new_atlas
+from warpsample.texture.uv.packing import Charts, find_scale, measure_charts, new_atlas
 
 _SHEET = 4096  # texels: side of the images in which xatlas hands over charts
 _FINE = 1e6  # texels along the largest mesh there: xatlas rounds charts up to whole texels before it shrinks long ones
 _SHORTEST, _LONGEST = 8, 256  # texels: longest charts there, in meshes of very many faces and of few
 _TOO_LONG = 1.05  # largest length of charts of slivers alone, in sides of the image
 _STRETCHED = 1.5  # largest length of a chart with slivers, in lengths of the chart without slivers
-_SIDES = 1024, 2048  # sides of images in which overlaps are looked for
+_SIDE = 1024  # texels: overlaps are looked for at least as finely as in images of this side
+_MOST = 2.0**22  # pixels of all charts among which overlaps are looked for,
+_LEAST = 2.0**12  # but at least so many in each chart, or as many as it has texels
 _SHRUNK = 0.95  # least scale with slivers, in scales without slivers
 
 Meshes = list[tuple[np.ndarray, np.ndarray]]
@@ -69,10 +71,10 @@ def cut_meshes(meshes: Meshes, size: int, padding: int) -> Cut:
 def separate_overlaps(cut: Cut, size: int, padding: int) -> Cut:
     """Return charts that do not lie on themselves, by pixels about as large as the texels of an image of `size` texels."""
     charts, positions = cut.charts, cut.positions[cut.charts.faces]
-    scale = find_scale(charts, int(np.clip(size, *_SIDES)), padding)
-    pixels = min(charts.areas.sum() * scale**2, _SIDES[1] ** 2)
+    texels = charts.areas * find_scale(charts, max(size, _SIDE), padding) ** 2
+    pixels = np.maximum(texels * (_MOST / max(_MOST, texels.sum())), np.minimum(texels, _LEAST))
     chart = divide_overlaps(charts.places[charts.faces], positions, charts.chart, pixels)
-    if chart is charts.chart:
+    if chart.max() == charts.chart.max():
         return cut
     count = len(charts.places)
     vertex, corner = np.unique(chart[:, None] * count + charts.faces, return_inverse=True)

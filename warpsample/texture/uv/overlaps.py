@@ -6,10 +6,10 @@ from typing import NamedTuple
 import numpy as np
 
 from warpsample.host.locks import imported
-from warpsample.texture.uv.charts import find_neighbours, number_points
+from warpsample.texture.uv.charts import find_flat_areas, find_neighbours, number_points
 
 _SHARE = 2e-4  # of a chart's pixels: folds of rough terrain, which are not worth further charts, have less
-_FINE = 2.0**22  # most pixels of all charts that are divided
+_PIXELS = 2.0**22  # pixels of the charts that are compared at once, so that they fit into memory; least of divided ones
 _ROWS = 2.0**20  # rows of pixels, over all faces, that are drawn at once
 _LONGEST = 2.0**13  # most rows of pixels of a face
 _POINT = 1e-30  # so that nothing is divided by 0
@@ -29,7 +29,7 @@ class _Drawn(NamedTuple):
     is_folded: np.ndarray
 
 
-def divide_overlaps(places: np.ndarray, positions: np.ndarray, chart: np.ndarray, pixels: float) -> np.ndarray:
+def divide_overlaps(places: np.ndarray, positions: np.ndarray, chart: np.ndarray, pixels: np.ndarray) -> np.ndarray:
     """Return new numbers of charts, (F,), such that hardly any pixel of a chart lies in two of its faces.
 
     xatlas projects a chain of nearly coplanar faces, such as a spiral ramp or a road that crosses itself, although parts of
@@ -39,18 +39,25 @@ def divide_overlaps(places: np.ndarray, positions: np.ndarray, chart: np.ndarray
         places: (F, 3, 2) places of the corners of each face.
         positions: (F, 3, 3) their positions in space.
         chart: (F,) number of each face's chart, counted from 0.
-        pixels: number of pixels of all charts.
+        pixels: (C,) number of pixels of each chart.
     """
-    rows = np.flatnonzero(_draw_charts(places, chart, pixels).is_folded[chart])
-    if not len(rows):
-        return chart
-    places, own = places[rows], np.unique(chart[rows], return_inverse=True)[1]
-    drawn = _draw_charts(places, own, _FINE)
-    known = np.concatenate([places, positions[rows], np.tile(own[:, None, None], (1, 3, 1))], axis=2)
+    block = np.floor((np.cumsum(pixels) - pixels) / _PIXELS)[chart]
+    order = np.argsort(block, kind="stable")
+    divided = chart.copy()
+    for rows in np.split(order, np.flatnonzero(np.diff(block[order])) + 1):
+        folded = rows[_draw_charts(places[rows], chart[rows], pixels).is_folded[chart[rows]]]
+        if len(folded):
+            divided[folded] = divided.max() + 1 + _divide(places[folded], positions[folded], chart[folded], pixels)
+    return np.unique(divided, return_inverse=True)[1]
+
+
+def _divide(places: np.ndarray, positions: np.ndarray, chart: np.ndarray, pixels: np.ndarray) -> np.ndarray:
+    """Return numbers of parts, (F,), of charts that lie on themselves; arguments as of `divide_overlaps`."""
+    number, own = np.unique(chart, return_inverse=True)
+    drawn = _draw_charts(places, own, pixels[number] * max(1.0, _PIXELS / pixels[number].sum()))
+    known = np.concatenate([places, positions, np.tile(own[:, None, None], (1, 3, 1))], axis=2)
     corner = number_points(known.reshape(-1, 6)).reshape(-1, 3)
-    chart = chart.copy()
-    chart[rows] = chart.max() + 1 + _grow_parts(find_neighbours(corner), drawn, len(rows))
-    return np.unique(chart, return_inverse=True)[1]
+    return _grow_parts(find_neighbours(corner), drawn, len(chart))
 
 
 def _grow_parts(pairs: np.ndarray, drawn: _Drawn, count: int) -> np.ndarray:
@@ -87,17 +94,16 @@ def _grow_parts(pairs: np.ndarray, drawn: _Drawn, count: int) -> np.ndarray:
     return np.array(part)
 
 
-def _draw_charts(corners: np.ndarray, chart: np.ndarray, pixels: float) -> _Drawn:
+def _draw_charts(corners: np.ndarray, chart: np.ndarray, pixels: np.ndarray) -> _Drawn:
     """Draw charts, apart from each other; in blocks, so that long faces with many rows of pixels fit into memory.
 
     Args:
         corners: (F, 3, 2) places of the corners.
         chart: (F,) number of each face's chart, counted from 0.
-        pixels: number of pixels of all charts.
+        pixels: (C,) number of pixels of each chart.
     """
-    edges = corners[:, 1:] - corners[:, :1]
-    area = 0.5 * np.abs(edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0]).sum()
-    corners = corners * np.sqrt(pixels / max(area, _POINT))
+    areas = np.bincount(chart, find_flat_areas(corners), len(pixels))
+    corners = corners * np.sqrt(pixels / np.maximum(areas, _POINT))[chart, None, None]
     width, height = (np.bincount(chart, own) for own in np.ptp(corners, axis=1).T)
     corners = np.where((width < height)[chart, None, None], corners[:, :, ::-1], corners)
     rows, longest = np.ptp(corners[:, :, 1], axis=1), np.full(len(width), _LONGEST)

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from warpsample.texture.uv.charts import find_areas
+from warpsample.texture.uv.charts import find_flat_areas
 
 _TRIES = 20
 _ENOUGH = 8  # tries after which charts need not fill the image
@@ -76,11 +76,6 @@ def measure_charts(places: np.ndarray, faces: np.ndarray, chart: np.ndarray) -> 
     low = np.minimum.reduceat(corners[order].min(axis=1), starts)
     high = np.maximum.reduceat(corners[order].max(axis=1), starts)
     return Charts(places, faces, chart, high - low, np.bincount(chart, find_flat_areas(corners)))
-
-
-def find_flat_areas(corners: np.ndarray) -> np.ndarray:
-    """Return the areas of faces in the plane, (F,), for corners (F, 3, 2)."""
-    return find_areas(np.pad(corners, ((0, 0), (0, 0), (0, 1))))
 
 
 def pack_charts(charts: Charts, size: int, padding: int) -> tuple[np.ndarray, np.ndarray]:

@@ -42,7 +42,7 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
         coordinates from 0 to 1, v downward. A face without an area in float32 has equal coordinates at its three corners.
         Slivers, narrower than 1/10,000 of their longest edge, have the coordinates of a neighbour's corner if they are
         longer than all else, or if they would make all charts smaller. Beside large parts, faces of a part below 1/5,000 of
-        the mesh's size may have no area.
+        the mesh's size may have no area, and so may faces narrower than about 1/1,000,000 of their chart.
 
     Raises:
         TypeError, ValueError: an argument is invalid, xatlas fails on the mesh, or the image is too small for the charts.
