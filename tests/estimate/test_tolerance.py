@@ -106,6 +106,8 @@ def test_no_warning_where_all_values_are_proven():
         ws.sky_view_factor(ground, points, 16, tolerance=1e-3, skip=False)
     with pytest.warns(UserWarning, match="tolerance: got 0.001, which is not reached with 16 rays per point"):
         ws.sky_view_factor(square(), spread_below(0).take(slice(0, 2)), 16, tolerance=1e-3)
+    with pytest.warns(UserWarning, match="tolerance: got 0.001, which is not reached with 16 rays per point"):
+        ws.sky_view_factor(ground, points, 16, tolerance=1e-3, up=(0, 1, 2))  # no rays, but values depend on them
 
 
 def test_nothing_to_see_takes_few_rays(bunny, points):

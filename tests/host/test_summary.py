@@ -17,7 +17,7 @@ def test_a_result_prints_its_kind_points_mean_range_and_statuses(courtyard):
     mesh, points = courtyard
     found = ws.ambient_occlusion(mesh, points, 64, active=np.arange(2000) < 1500)
     text = repr(found)
-    assert text.startswith("Share of 2,000 points\n")
+    assert text.startswith("OpenShare of 2,000 points\n")
     assert f"mean {found.value.mean(dtype=np.float64):.4g}, 0 to {found.value.max():.4g}" in text
     assert "1,500 OK, 500 INACTIVE" in text
     assert "standard_error" in text

@@ -61,7 +61,8 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
         log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
         main = runner.result(options.seed, count)
         missed = error_of(main, has_value(main.status)) > _MISSED * plan.tolerance
-        if count == plan.count and missed and main.rays.any():  # without rays, each value is proven
+        is_uncertain = main.rays.any() or main.standard_error.any()  # without rays and differences, each value is proven
+        if count == plan.count and missed and is_uncertain:
             message = (
                 f"tolerance: got {plan.tolerance:g}, which is not reached with {count:,} rays per point; "
                 "allow more rays with a larger count (--samples)"

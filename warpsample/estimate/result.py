@@ -242,6 +242,14 @@ class Estimate(PointResult):
     possible: ClassVar[tuple[float, float]] = (-inf, inf)
     """Least and greatest possible value; intervals are clipped to this range."""
 
+    @property
+    def is_exact(self) -> NDArray[np.bool_]:
+        """Mask of the points whose value is exact because nothing can block their rays, (P,).
+
+        A point without rays is not exact if its value depends on their directions, as for the sky above a slope.
+        """
+        return np.zeros(len(self.rays), np.bool_)
+
     def interval(self, level: float = 0.95) -> Interval:
         """Return a confidence interval for each point, which contains the true value with a probability of about `level`.
 
@@ -277,3 +285,13 @@ class Share(Estimate):
     """Estimate of a share: an `Estimate` whose values are from 0 to 1."""
 
     possible: ClassVar[tuple[float, float]] = (0.0, 1.0)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class OpenShare(Share):
+    """Estimate of the share of a point's rays that hit nothing."""
+
+    @property
+    def is_exact(self) -> NDArray[np.bool_]:
+        """Mask of the points whose value is exact because their rays hit nothing, (P,)."""
+        return (self.rays == 0) & has_value(self.status)

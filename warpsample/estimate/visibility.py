@@ -10,7 +10,7 @@ from typing_extensions import Unpack
 
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.plan import RaySum, plan_of, reach_of
-from warpsample.estimate.result import Estimate, Share
+from warpsample.estimate.result import Estimate, OpenShare, Share, has_value
 from warpsample.estimate.weights import DIRECTION, OPEN, build_sky_integrand
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import as_unit
@@ -18,6 +18,8 @@ from warpsample.host.locks import multiply
 from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placed_points import PlacedPoints
+
+_LEVEL = 1e-7  # of the lobe below the horizon, at a normal that is up but for rounding
 
 
 @with_options(RayKeywords)
@@ -85,7 +87,7 @@ def ambient_occlusion(
                 f"max_distance: got {max_distance}, want a finite distance above 0, because falloff is relative to "
                 "max_distance"
             )
-    return estimate(plan, RaySum(OPEN, reach=reach, falloff=falloff, result=Share))
+    return estimate(plan, RaySum(OPEN, reach=reach, falloff=falloff, result=OpenShare))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -97,6 +99,11 @@ class SkyView(Share):
     """
 
     below_horizon: NDArray[np.float32]
+
+    @property
+    def is_exact(self) -> NDArray[np.bool_]:
+        """Mask of the points whose value is exact, (P,): they face up, and nothing can block their rays."""
+        return (self.rays == 0) & (self.below_horizon < _LEVEL) & has_value(self.status)
 
 
 @with_options(RayKeywords)

@@ -7,6 +7,7 @@ import xarray as xr
 
 from warpsample.estimate.intervals import DEGREES, LEVEL, half_width_of, interval_of, least_errors
 from warpsample.estimate.result import Estimate
+from warpsample.estimate.visibility import SkyView
 from warpsample.host.arguments import check_number
 from warpsample.host.neighbours import describe_type
 
@@ -22,7 +23,8 @@ def errors_of(found: Any) -> tuple[np.ndarray, np.ndarray]:
     """
     half = half_width_of(found)
     if isinstance(found, Estimate):
-        half = np.where((found.rays == 0) & (found.value == 1.0), np.float32(0.0), half)
+        is_open = found.is_exact if isinstance(found, SkyView) else (found.rays == 0) & (found.value == 1.0)
+        half = np.where(is_open, np.float32(0.0), half)
         return np.maximum(found.standard_error, least_errors(half)), half
     return found.standard_error, half
 

@@ -1,7 +1,7 @@
 """Description of the quantity ambient occlusion, from which its command-line options and files follow."""
 
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.estimate.result import Share
+from warpsample.estimate.result import OpenShare
 from warpsample.estimate.visibility import ambient_occlusion
 
 _ON_RASTERS = (
@@ -14,6 +14,6 @@ RECORD = Quantity(
     call=ambient_occlusion,
     title="ambient occlusion",
     value="1 in the open, 0 where all directions are occluded",
-    result=Share,
+    result=OpenShare,
     on_rasters={"horizontal": _ON_RASTERS, "surface": _ON_RASTERS},
 )

@@ -4,12 +4,14 @@ from dataclasses import dataclass, fields
 from math import inf
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
 from typing_extensions import Unpack
 
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.plan import RaySum, plan_of, reach_of
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.estimate.result import Estimate
+from warpsample.estimate.result import Estimate, has_value
 from warpsample.estimate.weights import OPEN
 from warpsample.host.arguments import check_number
 from warpsample.host.options import RayKeywords, with_options
@@ -28,6 +30,11 @@ class MeanDistance(Estimate):
     """
 
     max_distance: float
+
+    @property
+    def is_exact(self) -> NDArray[np.bool_]:
+        """Mask of the points whose value is exact because their rays hit nothing, (P,)."""
+        return (self.rays == 0) & has_value(self.status)
 
     @property
     def possible(self) -> tuple[float, float]:  # type: ignore[override]
