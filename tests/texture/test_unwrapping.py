@@ -284,3 +284,25 @@ def test_what_cannot_be_unwrapped_is_named(monkeypatch):
     monkeypatch.setitem(sys.modules, "xatlas", None)
     with pytest.raises(ModuleNotFoundError, match=r"^new texture coordinates need xatlas: pip install '\.\[texture\]'$"):
         ws.unwrap(SPHERE, 64)
+
+
+@pytest.mark.parametrize("seed", [0, 5])
+def test_faces_of_rough_surfaces_keep_their_width(seed):
+    """xatlas made single faces of a rough scan less than an eighth as wide as they are, and `--strict` refused the set."""
+    ball = trimesh.creation.icosphere(subdivisions=4)
+    vertices = ball.vertices * (1.0 + 0.05 * np.random.default_rng(seed).normal(size=(len(ball.vertices), 1)))
+    split, uv = ws.unwrap(ws.Mesh(vertices, ball.faces), 2048)
+    assert np.array_equal(split.vertices[split.faces], vertices[ball.faces])
+    report = ws.texture_points(split, uv, 2048).report
+    assert (report.squeezed, report.zero_area) == (0, 0)
+    assert report.overlapped < 1e-4 * report.covered
+
+
+def test_blades_of_grass_are_not_squeezed():
+    """xatlas makes charts shorter than a texel a texel long and wide, and the faces counted as eight texels wide."""
+    blade = np.array([(0.0, 0, 0), (0.0024, 0, 0), (0.0012, 0, 0.035)])
+    foot = np.append(np.random.default_rng(0).uniform(0, 50, (300, 2)), np.full((300, 1), 0.01), axis=1)
+    ground = np.array([(0.0, 0, 0), (50, 0, 0), (50, 50, 0), (0, 50, 0)])[[0, 1, 2, 0, 2, 3]]
+    vertices = np.concatenate([ground, (foot[:, None] + blade).reshape(-1, 3)])
+    split, uv = ws.unwrap(ws.Mesh(vertices, np.arange(len(vertices)).reshape(-1, 3)), 1024)
+    assert ws.texture_points(split, uv, 1024).report.squeezed == 0

@@ -11,6 +11,7 @@ from warpsample.texture.uv.charts import find_wide
 _OUTSIDE = 1e-6  # of the image: tolerance for coordinates 0 and 1 rounded to float32
 _FLAT = 2.0**-48  # of the product of two edge lengths: a smaller area is rounding error (16 float64 epsilons)
 _LONG = 0.8  # of the longest edge of a face in the image
+_DOT = 1.5  # texels, more than the diagonal of a texel
 _WIDE = 8.0  # texels; a face of this width whose image is narrower than one texel is squeezed
 
 
@@ -91,7 +92,7 @@ def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarra
     """Return the mask of faces that the image shows much narrower than they are, (R,), as where u is wrapped from 1 to 0.
 
     A squeezed face is narrower than a texel in the image. At the scale of its longest edge there, or of one nearly as long,
-    it would be wider than eight texels.
+    it would be wider than eight texels. Faces about as long as a texel are not squeezed: xatlas stretches them to a texel.
 
     Args:
         mesh: Mesh.
@@ -103,7 +104,7 @@ def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarra
     lengths = np.sqrt((edges**2).sum(axis=2))
     longest = lengths.max(axis=1)
     area = np.abs(edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0])  # twice the area
-    narrow = np.flatnonzero((area > _FLAT * longest**2) & (area < longest))
+    narrow = np.flatnonzero((area > _FLAT * longest**2) & (area < longest) & (longest > _DOT))
     number = narrow if faces is None else faces[narrow]
     ends = mesh.vertices[mesh.faces[number]]
     squares = ((np.roll(ends, -1, axis=1) - ends) ** 2).sum(axis=2)

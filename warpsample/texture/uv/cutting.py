@@ -17,6 +17,11 @@ _SIDE = 1024  # texels: overlaps are looked for at least as finely as in images 
 _MOST = 2.0**22  # pixels of all charts among which overlaps are looked for,
 _LEAST = 2.0**12  # but at least so many in each chart, or as many as it has texels
 _SHRUNK = 0.95  # least scale with slivers, in scales without slivers
+_ROUNDS = 4  # most times that narrowed faces are cut again
+_WIDE = 4.0  # texels: narrower faces are not cut again
+_NARROWED = 7.0  # widths of a face in its chart in one width in space; a set of coordinates is refused from 8
+_POINT = 1e-30  # so that nothing is divided by 0
+_LONG = 0.8  # least length of a long edge in a chart, in lengths of the longest
 
 Meshes = list[tuple[np.ndarray, np.ndarray]]
 """Vertices (V, 3) and faces (F, 3) of each mesh."""
@@ -50,11 +55,26 @@ class Cut(NamedTuple):
 def cut_meshes(meshes: Meshes, size: int, padding: int) -> Cut:
     """Compute the charts of all meshes for an image of `size` texels.
 
-    Slivers by rounding may have huge charts, or make all other charts smaller. Then charts are computed again without the
-    slivers that are connected to other faces. Charts of slivers alone are left out if they are longer than the image.
+    In charts of rough surfaces, xatlas makes single faces far too narrow or small. These are cut again, apart.
 
     Raises:
         ValueError: xatlas takes none of the faces.
+    """
+    cut = _cut_slivers(meshes, size, padding)
+    for _ in range(_ROUNDS):
+        narrowed = _find_narrowed(cut, find_scale(cut.charts, size, padding))
+        if narrowed.all() or not narrowed.any():
+            break
+        rows = [cut.row[narrowed & (cut.mesh == i)] for i in range(len(meshes))]
+        cut = _join(cut.select(~narrowed), _cut(meshes, rows))
+    return cut
+
+
+def _cut_slivers(meshes: Meshes, size: int, padding: int) -> Cut:
+    """Return the charts of all meshes.
+
+    Slivers by rounding may have huge charts, or make all other charts smaller. Then charts are computed again without the
+    slivers that are connected to other faces. Charts of slivers alone are left out if they are longer than the image.
     """
     cut = _cut(meshes, [np.arange(len(faces)) for _, faces in meshes])
     if cut.is_wide.all() or not cut.is_wide.any():
@@ -81,6 +101,37 @@ def separate_overlaps(cut: Cut, size: int, padding: int) -> Cut:
     own = vertex % count
     charts = measure_charts(charts.places[own], corner.reshape(-1, 3), chart)
     return cut._replace(old=cut.old[own], positions=cut.positions[own], charts=charts)
+
+
+def _find_narrowed(cut: Cut, scale: float) -> np.ndarray:
+    """Return the mask of faces that are several texels wide in space, and far narrower in their charts.
+
+    The width in space is that at the scale of the charts, or at the scale of a long edge of the face if that is larger.
+
+    Args:
+        cut: faces with charts.
+        scale: texels per unit of length.
+    """
+    corners, places = cut.positions[cut.charts.faces], cut.charts.places[cut.charts.faces]
+    edges, lengths = (np.linalg.norm(np.roll(own, -1, axis=1) - own, axis=2) for own in (corners, places))
+    longest = lengths.max(axis=1)
+    stretch = np.where(lengths > _LONG * longest[:, None], lengths, 0.0) / np.maximum(edges, _POINT) ** 2
+    stretch = np.maximum(stretch.max(axis=1), 1.0 / np.maximum(edges.max(axis=1), _POINT))
+    width = 2.0 * find_areas(corners) * stretch
+    is_narrow = _NARROWED * 2.0 * find_flat_areas(places) < width * longest
+    return cut.is_wide & is_narrow & (width * scale > _WIDE)
+
+
+def _join(first: Cut, second: Cut) -> Cut:
+    """Return the faces of two cuts, ordered by mesh and row, with their charts."""
+    order = np.lexsort((np.r_[first.row, second.row], np.r_[first.mesh, second.mesh]))
+    mesh, row, is_wide = (np.concatenate(own)[order] for own in zip(first[:3], second[:3], strict=True))
+    old, positions = (np.concatenate(own) for own in zip(first[3:5], second[3:5], strict=True))
+    one, other = first.charts, second.charts
+    faces = np.concatenate([one.faces, other.faces + len(one.places)])[order]
+    chart = np.r_[one.chart, other.chart + len(one.sizes)][order]
+    charts = _scale_charts(np.concatenate([one.places, other.places]), faces, chart, positions[faces])
+    return Cut(mesh, row, is_wide, old, positions, charts)
 
 
 def _find_loose(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
