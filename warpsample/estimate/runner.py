@@ -162,4 +162,5 @@ class Runner:
             layout=plan.distribution.layout,
             tangents=tangents,
             reads_pdf=integrand.reads_pdf,
+            binary=integrand.binary,
         )

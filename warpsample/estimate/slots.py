@@ -36,6 +36,7 @@ class Slots:
         layout: Parameters of the distribution that are by point.
         tangents: Whether the points have tangents.
         reads_pdf: Whether the integrand reads the density of a direction, `Lobe.pdf`.
+        binary: Whether the weight is (1, 0, 0) or 0 in each direction.
     """
 
     sequence: Sequence
@@ -57,3 +58,4 @@ class Slots:
     layout: Layout = ()
     tangents: bool = False
     reads_pdf: bool = False
+    binary: bool = False

@@ -26,7 +26,7 @@ from warpsample.tracing.sight.rays import (
 @once
 def jump_of(slots: Slots) -> wp.Function:
     """Build the Warp function that estimates how much a ray's weight jumps at an occlusion edge, to compute the error."""
-    any_hit, counts, glass = slots.any_hit, slots.counts, slots.glass
+    any_hit, counts, glass, binary = slots.any_hit, slots.counts, slots.glass, slots.binary
 
     @wp.func
     def jump_at(w: wp.vec3, total: wp.vec3d, free: wp.int32, rays: wp.int32) -> wp.vec3d:
@@ -47,7 +47,8 @@ def jump_of(slots: Slots) -> wp.Function:
         if wp.static(not counts):
             jump = wp.vec3d(wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2]))
             if free > 0 and (wp.static(not glass) or free == rays):
-                jump = total / wp.float64(free)
+                # Rays below the sky's horizon have weight 0, but what no ray has hit may change a weight of 1.
+                jump = wp.where(wp.static(binary), wp.vec3d(ONE, ZERO, ZERO), total / wp.float64(free))
         return wp.cw_mul(jump, jump)
 
     return jump_at
