@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import trimesh
 import warp as wp
 from estimate_cases import at, square
 
@@ -92,6 +93,15 @@ def test_it_changes_the_count_and_nothing_else(bunny, points):
     assert np.array_equal(easy.value, ws.ambient_occlusion(bunny, points, 512, tolerance=0.03, skip=False).value)
     coarse = ws.ambient_occlusion(bunny, points, 512, tolerance=1e3, skip=False)
     assert np.isin(coarse.rays, [4, 12]).all()  # the fewest, and the trial's 8
+
+
+@pytest.mark.parametrize(("sequence", "tolerance"), [("fibonacci", 0.04), ("independent", 0.02)])
+def test_walls_reach_the_tolerance(sequence, tolerance):
+    """Strata of 32 rays end at the horizon and have no error, fewer have one: the search went to and fro, and took few."""
+    box = ws.as_mesh(trimesh.creation.box((10, 10, 30)))
+    points = ws.sample_surface(box, 3000, seed=1)
+    found = ws.sky_view_factor(box, points, 1024, tolerance=tolerance, sequence=sequence)
+    assert np.sqrt(np.mean(found.standard_error.astype(float) ** 2)) < 1.1 * tolerance
 
 
 def test_no_warning_where_all_values_are_proven():

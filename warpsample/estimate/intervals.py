@@ -84,7 +84,8 @@ def raised_errors(found: Any) -> np.ndarray:
     """Return the standard errors of a result, raised at points where rays may have missed geometry.
 
     An error of 0 becomes that of `least_errors`. Other errors become at least half of it, because with weights, as of
-    distances, the error is small but above 0 where all rays agree. Errors of exact values do not change.
+    distances, the error is small but above 0 where all rays agree. Errors of exact values do not change, and none is raised
+    above the `largest_error` of its value.
 
     Args:
         found: Result with `standard_error`. Only errors of an `Estimate` change.
@@ -95,8 +96,8 @@ def raised_errors(found: Any) -> np.ndarray:
     if not hasattr(found, "spread"):
         return found.standard_error
     error, least = found.standard_error, least_errors(half_width_of(found))
-    exact = found.is_exact.reshape(-1, *[1] * (error.ndim - 1))
-    return np.where(exact, error, np.where(error > 0.0, np.maximum(error, _LEAST * least), least))
+    least = np.minimum(least, found.largest_error.reshape(-1, *[1] * (error.ndim - 1)))
+    return np.where(error > 0.0, np.maximum(error, _LEAST * least), least)
 
 
 def errors_for_means(found: Any) -> np.ndarray:

@@ -243,12 +243,12 @@ class Estimate(PointResult):
     """Least and greatest possible value; intervals are clipped to this range."""
 
     @property
-    def is_exact(self) -> NDArray[np.bool_]:
-        """Mask of the points whose value is exact because nothing can block their rays, (P,).
+    def largest_error(self) -> NDArray[np.float32]:
+        """Largest error of each value whose rays all agree, (P,): 0 where nothing can block them, infinite if unknown.
 
-        A point without rays is not exact if its value depends on their directions, as for the sky above a slope.
+        It is unknown for points without rays, too, if their values depend on directions.
         """
-        return np.zeros(len(self.rays), np.bool_)
+        return np.full(len(self.rays), np.inf, np.float32)
 
     def interval(self, level: float = 0.95) -> Interval:
         """Return a confidence interval for each point, which contains the true value with a probability of about `level`.
@@ -292,6 +292,6 @@ class OpenShare(Share):
     """Estimate of the share of a point's rays that hit nothing."""
 
     @property
-    def is_exact(self) -> NDArray[np.bool_]:
-        """Mask of the points whose value is exact because their rays hit nothing, (P,)."""
-        return (self.rays == 0) & has_value(self.status)
+    def largest_error(self) -> NDArray[np.float32]:
+        """Largest error of each value whose rays all agree, (P,): 0 at points without rays, infinite at others."""
+        return np.where(self.rays == 0, np.float32(0.0), np.float32(np.inf))

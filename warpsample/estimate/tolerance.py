@@ -50,6 +50,8 @@ def find_count(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
         if near and (fewest <= needed <= min(far, top) or (trial.count == most and needed >= fewest)):
             break
         trial.run(min(needed, _FARTHEST * trial.count))
+    else:  # the rounds went to and fro between strata: at walls, only strata that end at the horizon have no error
+        needed = min((count for count, error in trial.tried if error <= tolerance), default=most)
     return trial.whole(_finer_if_less(trial, needed, _AIM * tolerance) if traced else needed), trial.rays
 
 
@@ -76,6 +78,7 @@ class _Trial:
         cast: Share of the rays of the last round that were cast; the rest was skipped.
         rate: Exponent r of the error, which falls as rays^-r: the sequence's, or estimated from two rounds.
         rays: Number of rays cast in all rounds, (P,) int32.
+        tried: Number of rays per point and error of each round.
     """
 
     def __init__(self, runner: Runner) -> None:
@@ -86,6 +89,7 @@ class _Trial:
         some = min(max(len(rows) // _SHARE, _FEWEST_POINTS), _MOST_POINTS, len(rows))
         self.rows = rows if some == len(rows) else rows[(np.arange(some) * _TURN % 1.0 * len(rows)).astype(np.int64)]
         self.active, self.rays = len(rows), np.zeros(len(runner.at), np.int32)
+        self.tried: list[tuple[int, float]] = []
 
     def whole(self, count: float) -> int:
         """Round a number of rays up to a number that the strata and the sequence allow, at most the plan's count."""
@@ -114,6 +118,7 @@ class _Trial:
         if self.count and alike and error > 0.0 and self._is_far_from_last(count):
             self.rate = min(max(log(self.error / error) / log(count / self.count), _SLOWEST), _FASTEST)
         self.count, self.error, self.rays = count, error, self.rays + found.rays
+        self.tried.append((count, error))
         self.cast = float(found.rays[good].mean()) / count if good.any() else 0.0
 
     def _is_far_from_last(self, count: int) -> bool:

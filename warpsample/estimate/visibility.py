@@ -10,7 +10,7 @@ from typing_extensions import Unpack
 
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.plan import RaySum, plan_of, reach_of
-from warpsample.estimate.result import Estimate, OpenShare, Share, has_value
+from warpsample.estimate.result import Estimate, OpenShare, Share
 from warpsample.estimate.weights import DIRECTION, OPEN, build_sky_integrand
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import as_unit
@@ -18,8 +18,6 @@ from warpsample.host.locks import multiply
 from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placed_points import PlacedPoints
-
-_LEVEL = 1e-7  # of the lobe below the horizon, at a normal that is up but for rounding
 
 
 @with_options(RayKeywords)
@@ -101,9 +99,13 @@ class SkyView(Share):
     below_horizon: NDArray[np.float32]
 
     @property
-    def is_exact(self) -> NDArray[np.bool_]:
-        """Mask of the points whose value is exact, (P,): they face up, and nothing can block their rays."""
-        return (self.rays == 0) & (self.below_horizon < _LEVEL) & has_value(self.status)
+    def largest_error(self) -> NDArray[np.float32]:
+        """Largest error of each value whose rays all agree, (P,); infinite at points with rays.
+
+        Without rays, the value is then 1 or 0, and true is the share of the lobe above the horizon.
+        """
+        below = self.below_horizon
+        return np.where(self.rays == 0, np.minimum(below, np.float32(1.0) - below), np.float32(np.inf))
 
 
 @with_options(RayKeywords)

@@ -23,7 +23,9 @@ def errors_of(found: Any) -> tuple[np.ndarray, np.ndarray]:
     """
     half = half_width_of(found)
     if isinstance(found, Estimate):
-        is_open = found.is_exact if isinstance(found, SkyView) else (found.rays == 0) & (found.value == 1.0)
+        is_open = (found.rays == 0) & (found.value == 1.0)
+        if isinstance(found, SkyView):
+            is_open &= found.below_horizon == 0.0
         half = np.where(is_open, np.float32(0.0), half)
         return np.maximum(found.standard_error, least_errors(half)), half
     return found.standard_error, half

@@ -11,7 +11,7 @@ from typing_extensions import Unpack
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.plan import RaySum, plan_of, reach_of
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.estimate.result import Estimate, has_value
+from warpsample.estimate.result import Estimate
 from warpsample.estimate.weights import OPEN
 from warpsample.host.arguments import check_number
 from warpsample.host.options import RayKeywords, with_options
@@ -32,9 +32,9 @@ class MeanDistance(Estimate):
     max_distance: float
 
     @property
-    def is_exact(self) -> NDArray[np.bool_]:
-        """Mask of the points whose value is exact because their rays hit nothing, (P,)."""
-        return (self.rays == 0) & has_value(self.status)
+    def largest_error(self) -> NDArray[np.float32]:
+        """Largest error of each value whose rays all agree, (P,): 0 at points without rays, infinite at others."""
+        return np.where(self.rays == 0, np.float32(0.0), np.float32(np.inf))
 
     @property
     def possible(self) -> tuple[float, float]:  # type: ignore[override]
