@@ -101,7 +101,8 @@ def test_walls_reach_the_tolerance(sequence, tolerance):
     box = ws.as_mesh(trimesh.creation.box((10, 10, 30)))
     points = ws.sample_surface(box, 3000, seed=1)
     found = ws.sky_view_factor(box, points, 1024, tolerance=tolerance, sequence=sequence)
-    assert np.sqrt(np.mean(found.standard_error.astype(float) ** 2)) < 1.1 * tolerance
+    error = np.sqrt(np.mean(found.standard_error.astype(float) ** 2))
+    assert error < 1.1 * tolerance  # a call may miss it by a tenth without a warning
 
 
 def test_no_warning_where_all_values_are_proven():

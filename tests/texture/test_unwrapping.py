@@ -295,7 +295,7 @@ def test_faces_of_rough_surfaces_keep_their_width(seed):
     assert np.array_equal(split.vertices[split.faces], vertices[ball.faces])
     report = ws.texture_points(split, uv, 2048).report
     assert (report.squeezed, report.zero_area) == (0, 0)
-    assert report.overlapped < 1e-4 * report.covered
+    assert report.overlapped < 1e-4 * report.covered  # 0 was measured, and the page states 5e-4
 
 
 def test_blades_of_grass_are_not_squeezed():

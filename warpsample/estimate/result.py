@@ -242,13 +242,13 @@ class Estimate(PointResult):
     possible: ClassVar[tuple[float, float]] = (-inf, inf)
     """Least and greatest possible value; intervals are clipped to this range."""
 
+    open_is_exact: ClassVar[bool] = False
+    """Whether the value of a point without rays does not depend on their directions."""
+
     @property
     def largest_error(self) -> NDArray[np.float32]:
-        """Largest error of each value whose rays all agree, (P,): 0 where nothing can block them, infinite if unknown.
-
-        It is unknown for points without rays, too, if their values depend on directions.
-        """
-        return np.full(len(self.rays), np.inf, np.float32)
+        """Largest error of each value whose rays all agree, (P,): 0 where the value is exact, infinite if unknown."""
+        return np.where((self.rays == 0) & self.open_is_exact, np.float32(0.0), np.float32(np.inf))
 
     def interval(self, level: float = 0.95) -> Interval:
         """Return a confidence interval for each point, which contains the true value with a probability of about `level`.
@@ -291,7 +291,4 @@ class Share(Estimate):
 class OpenShare(Share):
     """Estimate of the share of a point's rays that hit nothing."""
 
-    @property
-    def largest_error(self) -> NDArray[np.float32]:
-        """Largest error of each value whose rays all agree, (P,): 0 at points without rays, infinite at others."""
-        return np.where(self.rays == 0, np.float32(0.0), np.float32(np.inf))
+    open_is_exact: ClassVar[bool] = True

@@ -102,7 +102,7 @@ class SkyView(Share):
     def largest_error(self) -> NDArray[np.float32]:
         """Largest error of each value whose rays all agree, (P,); infinite at points with rays.
 
-        Without rays, the value is then 1 or 0, and true is the share of the lobe above the horizon.
+        Without rays, the value is then 1 or 0, and the true value is the share of the lobe above the horizon.
         """
         below = self.below_horizon
         return np.where(self.rays == 0, np.minimum(below, np.float32(1.0) - below), np.float32(np.inf))

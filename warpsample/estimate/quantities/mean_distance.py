@@ -2,10 +2,8 @@
 
 from dataclasses import dataclass, fields
 from math import inf
-from typing import Any
+from typing import Any, ClassVar
 
-import numpy as np
-from numpy.typing import NDArray
 from typing_extensions import Unpack
 
 from warpsample.estimate.estimating import estimate
@@ -31,10 +29,7 @@ class MeanDistance(Estimate):
 
     max_distance: float
 
-    @property
-    def largest_error(self) -> NDArray[np.float32]:
-        """Largest error of each value whose rays all agree, (P,): 0 at points without rays, infinite at others."""
-        return np.where(self.rays == 0, np.float32(0.0), np.float32(np.inf))
+    open_is_exact: ClassVar[bool] = True
 
     @property
     def possible(self) -> tuple[float, float]:  # type: ignore[override]

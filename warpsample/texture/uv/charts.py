@@ -4,6 +4,9 @@ import numpy as np
 
 from warpsample.host.locks import imported
 
+POINT = 1e-30
+"""Length or area of a point, so that nothing is divided by 0."""
+
 _NARROW = 1e-4  # of the longest edge: narrower faces are slivers
 
 

@@ -4,7 +4,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from warpsample.texture.uv.charts import find_areas, find_flat_areas, find_longest_edges, find_wide, label_charts
+from warpsample.texture.uv.charts import (
+    POINT,
+    find_areas,
+    find_flat_areas,
+    find_longest_edges,
+    find_wide,
+    label_charts,
+)
 from warpsample.texture.uv.overlaps import divide_overlaps
 from warpsample.texture.uv.packing import Charts, find_scale, measure_charts, new_atlas
 
@@ -19,8 +26,7 @@ _LEAST = 2.0**12  # but at least so many in each chart, or as many as it has tex
 _SHRUNK = 0.95  # least scale with slivers, in scales without slivers
 _ROUNDS = 4  # most times that narrowed faces are cut again
 _WIDE = 4.0  # texels: narrower faces are not cut again
-_NARROWED = 7.0  # widths of a face in its chart in one width in space; a set of coordinates is refused from 8
-_POINT = 1e-30  # so that nothing is divided by 0
+_NARROWED = 7.0  # least ratio of the widths in space and in the chart of faces that are cut again; 8 can be refused
 _LONG = 0.8  # least length of a long edge in a chart, in lengths of the longest
 
 Meshes = list[tuple[np.ndarray, np.ndarray]]
@@ -60,7 +66,7 @@ def cut_meshes(meshes: Meshes, size: int, padding: int) -> Cut:
     Raises:
         ValueError: xatlas takes none of the faces.
     """
-    cut = _cut_slivers(meshes, size, padding)
+    cut = _cut_without_slivers(meshes, size, padding)
     for _ in range(_ROUNDS):
         narrowed = _find_narrowed(cut, find_scale(cut.charts, size, padding))
         if narrowed.all() or not narrowed.any():
@@ -70,7 +76,7 @@ def cut_meshes(meshes: Meshes, size: int, padding: int) -> Cut:
     return cut
 
 
-def _cut_slivers(meshes: Meshes, size: int, padding: int) -> Cut:
+def _cut_without_slivers(meshes: Meshes, size: int, padding: int) -> Cut:
     """Return the charts of all meshes.
 
     Slivers by rounding may have huge charts, or make all other charts smaller. Then charts are computed again without the
@@ -115,8 +121,8 @@ def _find_narrowed(cut: Cut, scale: float) -> np.ndarray:
     corners, places = cut.positions[cut.charts.faces], cut.charts.places[cut.charts.faces]
     edges, lengths = (np.linalg.norm(np.roll(own, -1, axis=1) - own, axis=2) for own in (corners, places))
     longest = lengths.max(axis=1)
-    stretch = np.where(lengths > _LONG * longest[:, None], lengths, 0.0) / np.maximum(edges, _POINT) ** 2
-    stretch = np.maximum(stretch.max(axis=1), 1.0 / np.maximum(edges.max(axis=1), _POINT))
+    stretch = np.where(lengths > _LONG * longest[:, None], lengths, 0.0) / np.maximum(edges, POINT) ** 2
+    stretch = np.maximum(stretch.max(axis=1), 1.0 / np.maximum(edges.max(axis=1), POINT))
     width = 2.0 * find_areas(corners) * stretch
     is_narrow = _NARROWED * 2.0 * find_flat_areas(places) < width * longest
     return cut.is_wide & is_narrow & (width * scale > _WIDE)

@@ -6,13 +6,12 @@ from typing import NamedTuple
 import numpy as np
 
 from warpsample.host.locks import imported
-from warpsample.texture.uv.charts import find_flat_areas, find_neighbours, number_points
+from warpsample.texture.uv.charts import POINT, find_flat_areas, find_neighbours, number_points
 
 _SHARE = 2e-4  # of a chart's pixels: folds of rough terrain, which are not worth further charts, have less
 _PIXELS = 2.0**22  # pixels of the charts that are compared at once, so that they fit into memory; least of divided ones
 _ROWS = 2.0**20  # rows of pixels, over all faces, that are drawn at once
 _LONGEST = 2.0**13  # most rows of pixels of a face
-_POINT = 1e-30  # so that nothing is divided by 0
 
 
 class _Drawn(NamedTuple):
@@ -103,7 +102,7 @@ def _draw_charts(corners: np.ndarray, chart: np.ndarray, pixels: np.ndarray) -> 
         pixels: (C,) number of pixels of each chart.
     """
     areas = np.bincount(chart, find_flat_areas(corners), len(pixels))
-    corners = corners * np.sqrt(pixels / np.maximum(areas, _POINT))[chart, None, None]
+    corners = corners * np.sqrt(pixels / np.maximum(areas, POINT))[chart, None, None]
     width, height = (np.bincount(chart, own) for own in np.ptp(corners, axis=1).T)
     corners = np.where((width < height)[chart, None, None], corners[:, :, ::-1], corners)
     rows, longest = np.ptp(corners[:, :, 1], axis=1), np.full(len(width), _LONGEST)

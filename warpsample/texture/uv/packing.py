@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from warpsample.texture.uv.charts import find_flat_areas
+from warpsample.texture.uv.charts import POINT, find_flat_areas
 
 _TRIES = 20
 _ENOUGH = 8  # tries after which charts need not fill the image
@@ -13,7 +13,6 @@ _NESTED = 0.5  # part of the empty texels in the boxes of charts that other char
 _CLOSE = 1.01  # ratio of two scales between which no other is tried
 _FARTHER = 1.1  # largest scale to try next, in scales that fit
 _SLACK = 0.99  # factor on the filled part at each further try, because packing is uneven
-_POINT = 1e-30  # length of a point, so that no length is 0
 _STEPS = 2.0**16  # steps of scales between powers of 2
 _UNITS = 1024.0  # units per texel: xatlas leaves out faces with an area below 1e-7
 _alive: list[Any] = []  # all atlases: destroying one can wait forever for a thread of xatlas
@@ -91,7 +90,7 @@ def pack_charts(charts: Charts, size: int, padding: int) -> tuple[np.ndarray, np
         ValueError: the image is too small, or no face has an area.
     """
     scale, slack, best, low = find_scale(charts, size, padding), 1.0, None, 0.0
-    high = (1.0 + 1e-6) * (size - 1) / max(charts.sizes.max(), _POINT)  # xatlas shrinks longer charts
+    high = (1.0 + 1e-6) * (size - 1) / max(charts.sizes.max(), POINT)  # xatlas shrinks longer charts
     if len(charts.sizes) * (1 + 2 * padding) ** 2 > (size + 2 * padding) ** 2 or scale > high:
         raise _too_small(charts, size, padding)
     for tries in range(_TRIES):
@@ -135,7 +134,7 @@ def find_scale(charts: Charts, size: int, padding: int, fill: float = _FILL) -> 
 
     The longest chart has at least one texel.
     """
-    longest, room = max(charts.sizes.max(), _POINT), fill * (size + 2 * padding) ** 2
+    longest, room = max(charts.sizes.max(), POINT), fill * (size + 2 * padding) ** 2
     low, high = 1.0 / longest, (size - 1) / longest
     if _find_rooms(charts, high, padding).sum() <= room:
         return high
@@ -166,7 +165,7 @@ def _pack(charts: Charts, scale: float, size: int, padding: int) -> _Packed:
     is_packed = (number[:, 0] >= 0) & (number == number[:, :1]).all(axis=1)  # a face left out may join two charts
     places = atlas.get_mesh(0)[2].astype(np.float64) * size
     areas = find_flat_areas(charts.places[charts.faces])
-    share = np.bincount(charts.chart, areas * (is_packed & (image[:, 0] == 0))) / np.maximum(charts.areas, _POINT)
+    share = np.bincount(charts.chart, areas * (is_packed & (image[:, 0] == 0))) / np.maximum(charts.areas, POINT)
     taken = float((_find_rooms(charts, scale, padding) * share).sum())
     side = size if atlas.atlas_count > 1 else places[charts.faces[is_packed]].max() + 0.5
     return _Packed(atlas.atlas_count == 1, taken / (side + 2 * padding) ** 2, places, is_packed)
