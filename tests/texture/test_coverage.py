@@ -130,6 +130,20 @@ def test_faces_much_narrower_in_the_image_than_on_the_mesh_are_counted(height, w
         assert ws.texture_points(mesh, (corners * [width / 64, 0.5])[faces], 64).report.squeezed == count
 
 
+@pytest.mark.parametrize("density", [1.0, 0.01])
+def test_squeezed_faces_are_counted_beside_parts_with_fewer_texels(density):
+    """Four faces share a chart, and two of them are squeezed; a ground has 1 / `density` as many texels per length."""
+    column = np.array([[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0], [2.0, 0.0], [2.0, 1.0]])
+    faces = np.array([[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]])
+    chart = (column * (0.25, 0.4))[faces]
+    chart[2:, :, 0] = 0.25 + 1e-3 * (chart[2:, :, 0] - 0.25)
+    ground = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+    vertices = np.concatenate([column, ground / density + (4.0, 0.0)])
+    mesh = ws.Mesh(np.column_stack([vertices, np.zeros(9)]), np.concatenate([faces, [[6, 7, 8]]]))
+    uv = np.concatenate([chart, [ground * 0.25 + (0.6, 0.5)]])
+    assert ws.texture_points(mesh, uv, 128).report.squeezed == 2
+
+
 def test_a_face_that_is_thin_on_the_mesh_is_not_squeezed():
     """xatlas rounds the chart of a thin disc's rim up to one texel. Such faces were counted, by their shortest edges."""
     thin = ws.Mesh([[0, 0, 0], [0.245, 0, 0], [0, 0.01, 0]], [[0, 1, 2]])

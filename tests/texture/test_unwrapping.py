@@ -14,6 +14,7 @@ from warpsample.texture.jobs import square_side
 from warpsample.texture.uv import unwrapping
 from warpsample.texture.uv.charts import label_charts
 
+GROUND = np.array([(0.0, 0, 0), (50, 0, 0), (50, 50, 0), (0, 50, 0)])[[0, 1, 2, 0, 2, 3]]
 SPHERE = trimesh.creation.icosphere(3)
 
 
@@ -302,7 +303,26 @@ def test_blades_of_grass_are_not_squeezed():
     """xatlas makes charts shorter than a texel a texel long and wide, and the faces counted as eight texels wide."""
     blade = np.array([(0.0, 0, 0), (0.0024, 0, 0), (0.0012, 0, 0.035)])
     foot = np.append(np.random.default_rng(0).uniform(0, 50, (300, 2)), np.full((300, 1), 0.01), axis=1)
-    ground = np.array([(0.0, 0, 0), (50, 0, 0), (50, 50, 0), (0, 50, 0)])[[0, 1, 2, 0, 2, 3]]
-    vertices = np.concatenate([ground, (foot[:, None] + blade).reshape(-1, 3)])
+    vertices = np.concatenate([GROUND, (foot[:, None] + blade).reshape(-1, 3)])
     split, uv = ws.unwrap(ws.Mesh(vertices, np.arange(len(vertices)).reshape(-1, 3)), 1024)
     assert ws.texture_points(split, uv, 1024).report.squeezed == 0
+
+
+def test_bent_blades_of_grass_are_not_squeezed_in_larger_images():
+    """In coordinates made at 512, 28 faces of charts stretched to a texel counted at 1024; `--uv auto` made others."""
+    rng, along = np.random.default_rng(1), np.linspace(0.0, 1.0, 5)[:, None]
+    length, foot = 10.0 ** rng.uniform(-1.2, 0.3, 600), np.append(rng.uniform(0, 50, (600, 2)), np.zeros((600, 1)), axis=1)
+    width = length * 10.0 ** rng.uniform(-2.5, -0.5, 600)
+    lean, turn = rng.normal(scale=0.4, size=(600, 2)), rng.uniform(0.0, 2.0 * np.pi, 600)
+    up = np.append(lean, np.ones((600, 1)), axis=1) / np.sqrt(1.0 + (lean**2).sum(axis=1, keepdims=True))
+    across = np.cross(up, np.column_stack([np.cos(turn), np.sin(turn), 0.0 * turn])) * width[:, None] * 0.5
+    middle = foot[:, None] + length[:, None, None] * (along * up[:, None] - along**2 * [0.0, 0.0, 0.5])
+    sides = across[:, None] * (1.1 - along)
+    blades = np.stack([middle - sides, middle + sides], axis=2).reshape(-1, 10, 3)
+    strip = np.concatenate([[(i, i + 1, i + 3), (i, i + 3, i + 2)] for i in range(0, 8, 2)])
+    vertices = np.concatenate([GROUND, blades[:, strip].reshape(-1, 3)])
+    split, uv = ws.unwrap(ws.Mesh(vertices, np.arange(len(vertices)).reshape(-1, 3)), 512)
+    for size in (512, 1024, 8192):
+        assert ws.texture_points(split, uv, size).report.squeezed == 0
+    uv[:2] *= (1e-4, 1.0)
+    assert ws.texture_points(split, uv, 1024).report.squeezed == 2  # the ground

@@ -6,12 +6,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from warpsample.mesh.mesh import Mesh
-from warpsample.texture.uv.charts import find_wide
+from warpsample.texture.uv.charts import POINT, find_flat_areas, find_wide, label_charts
 
 _OUTSIDE = 1e-6  # of the image: tolerance for coordinates 0 and 1 rounded to float32
 _FLAT = 2.0**-48  # of the product of two edge lengths: a smaller area is rounding error (16 float64 epsilons)
 _LONG = 0.8  # of the longest edge of a face in the image
-_DOT = 1.5  # texels, more than the diagonal of a texel
 _WIDE = 8.0  # texels; a face of this width whose image is narrower than one texel is squeezed
 
 
@@ -30,7 +29,8 @@ class TextureReport:
         mirrored: number of faces mirrored in the image, which is no flaw.
         without_uv: number of faces with coordinates that are not finite, which have no texels.
         squeezed: number of faces narrower than a texel in the image that would be wider than eight texels at the scale of
-            their longest edge there, or of an edge nearly as long. A row of texels has all their values.
+            their longest edge there, or of an edge nearly as long, and at the usual scale of the image or of their chart. A
+            row of texels has all their values.
         named: names of the mesh parts with overlapped, outside, zero_area, flat_slivers, mirrored, without_uv and squeezed
             faces, keyed by these words; empty for a mesh without parts.
     """
@@ -91,8 +91,9 @@ def find_outside_faces(uv: np.ndarray) -> np.ndarray:
 def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarray) -> np.ndarray:
     """Return the mask of faces that the image shows much narrower than they are, (R,), as where u is wrapped from 1 to 0.
 
-    A squeezed face is narrower than a texel in the image. At the scale of its longest edge there, or of one nearly as long,
-    it would be wider than eight texels. Faces about as long as a texel are not squeezed: xatlas stretches them to a texel.
+    A squeezed face is narrower than a texel in the image. It would be wider than eight texels at the scale of its longest
+    edge there, or of one nearly as long, and at the usual scale of the image or of its chart. The usual scale counts
+    because xatlas stretches tiny faces to a texel.
 
     Args:
         mesh: Mesh.
@@ -100,19 +101,39 @@ def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarra
         corners: (R, 3, 2) texture coordinates of face corners in texels, not finite for faces without coordinates.
     """
     corners = np.where(np.isfinite(corners).all(axis=(1, 2), keepdims=True), corners, 0.0)
-    edges = np.roll(corners, -1, axis=1) - corners
-    lengths = np.sqrt((edges**2).sum(axis=2))
+    lengths = _edge_lengths(corners)
     longest = lengths.max(axis=1)
-    area = np.abs(edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0])  # twice the area
-    narrow = np.flatnonzero((area > _FLAT * longest**2) & (area < longest) & (longest > _DOT))
+    area = 2.0 * find_flat_areas(corners)
+    narrow = np.flatnonzero((area > _FLAT * longest**2) & (area < longest))
     number = narrow if faces is None else faces[narrow]
-    ends = mesh.vertices[mesh.faces[number]]
-    squares = ((np.roll(ends, -1, axis=1) - ends) ** 2).sum(axis=2)
+    edges = np.maximum(_edge_lengths(mesh.vertices[mesh.faces[number]]), POINT)
+    widths = 2.0 * mesh.face_areas[number, None] / edges
     is_long = lengths[narrow] > _LONG * longest[narrow, None]
-    is_wide = 2.0 * mesh.face_areas[number, None] * lengths[narrow] > _WIDE * squares
+    is_wide = is_long & (widths * lengths[narrow] > _WIDE * edges)
     squeezed = np.zeros(len(corners), np.bool_)
-    squeezed[narrow] = (is_long & is_wide).any(axis=1)
+    if is_wide.any():
+        scale = _find_usual_scale(mesh, slice(None) if faces is None else faces, corners)[narrow, None]
+        squeezed[narrow] = (is_wide & (widths * scale > _WIDE)).any(axis=1)
     return squeezed
+
+
+def _find_usual_scale(mesh: Mesh, faces: np.ndarray | slice, corners: np.ndarray) -> np.ndarray:
+    """Return the usual number of texels per unit of length about each face, (R,): that of the image or of its chart.
+
+    This is the larger one of two means weighted by area: that of the largest stretch of an edge, over the image, and that
+    of the longest edges, over the chart.
+    """
+    lengths, edges = _edge_lengths(corners), _edge_lengths(mesh.vertices[mesh.faces[faces]])
+    area, chart = mesh.face_areas[faces], label_charts(corners)
+    own = lengths.max(axis=1) / np.maximum(edges.max(axis=1), POINT)
+    of_charts = np.bincount(chart, area * own) / np.maximum(np.bincount(chart, area), POINT)
+    stretch = (lengths / np.maximum(edges, POINT)).max(axis=1)
+    return np.maximum(of_charts[chart], np.average(stretch, weights=area))
+
+
+def _edge_lengths(corners: np.ndarray) -> np.ndarray:
+    """Return the lengths of the edges of faces, (F, 3), for corners (F, 3, k)."""
+    return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
 
 
 def build_report(
