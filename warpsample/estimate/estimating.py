@@ -13,7 +13,7 @@ from warpsample.estimate.result import Estimate, has_value
 from warpsample.estimate.runner import Runner
 from warpsample.estimate.split import SplitRunner, SplitSum
 from warpsample.estimate.strata import strata_of
-from warpsample.estimate.tolerance import error_of, find_count
+from warpsample.estimate.tolerance import Trial, error_of, find_count, find_larger_count
 from warpsample.host.progress import bar, log
 
 _MISSED = 1.1  # times the tolerance: the error's own error is a few percent
@@ -57,17 +57,25 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
         runner = SplitRunner(plan, summed, loan) if isinstance(summed, SplitSum) else Runner(plan, summed, loan)
         if plan.tolerance is None or len(plan.at) == 0:
             return runner.result(options.seed, plan.count)
-        count, trial = find_count(runner, plan.tolerance)
-        log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
+        trial = Trial(runner)
+        count = find_count(trial, plan.tolerance)
         main = runner.result(options.seed, count)
-        missed = error_of(main, has_value(main.status)) > _MISSED * plan.tolerance
-        is_uncertain = main.rays.any() or main.standard_error.any()  # without rays and differences, each value is proven
-        if count == plan.count and missed and is_uncertain:
+        while (missed := _is_missed(main, plan.tolerance)) and count < plan.count:
+            count, trial.rays = find_larger_count(trial, count, plan.tolerance), trial.rays + main.rays
+            main = runner.result(options.seed, count)
+        log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
+        if missed:
             message = (
                 f"tolerance: got {plan.tolerance:g}, which is not reached with {count:,} rays per point; "
                 "allow more rays with a larger count (--samples)"
             )
             warn_of_missed_tolerance(message, stacklevel=4)
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
-    unneeded = saved * np.count_nonzero(has_value(main.status)) - int(trial.sum(dtype=np.int64))
-    return replace(main, rays=main.rays + trial, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))
+    unneeded = saved * np.count_nonzero(has_value(main.status)) - int(trial.rays.sum(dtype=np.int64))
+    return replace(main, rays=main.rays + trial.rays, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))
+
+
+def _is_missed(found: Estimate, tolerance: float) -> bool:
+    """Return whether the standard errors exceed a tolerance; without rays and differences, each value is proven."""
+    is_proven = not (found.rays.any() or found.standard_error.any())
+    return not is_proven and error_of(found, has_value(found.status)) > _MISSED * tolerance

@@ -30,13 +30,12 @@ _ROUNDS = 8
 _PRIOR = 16.0  # weight of the prior on edges, as a number of points: for few points, and where no ray has hit anything
 
 
-def find_count(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
+def find_count(trial: "Trial", tolerance: float) -> int:
     """Find the number of rays per point for which the root mean square of the standard errors is `tolerance`.
 
-    Returns:
-        (number of rays per point, at most the plan's count; rays that the trial cast from each point, (P,) int32).
+    The number is at most the plan's count.
     """
-    trial, most, traced = _Trial(runner), runner.plan.count, runner.traced
+    most, traced = trial.runner.plan.count, trial.runner.traced
     trial.run(_FIRST)
     for _ in range(_ROUNDS):
         needed = max(_LEAST, trial.needed(_AIM * tolerance))
@@ -52,10 +51,18 @@ def find_count(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
         trial.run(min(needed, _FARTHEST * trial.count))
     else:  # the rounds went to and fro between strata: at walls, only strata that end at the horizon have no error
         needed = min((count for count, error in trial.tried if error <= tolerance), default=most)
-    return trial.whole(_finer_if_less(trial, needed, _AIM * tolerance) if traced else needed), trial.rays
+    return trial.whole(_finer_if_less(trial, needed, _AIM * tolerance) if traced else needed)
 
 
-def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
+def find_larger_count(trial: "Trial", count: int, tolerance: float) -> int:
+    """Find a larger number of rays per point, at most the plan's count, for the case that `count` rays miss the tolerance.
+
+    The error of few rays does not fall steadily with their number, as at walls below an open sky.
+    """
+    return trial.whole(min((more for more, error in trial.tried if more > count and error <= tolerance), default=2 * count))
+
+
+def _finer_if_less(trial: "Trial", needed: float, aim: float) -> float:
     """Return the number of rays per point, `needed` or a larger one that is cheaper because more rays are skipped.
 
     Finer strata may be cheaper because more strata are empty.
@@ -69,7 +76,7 @@ def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
     return rather if trial.cast * rather < cast else needed
 
 
-class _Trial:
+class Trial:
     """Trial estimates at a few of the points, from which the required number of rays is extrapolated.
 
     Attributes:
