@@ -18,6 +18,7 @@ Where the rays of each stratum agree, the unbiased standard error of an `Estimat
 only a standard error. So errors in files include geometry between the rays, too.
 """
 
+from math import sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -142,6 +143,11 @@ def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...
     if not traced:
         return worth, _HALF_A_RAY, worth, _HALF_A_RAY, _HALF_A_RAY
     return worth, unseen, _WORTH_IF_ALL_AGREE, _IF_ALL_AGREE, _IF_ONE_DIFFERS
+
+
+def prior_if_all_agree(weight: np.ndarray, count: int) -> tuple[np.ndarray, float]:
+    """Return scale and degrees of freedom of the error of a mean over `count` rays that agree, if others have `weight`."""
+    return sqrt(_IF_ALL_AGREE) * weight / count, _WORTH_IF_ALL_AGREE
 
 
 @wp.func

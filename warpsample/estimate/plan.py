@@ -32,6 +32,8 @@ class RaySum:
         unit: Factor by which the mean over the rays is multiplied.
         falloff: Exponent of the falloff with distance, see `ambient_occlusion`; None if occluded rays add 0.
         result: Type of the result, a subclass of `Estimate`.
+        typical: Typical value of one ray for each component, in the unit of the result. It widens the intervals of points
+            whose rays all have weight 0, as below a picture that is black there; 0 if unknown.
     """
 
     integrand: Integrand
@@ -39,6 +41,7 @@ class RaySum:
     unit: float = 1.0
     falloff: float | None = None
     result: type[Estimate] = Estimate
+    typical: tuple[float, ...] = (0.0,)
 
 
 @dataclass(frozen=True)

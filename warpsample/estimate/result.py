@@ -222,7 +222,7 @@ class Estimate(PointResult):
             of the variance, from two independent randomisations of the rays of each stratum. Strata are few: use `interval`
             for the range of the true value at a point.
         spread: Scale of the t distribution of `interval`, float32, of the shape and unit of `value`. It is 0 only at points
-            without a value and where all rays have weight 0.
+            without a value and where all rays have weight 0, unless the light is a picture.
         degrees_of_freedom: Degrees of freedom of that t distribution, float32, of the shape of `value`: at least 1, or 0 at
             points without a value.
         rays: Number of rays cast per point, (P,) int32. With `tolerance` the number includes the rays of the trial, and may
@@ -256,8 +256,8 @@ class Estimate(PointResult):
         The interval is value -+ spread * (quantile of Student's t), see `estimate.intervals`. It is clipped to the possible
         values, 0 to 1 for occlusion and sky view. With 32 rays or more, 95 to 99 % of the intervals of level 0.95 contain
         the true value on bunny and city, at points that are not proven open; `estimate/README.md` lists other scenes. The
-        interval does not account for a bright part of a picture that no ray has hit. It is (value, value) where the status
-        is not 0.
+        interval does not account for a part of a picture that is far brighter than its mean and that no ray has hit. It is
+        (value, value) where the status is not 0.
 
         Args:
             level: Confidence level, 0.01 to 0.9999. Default: 0.95.

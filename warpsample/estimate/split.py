@@ -26,12 +26,14 @@ class SplitSum:
             distribution, and over those of `distribution`.
         distribution: Distribution of the other rays.
         share: Fraction of the rays from `distribution`, 0 to 1. It must not depend on the rays.
+        typical: Typical value of one ray, see `RaySum`.
     """
 
     first: Callable[[float], RaySum]
     second: Callable[[float], RaySum]
     distribution: Distribution
     share: float
+    typical: tuple[float, ...] = (0.0,)
 
 
 class SplitRunner:

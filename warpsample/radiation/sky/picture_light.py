@@ -67,6 +67,13 @@ class PictureLight:
         )
         return largest * mean, square / mean**2, excess / mean
 
+    @property
+    def _typical(self) -> tuple[float, ...]:
+        """Irradiance from a hemisphere as bright as the mean of the sphere, for each colour."""
+        weights = solid_angles(pixel_angles(len(self.pixels)), self.pixels.shape[1])
+        rows = self.pixels.mean(axis=1, dtype=np.float64)
+        return tuple((pi * np.average(rows, axis=0, weights=weights)).tolist())
+
     @cached_property
     def share(self) -> float:
         """Fraction of the rays that "both" draws from the picture: 0 for an even or cloudy sky, 7/8 for a small sun.
@@ -98,10 +105,11 @@ class PictureLight:
         """Return the sum over the rays of a point that gives the irradiance, with a way of sampling and a type of result."""
         share = {"cosine": 0.0, "picture": 1.0, "both": self.share}[sampling]
         if share == 0.0 or not self.pixels.any():
-            return RaySum(build_environment_integrand(self.pixels, self.up), unit=pi, result=result)
+            integrand = build_environment_integrand(self.pixels, self.up)
+            return RaySum(integrand, unit=pi, result=result, typical=self._typical)
         lobe, floor = self.lobe(sampling), self.floor(sampling)
 
         def sum_by(function: Any) -> Any:
             return lambda ratio: RaySum(sampled_by(function, self.pixels, lobe, floor, ratio), result=result)
 
-        return SplitSum(sum_by(by_cosine), sum_by(by_picture), lobe, share)
+        return SplitSum(sum_by(by_cosine), sum_by(by_picture), lobe, share, self._typical)
