@@ -144,6 +144,19 @@ def test_squeezed_faces_are_counted_beside_parts_with_fewer_texels(density):
     assert ws.texture_points(mesh, uv, 128).report.squeezed == 2
 
 
+def test_a_wrapped_face_of_a_thin_band_is_squeezed():
+    """48 quads of a hoop lie in a row less than a texel high. The first goes from u = 0.93 back to 0.05, over all others."""
+    angle = np.arange(48) * 2.0 * np.pi / 48
+    circle = np.column_stack([np.cos(angle), np.sin(angle), 0.0 * angle])
+    place = np.column_stack([0.05 + 0.9 * np.arange(48) / 48, np.full(48, 0.5)])
+    before, after = np.roll(np.arange(48), 1), np.arange(48)
+    faces = np.stack([before, before + 48, after + 48, before, after + 48, after], axis=1).reshape(-1, 3)
+    mesh = ws.Mesh(np.concatenate([circle, 1.02 * circle]), faces)
+    for size in (128, 256, 1024):
+        uv = np.concatenate([place + np.array([0.0, height / size]) for height in (0.93, 0.2)])
+        assert ws.texture_points(mesh, uv[faces], size).report.squeezed == 2
+
+
 def test_a_face_that_is_thin_on_the_mesh_is_not_squeezed():
     """xatlas rounds the chart of a thin disc's rim up to one texel. Such faces were counted, by their shortest edges."""
     thin = ws.Mesh([[0, 0, 0], [0.245, 0, 0], [0, 0.01, 0]], [[0, 1, 2]])

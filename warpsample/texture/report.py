@@ -11,6 +11,7 @@ from warpsample.texture.uv.charts import POINT, find_flat_areas, find_wide, labe
 _OUTSIDE = 1e-6  # of the image: tolerance for coordinates 0 and 1 rounded to float32
 _FLAT = 2.0**-48  # of the product of two edge lengths: a smaller area is rounding error (16 float64 epsilons)
 _LONG = 0.8  # of the longest edge of a face in the image
+_TINY = 16.0  # texels: length of a face that xatlas may have stretched to a texel in an image an eighth as large
 _WIDE = 8.0  # texels; a face of this width whose image is narrower than one texel is squeezed
 
 
@@ -29,8 +30,8 @@ class TextureReport:
         mirrored: number of faces mirrored in the image, which is no flaw.
         without_uv: number of faces with coordinates that are not finite, which have no texels.
         squeezed: number of faces narrower than a texel in the image that would be wider than eight texels at the scale of
-            their longest edge there, or of an edge nearly as long, and at the usual scale of the image or of their chart. A
-            row of texels has all their values.
+            their longest edge there, or of an edge nearly as long; faces of up to 16 texels in the image, also at the usual
+            scale. A row of texels has all their values.
         named: names of the mesh parts with overlapped, outside, zero_area, flat_slivers, mirrored, without_uv and squeezed
             faces, keyed by these words; empty for a mesh without parts.
     """
@@ -92,8 +93,8 @@ def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarra
     """Return the mask of faces that the image shows much narrower than they are, (R,), as where u is wrapped from 1 to 0.
 
     A squeezed face is narrower than a texel in the image. It would be wider than eight texels at the scale of its longest
-    edge there, or of one nearly as long, and at the usual scale of the image or of its chart. The usual scale counts
-    because xatlas stretches tiny faces to a texel.
+    edge there, or of one nearly as long. A face of up to 16 texels must be as wide at the usual scale of the image or of
+    its chart, too, because xatlas stretches tiny faces to a texel.
 
     Args:
         mesh: Mesh.
@@ -113,7 +114,7 @@ def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarra
     squeezed = np.zeros(len(corners), np.bool_)
     if is_wide.any():
         scale = _find_usual_scale(mesh, slice(None) if faces is None else faces, corners)[narrow, None]
-        squeezed[narrow] = (is_wide & (widths * scale > _WIDE)).any(axis=1)
+        squeezed[narrow] = (is_wide & ((widths * scale > _WIDE) | (longest[narrow, None] > _TINY))).any(axis=1)
     return squeezed
 
 
