@@ -92,7 +92,7 @@ def test_it_changes_the_count_and_nothing_else(bunny, points):
     assert easy.rays.sum() < fixed.rays.sum()
     assert np.array_equal(easy.value, ws.ambient_occlusion(bunny, points, 512, tolerance=0.03, skip=False).value)
     coarse = ws.ambient_occlusion(bunny, points, 512, tolerance=1e3, skip=False)
-    assert np.isin(coarse.rays, [4, 12]).all()  # the fewest, and the trial's 8
+    assert np.isin(coarse.rays, [4, 16]).all()  # the fewest, and the trial's 8 and 4
 
 
 @pytest.mark.parametrize(
@@ -109,6 +109,23 @@ def test_walls_reach_the_tolerance(sequence, tolerance):
     found = ws.sky_view_factor(box, points, 1024, tolerance=tolerance, sequence=sequence)
     error = np.sqrt(np.mean(found.standard_error.astype(float) ** 2))
     assert error < 1.1 * tolerance  # a call may miss it by a tenth without a warning
+
+
+@pytest.mark.thorough
+def test_the_search_does_not_bias_a_point():
+    """Results that missed the tolerance, those whose rays met a hole, were cast again: the mean was 20 % too low."""
+    half, far = 0.1, 2000.0
+    x = np.array([(-far, -half), (half, far), (-half, half), (-half, half)])
+    y = np.array([(-far, far), (-far, far), (-far, -half), (half, far)])
+    corners = np.stack([x[:, [0, 0, 1, 1]], y[:, [0, 1, 1, 0]], np.ones((4, 4))], axis=2).reshape(-1, 3)
+    lid = ws.as_mesh((corners, (4 * np.arange(4)[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)))
+    point = at((0.0, 0.0, 0.0), (0, 0, 1))
+    options = {"sequence": "independent", "tolerance": 0.05}
+    seeds = range(1, 7919 * 1000, 7919)
+    value = np.array([ws.ambient_occlusion(lid, point, 1024, seed=seed, **options).value[0] for seed in seeds])
+    side = half / np.hypot(1.0, half)
+    truth = 4.0 / np.pi * side * np.arctan(side)  # the form factor of a rectangle, four times that of its quarter
+    assert abs(value.mean() - truth) <= 4.0 * value.std() / np.sqrt(len(value))
 
 
 def test_no_warning_where_all_values_are_proven():

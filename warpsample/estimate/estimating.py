@@ -14,10 +14,9 @@ from warpsample.estimate.result import Estimate, has_value
 from warpsample.estimate.runner import Runner
 from warpsample.estimate.split import SplitRunner, SplitSum
 from warpsample.estimate.strata import strata_of
-from warpsample.estimate.tolerance import Trial, error_of, find_count, find_larger_count
+from warpsample.estimate.tolerance import MISSED, Trial, error_of, find_count
 from warpsample.host.progress import bar, log
 
-_MISSED = 1.1  # times the tolerance: the error's own error is a few percent
 _messages: ContextVar[list[str] | None] = ContextVar("messages", default=None)
 
 
@@ -60,12 +59,9 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
             return _doubt_zeros(runner.result(options.seed, plan.count), summed.typical, plan.count)
         trial = Trial(runner)
         count = find_count(trial, plan.tolerance)
-        main = runner.result(options.seed, count)
-        while (missed := _is_missed(main, plan.tolerance)) and count < plan.count:
-            count, trial.rays = find_larger_count(trial, count, plan.tolerance), trial.rays + main.rays
-            main = runner.result(options.seed, count)
         log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
-        if missed:
+        main = runner.result(options.seed, count)
+        if count == plan.count and _is_missed(main, plan.tolerance):
             message = (
                 f"tolerance: got {plan.tolerance:g}, which is not reached with {count:,} rays per point; "
                 "allow more rays with a larger count (--samples)"
@@ -94,4 +90,4 @@ def _doubt_zeros(found: Estimate, typical: tuple[float, ...], count: int) -> Est
 def _is_missed(found: Estimate, tolerance: float) -> bool:
     """Return whether the standard errors exceed a tolerance; without rays and differences, each value is proven."""
     is_proven = not (found.rays.any() or found.standard_error.any())
-    return not is_proven and error_of(found, has_value(found.status)) > _MISSED * tolerance
+    return not is_proven and error_of(found, has_value(found.status)) > MISSED * tolerance

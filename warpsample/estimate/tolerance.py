@@ -5,7 +5,7 @@ the same number of rays. A number for each point would save little, because empt
 point would cost more than the saving.
 """
 
-from math import log
+from math import inf, log
 
 import numpy as np
 
@@ -13,6 +13,9 @@ from warpsample.estimate.result import Estimate, has_value
 from warpsample.estimate.runner import Runner
 from warpsample.estimate.strata import counts_with_the_strata_of, strata_of
 from warpsample.sequences.hashing import seed_for
+
+MISSED = 1.1
+"""Largest ratio of an error to a tolerance that counts as reached: the error's own error is a few percent."""
 
 _AIM = 0.98  # of the tolerance: the trial's error has an error of 3 %, its forecast errs upwards, and counts are rounded up
 _SHARE, _LEAST_SHARE = 12, 48  # one point in 12 to 48 is tried: the more strata a lobe has, the fewer points are needed
@@ -51,15 +54,24 @@ def find_count(trial: "Trial", tolerance: float) -> int:
         trial.run(min(needed, _FARTHEST * trial.count))
     else:  # the rounds went to and fro between strata: at walls, only strata that end at the horizon have no error
         needed = min((count for count, error in trial.tried if error <= tolerance), default=most)
-    return trial.whole(_finer_if_less(trial, needed, _AIM * tolerance) if traced else needed)
+    if not traced:
+        return trial.whole(needed)
+    return _confirm(trial, trial.whole(_finer_if_less(trial, needed, _AIM * tolerance)), tolerance)
 
 
-def find_larger_count(trial: "Trial", count: int, tolerance: float) -> int:
-    """Find a larger number of rays per point, at most the plan's count, for the case that `count` rays miss the tolerance.
+def _confirm(trial: "Trial", count: int, tolerance: float) -> int:
+    """Return `count` rays per point, or more if these, in the coarsest strata, miss the tolerance in a trial of their own.
 
     The error of few rays does not fall steadily with their number, as at walls below an open sky.
     """
-    return trial.whole(min((more for more, error in trial.tried if more > count and error <= tolerance), default=2 * count))
+    top, tried = counts_with_the_strata_of(_FIRST)[1], dict(trial.tried)
+    if count > top or count == trial.runner.plan.count or tried.get(count, inf) <= tolerance:
+        return count
+    trial.run(count)
+    if trial.error <= MISSED * tolerance:
+        return count
+    enough = (more for more, error in trial.tried if more > count and error <= tolerance)
+    return _confirm(trial, trial.whole(min(enough, default=2 * count)), tolerance)
 
 
 def _finer_if_less(trial: "Trial", needed: float, aim: float) -> float:
