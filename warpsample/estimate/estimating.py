@@ -56,7 +56,7 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
     with bar(options.progress, "casting rays" if traced else "sampling directions"), options.memory.loan() as loan:
         runner = SplitRunner(plan, summed, loan) if isinstance(summed, SplitSum) else Runner(plan, summed, loan)
         if plan.tolerance is None or len(plan.at) == 0:
-            return _doubt_zeros(runner.result(options.seed, plan.count), summed.typical, plan.count)
+            return _widen(runner.result(options.seed, plan.count), summed.typical, plan.count)
         trial = Trial(runner)
         count = find_count(trial, plan.tolerance)
         log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
@@ -70,21 +70,21 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
     unneeded = saved * np.count_nonzero(has_value(main.status)) - int(trial.rays.sum(dtype=np.int64))
     main = replace(main, rays=main.rays + trial.rays, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))
-    return _doubt_zeros(main, summed.typical, count)
+    return _widen(main, summed.typical, count)
 
 
-def _doubt_zeros(found: Estimate, typical: tuple[float, ...], count: int) -> Estimate:
-    """Return an estimate whose intervals allow that the other rays of points with `count` rays of weight 0 have a weight.
+def _widen(found: Estimate, typical: tuple[float, ...], count: int) -> Estimate:
+    """Return an estimate whose intervals allow for a few rays of typical value among `count` rays, if they did not.
 
     `typical` is the typical value of a ray for each component.
     """
     if not any(typical):
         return found
+    width, degrees = prior_if_all_agree(np.array(typical, np.float32), count)
     good = has_value(found.status).reshape(-1, *[1] * (found.value.ndim - 1))
-    dark = good & (found.spread == 0.0)
-    width, degrees = prior_if_all_agree(np.array(typical), count)
-    spread = np.where(dark, np.float32(width), found.spread)
-    return replace(found, spread=spread, degrees_of_freedom=np.where(dark, np.float32(degrees), found.degrees_of_freedom))
+    is_narrow = good & (found.spread < width)
+    spread, freedom = (np.where(is_narrow, *pair) for pair in ((width, found.spread), (degrees, found.degrees_of_freedom)))
+    return replace(found, spread=spread, degrees_of_freedom=freedom)
 
 
 def _is_missed(found: Estimate, tolerance: float) -> bool:

@@ -145,9 +145,9 @@ def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...
     return worth, unseen, _WORTH_IF_ALL_AGREE, _IF_ALL_AGREE, _IF_ONE_DIFFERS
 
 
-def prior_if_all_agree(weight: np.ndarray, count: int) -> tuple[np.ndarray, float]:
+def prior_if_all_agree(weight: np.ndarray, count: int) -> tuple[np.ndarray, np.float32]:
     """Return scale and degrees of freedom of the error of a mean over `count` rays that agree, if others have `weight`."""
-    return sqrt(_IF_ALL_AGREE) * weight / count, _WORTH_IF_ALL_AGREE
+    return np.float32(sqrt(_IF_ALL_AGREE) / count) * weight, np.float32(_WORTH_IF_ALL_AGREE)
 
 
 @wp.func

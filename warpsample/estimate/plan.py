@@ -33,7 +33,7 @@ class RaySum:
         falloff: Exponent of the falloff with distance, see `ambient_occlusion`; None if occluded rays add 0.
         result: Type of the result, a subclass of `Estimate`.
         typical: Typical value of one ray for each component, in the unit of the result. It widens the intervals of points
-            whose rays all have weight 0, as below a picture that is black there; 0 if unknown.
+            whose rays have less weight, as above the dark half of a picture; 0 if unknown.
     """
 
     integrand: Integrand
