@@ -67,7 +67,7 @@ def _confirm(trial: "Trial", count: int, tolerance: float) -> int:
     top, tried = counts_with_the_strata_of(_FIRST)[1], dict(trial.tried)
     if count > top or count == trial.runner.plan.count or tried.get(count, inf) <= tolerance:
         return count
-    trial.run(count)
+    trial.run(count, _LEAST_SHARE)
     if trial.error <= MISSED * tolerance:
         return count
     enough = (more for more, error in trial.tried if more > count and error <= tolerance)
@@ -119,14 +119,14 @@ class Trial:
         step = strata_of(rays, traced=self.runner.traced).step
         return min(-(-rays // step) * step, plan.count)
 
-    def run(self, count: float) -> None:
+    def run(self, count: float, share: float = 0.0) -> None:
         """Estimate the trial points with `count` rays each; update the measured error and its rate of convergence.
 
-        The number of points falls with the square root of the number of strata.
+        One point in `share` is tried. Default: the number of points falls with the square root of the number of strata.
         """
         traced, count = self.runner.traced, self.whole(count)
         strata = strata_of(count, traced=traced)
-        share = min(_SHARE * np.sqrt(strata.bands * strata.sectors), _LEAST_SHARE)
+        share = share or min(_SHARE * np.sqrt(strata.bands * strata.sectors), _LEAST_SHARE)
         chosen = np.zeros(len(self.runner.at), bool)
         chosen[self.rows[: max(int(self.active / share), _FEWEST_POINTS)]] = True
         # Skip always, whatever the call's `skip`: skipping changes no bit, and the count must not depend on the option.
