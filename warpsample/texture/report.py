@@ -125,8 +125,9 @@ def _find_usual_scale(mesh: Mesh, faces: np.ndarray | slice, corners: np.ndarray
     of the longest edges, over the chart.
     """
     lengths, edges = _edge_lengths(corners), _edge_lengths(mesh.vertices[mesh.faces[faces]])
-    area, chart = mesh.face_areas[faces], label_charts(corners)
-    own = lengths.max(axis=1) / np.maximum(edges.max(axis=1), POINT)
+    longest, chart = lengths.max(axis=1), label_charts(corners)
+    area = np.where(longest > 0.0, mesh.face_areas[faces], 0.0)  # faces without coordinates do not count
+    own = longest / np.maximum(edges.max(axis=1), POINT)
     of_charts = np.bincount(chart, area * own) / np.maximum(np.bincount(chart, area), POINT)
     stretch = (lengths / np.maximum(edges, POINT)).max(axis=1)
     return np.maximum(of_charts[chart], np.average(stretch, weights=area))
