@@ -266,3 +266,32 @@ def test_errors_below_a_picture_that_is_dark_there(tilt, sampling, rays, ground)
     colours = ws.irradiance(beside, points, sky[..., None] * np.float32([1.0, 2.0, 0.0]), rays, sampling=sampling)
     np.testing.assert_allclose(2.0 * colours.spread[:, 0], colours.spread[:, 1], rtol=1e-5)
     assert not colours.spread[:, 2].any()
+
+
+@pytest.mark.parametrize(("points", "tilt"), [(1, 170.0), (1, 150.0), (5, 160.0)])
+def test_a_tolerance_counts_light_that_no_ray_has_met(points, tilt):
+    """Where all rays of the trial went to the black part of a picture, the search ended with 4 rays and a value of 0."""
+    sky = np.repeat([[1.0], [0.0]], 64, axis=0).repeat(256, axis=1)
+    normal = np.array([[np.sin(np.radians(tilt)), 0.0, np.cos(np.radians(tilt))]]).repeat(points, axis=0)
+    places = ws.SurfacePoints(position=np.zeros((points, 3)), normal=normal)
+    beside = ws.as_mesh(([[0, 0, -99], [1, 0, -99], [0, 1, -99]], [[0, 1, 2]]))
+    truth = np.pi * (1.0 + np.cos(np.radians(tilt))) / 2.0
+    found = [ws.irradiance(beside, places, sky, 1 << 14, tolerance=0.01, seed=seed).value - truth for seed in range(100)]
+    assert np.sqrt(np.mean(np.square(found))) < 1.5 * 0.01  # 1.0 to 1.3 was measured for few points
+
+
+def test_small_openings_above_a_black_ground():
+    """A wall with an opening that one ray meets: rays below the horizon passed for free ones, and 67 % were covered."""
+    half, far, y, z, rays = 0.024, 2000.0, -0.34, 0.84, 4096
+    across = [(-far, y - half), (y + half, far), (y - half, y + half), (y - half, y + half)]
+    along = [(-far, far), (-far, far), (-far, z - half), (z + half, far)]
+    corners = [
+        [(1, u[0], v[0]), (1, u[1], v[0]), (1, u[1], v[1]), (1, u[0], v[1])] for u, v in zip(across, along, strict=True)
+    ]
+    faces = 4 * np.arange(4)[:, None, None] + np.array([[0, 2, 1], [0, 3, 2]])
+    wall = ws.as_mesh((np.reshape(corners, (-1, 3)), faces.reshape(-1, 3)))
+    points = ws.SurfacePoints(position=np.zeros((1000, 3)), normal=np.tile([1.0, 0.0, 0.0], (1000, 1)))
+    truth = 4.0 * half**2 / (1.0 + y**2 + z**2) ** 2  # irradiance through a small opening, right to a thousandth
+    sky = np.repeat([[1.0], [0.0]], 256, axis=0).repeat(8, axis=1)
+    lower, upper = ws.irradiance(wall, points, sky, rays, seed=1).interval()
+    assert np.mean((lower <= truth) & (truth <= upper)) > 0.93  # as the page states for small openings

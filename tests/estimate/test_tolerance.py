@@ -5,6 +5,7 @@ import pytest
 import trimesh
 import warp as wp
 from estimate_cases import at, square
+from glass_cases import same_bits
 
 import warpsample as ws
 from warpsample.bench.scenes import bunny, city, hills
@@ -111,19 +112,44 @@ def test_walls_reach_the_tolerance(sequence, tolerance):
     assert error < 1.1 * tolerance  # a call may miss it by a tenth without a warning
 
 
-@pytest.mark.thorough
-def test_the_search_does_not_bias_a_point():
-    """Results that missed the tolerance, those whose rays met a hole, were cast again: the mean was 20 % too low."""
-    half, far = 0.1, 2000.0
+@pytest.mark.parametrize("sequence", ["fibonacci", "sobol"])
+def test_skipping_does_not_change_the_count(sequence):
+    """A result was cast again if rays had been cast, so that intervals of open points were shorter without skipping."""
+    sheet = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    points = ws.sample_surface(sheet, 2, seed=0)
+    for tolerance in np.geomspace(0.005, 0.1, 10):
+        one, other = (
+            ws.ambient_occlusion(sheet, points, 4096, tolerance=tolerance, sequence=sequence, skip=skip)
+            for skip in (True, False)
+        )
+        assert same_bits(one, other, "spread", "degrees_of_freedom")
+
+
+def lid(half):
+    """A wide lid at height 1 with a square hole above the origin, whose sides are 2 `half` long."""
+    far = 2000.0
     x = np.array([(-far, -half), (half, far), (-half, half), (-half, half)])
     y = np.array([(-far, far), (-far, far), (-far, -half), (half, far)])
     corners = np.stack([x[:, [0, 0, 1, 1]], y[:, [0, 1, 1, 0]], np.ones((4, 4))], axis=2).reshape(-1, 3)
-    lid = ws.as_mesh((corners, (4 * np.arange(4)[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)))
-    point = at((0.0, 0.0, 0.0), (0, 0, 1))
+    return ws.as_mesh((corners, (4 * np.arange(4)[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)))
+
+
+def test_the_search_ends_where_it_goes_to_and_fro():
+    """Rounds of 8 and 176 rays took turns under a small hole, so that up to 1,176 rays were cast for a count of 256."""
+    points = at(np.zeros((2, 3)), (0, 0, 1))
+    for seed in range(1, 7919 * 4, 7919):
+        found = ws.ambient_occlusion(lid(0.05), points, 256, tolerance=0.05, sequence="independent", seed=seed)
+        assert found.rays.max() <= 3 * 256  # a trial, one of finer strata, and the result
+
+
+@pytest.mark.thorough
+def test_the_search_does_not_bias_a_point():
+    """Results that missed the tolerance, those whose rays met a hole, were cast again: the mean was 20 % too low."""
+    mesh, point = lid(0.1), at((0.0, 0.0, 0.0), (0, 0, 1))
     options = {"sequence": "independent", "tolerance": 0.05}
     seeds = range(1, 7919 * 1000, 7919)
-    value = np.array([ws.ambient_occlusion(lid, point, 1024, seed=seed, **options).value[0] for seed in seeds])
-    side = half / np.hypot(1.0, half)
+    value = np.array([ws.ambient_occlusion(mesh, point, 1024, seed=seed, **options).value[0] for seed in seeds])
+    side = 0.1 / np.hypot(1.0, 0.1)
     truth = 4.0 / np.pi * side * np.arctan(side)  # the form factor of a rectangle, four times that of its quarter
     assert abs(value.mean() - truth) <= 4.0 * value.std() / np.sqrt(len(value))
 
@@ -142,6 +168,8 @@ def test_no_warning_where_all_values_are_proven():
         ws.sky_view_factor(square(), spread_below(0).take(slice(0, 2)), 16, tolerance=1e-3)
     with pytest.warns(UserWarning, match="tolerance: got 0.001, which is not reached with 16 rays per point"):
         ws.sky_view_factor(ground, points, 16, tolerance=1e-3, up=(0, 1, 2))  # no rays, but values depend on them
+    with pytest.warns(UserWarning, match="tolerance: got 0.001, which is not reached with 16 rays per point"):
+        assert not ws.sky_view_factor(ground, points, 16, tolerance=1e-3, up=(0, 0.01, -1)).value.any()  # nor do they agree
 
 
 def test_nothing_to_see_takes_few_rays(bunny, points):

@@ -8,7 +8,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from warpsample.estimate.intervals import prior_if_all_agree
 from warpsample.estimate.plan import Plan, RaySum
 from warpsample.estimate.result import Estimate, has_value
 from warpsample.estimate.runner import Runner
@@ -56,7 +55,7 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
     with bar(options.progress, "casting rays" if traced else "sampling directions"), options.memory.loan() as loan:
         runner = SplitRunner(plan, summed, loan) if isinstance(summed, SplitSum) else Runner(plan, summed, loan)
         if plan.tolerance is None or len(plan.at) == 0:
-            return _widen(runner.result(options.seed, plan.count), summed.typical, plan.count)
+            return runner.result(options.seed, plan.count)
         trial = Trial(runner)
         count = find_count(trial, plan.tolerance)
         log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
@@ -68,26 +67,15 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
             )
             warn_of_missed_tolerance(message, stacklevel=4)
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
-    unneeded = saved * np.count_nonzero(has_value(main.status)) - int(trial.rays.sum(dtype=np.int64))
-    main = replace(main, rays=main.rays + trial.rays, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))
-    return _widen(main, summed.typical, count)
-
-
-def _widen(found: Estimate, typical: tuple[float, ...], count: int) -> Estimate:
-    """Return an estimate whose intervals allow for a few rays of typical value among `count` rays, if they did not.
-
-    `typical` is the typical value of a ray for each component.
-    """
-    if not any(typical):
-        return found
-    width, degrees = prior_if_all_agree(np.array(typical, np.float32), count)
-    good = has_value(found.status).reshape(-1, *[1] * (found.value.ndim - 1))
-    is_narrow = good & (found.spread < width)
-    spread, freedom = (np.where(is_narrow, *pair) for pair in ((width, found.spread), (degrees, found.degrees_of_freedom)))
-    return replace(found, spread=spread, degrees_of_freedom=freedom)
+    unneeded = saved * int(np.count_nonzero(has_value(main.status))) - int(trial.rays.sum(dtype=np.int64))
+    return replace(main, rays=main.rays + trial.rays, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))
 
 
 def _is_missed(found: Estimate, tolerance: float) -> bool:
-    """Return whether the standard errors exceed a tolerance; without rays and differences, each value is proven."""
-    is_proven = not (found.rays.any() or found.standard_error.any())
-    return not is_proven and error_of(found, has_value(found.status)) > MISSED * tolerance
+    """Return whether the standard errors exceed a tolerance.
+
+    Values above 0 without rays and differences are proven. Values of 0 are not, as below the horizon of the sky.
+    """
+    good = has_value(found.status)
+    is_proven = found.value[good].all() and not (found.rays.any() or found.standard_error.any())
+    return not is_proven and error_of(found, good) > MISSED * tolerance

@@ -18,6 +18,7 @@ Where the rays of each stratum agree, the unbiased standard error of an `Estimat
 only a standard error. So errors in files include geometry between the rays, too.
 """
 
+from dataclasses import replace
 from math import sqrt
 from typing import Any, NamedTuple
 
@@ -145,9 +146,21 @@ def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...
     return worth, unseen, _WORTH_IF_ALL_AGREE, _IF_ALL_AGREE, _IF_ONE_DIFFERS
 
 
-def prior_if_all_agree(weight: np.ndarray, count: int) -> tuple[np.ndarray, np.float32]:
-    """Return scale and degrees of freedom of the error of a mean over `count` rays that agree, if others have `weight`."""
-    return np.float32(sqrt(_IF_ALL_AGREE) / count) * weight, np.float32(_WORTH_IF_ALL_AGREE)
+def widen(found: Any, typical: tuple[float, ...], count: int) -> Any:
+    """Return an `Estimate` whose intervals allow for a few rays of typical value, if they did not.
+
+    Args:
+        found: Estimate with `count` rays per point.
+        typical: Typical value of a ray for each component; 0 if unknown.
+        count: Number of rays per point.
+    """
+    if not any(typical):
+        return found
+    least = np.float32(sqrt(_IF_ALL_AGREE) / count) * np.array(typical, np.float32)
+    is_narrow = (found.degrees_of_freedom > 0.0) & (found.spread < least)  # points without a value have no degrees
+    spread = np.where(is_narrow, least, found.spread)
+    degrees = np.where(is_narrow, np.float32(_WORTH_IF_ALL_AGREE), found.degrees_of_freedom)
+    return replace(found, spread=spread, degrees_of_freedom=degrees)
 
 
 @wp.func

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.distributions.parameters import redraw_of
+from warpsample.estimate.intervals import widen
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.lobes import LobesArgs
 from warpsample.estimate.plan import Plan, RaySum
@@ -79,7 +80,8 @@ class Runner:
             weightless_rays=int((total - cast - empty).sum()),
         )
         unit = np.float32(self.summed.unit)
-        return self.summed.result(unit * value, unit * error, unit * spread, degrees, cast, status, skipped)
+        found = self.summed.result(unit * value, unit * error, unit * spread, degrees, cast, status, skipped)
+        return widen(found, self.summed.typical, strata.rays)
 
     def _placement(self) -> PlacementArgs:
         if not self.traced:

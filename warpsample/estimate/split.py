@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.distributions.record import Distribution
+from warpsample.estimate.intervals import widen
 from warpsample.estimate.plan import Plan, RaySum
 from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.runner import Runner
@@ -73,7 +74,7 @@ class SplitRunner:
             plan = replace(self.plan, distribution=self.summed.distribution)
             runner = Runner(plan, self.summed.second(first / second), self.loan)
             parts.append(runner.result(seed_for("second", seed), second, chosen, skip))
-        return parts[0] if len(parts) == 1 else add_estimates(*parts)
+        return widen(parts[0] if len(parts) == 1 else add_estimates(*parts), self.summed.typical, first + second)
 
 
 def add_estimates(one: Estimate, other: Estimate) -> Estimate:

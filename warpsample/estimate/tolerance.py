@@ -40,7 +40,7 @@ def find_count(trial: "Trial", tolerance: float) -> int:
     """
     most, traced = trial.runner.plan.count, trial.runner.traced
     trial.run(_FIRST)
-    for _ in range(_ROUNDS):
+    while True:
         needed = max(_LEAST, trial.needed(_AIM * tolerance))
         fewest, top = counts_with_the_strata_of(trial.count, traced)
         if needed > top and trial.needed(tolerance) <= top:
@@ -51,9 +51,12 @@ def find_count(trial: "Trial", tolerance: float) -> int:
         near = traced or trial.count <= _FAR_OF_ONE_CELL * needed
         if near and (fewest <= needed <= min(far, top) or (trial.count == most and needed >= fewest)):
             break
-        trial.run(min(needed, _FARTHEST * trial.count))
-    else:  # the rounds went to and fro between strata: at walls, only strata that end at the horizon have no error
-        needed = min((count for count, error in trial.tried if error <= tolerance), default=most)
+        following, tried = trial.whole(min(needed, _FARTHEST * trial.count)), dict(trial.tried)
+        if following in tried or len(tried) == _ROUNDS:
+            # The rounds go to and fro between strata: at walls, only strata that end at the horizon have no error.
+            needed = min((count for count, error in tried.items() if error <= tolerance), default=most)
+            break
+        trial.run(following)
     if not traced:
         return trial.whole(needed)
     return _confirm(trial, trial.whole(_finer_if_less(trial, needed, _AIM * tolerance)), tolerance)
