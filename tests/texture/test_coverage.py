@@ -146,6 +146,17 @@ def test_squeezed_faces_are_counted_beside_parts_with_fewer_texels(density):
     assert ws.texture_points(mesh, uv, 128).report.squeezed == 2
 
 
+@pytest.mark.parametrize("turn", [0, 1, 2])
+@pytest.mark.parametrize("width", [0.0, 1e-30, 6.1e-17, 1e-15, 1e-14, 1e-3])
+def test_each_face_without_a_width_in_the_image_is_counted(width, turn):
+    """The cosine of 90 degrees is 6e-17. Right-angled faces of this width were neither without an area nor squeezed."""
+    corners = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    faces = np.roll([[0, 1, 2], [2, 3, 0]], turn, axis=1)
+    mesh = ws.Mesh(np.column_stack([corners, np.zeros(4)]), faces)
+    report = ws.texture_points(mesh, (corners * (width, 1.0))[faces], 256).report
+    assert report.zero_area + report.squeezed == 2
+
+
 def test_a_wrapped_face_of_a_thin_band_is_squeezed():
     """48 quads of a hoop lie in a row less than a texel high. The first goes from u = 0.93 back to 0.05, over all others."""
     angle = np.arange(48) * 2.0 * np.pi / 48

@@ -9,7 +9,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.texture.uv.charts import POINT, find_flat_areas, find_wide, label_charts
 
 _OUTSIDE = 1e-6  # of the image: tolerance for coordinates 0 and 1 rounded to float32
-_FLAT = 2.0**-48  # of the product of two edge lengths: a smaller area is rounding error (16 float64 epsilons)
+_FLAT = 2.0**-48  # of the longest edge's square: less is no area but a rounding error (16 float64 epsilons)
 _LONG = 0.8  # of the longest edge of a face in the image
 _TINY = 16.0  # texels: length of a face that xatlas may have stretched to a texel in an image an eighth as large
 _WIDE = 8.0  # texels; a face of this width whose image is narrower than one texel is squeezed
@@ -64,8 +64,7 @@ def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
     uv = np.where(finite[:, None, None], uv, 0.0)
     first, second = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
     area = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
-    lengths = np.sqrt((first**2).sum(axis=1) * (second**2).sum(axis=1))
-    flat = finite & (np.abs(area) <= _FLAT * lengths)
+    flat = finite & (np.abs(area) <= _FLAT * _edge_lengths(uv).max(axis=1) ** 2)
     return {
         "outside": find_outside_faces(uv),
         "zero_area": flat,
