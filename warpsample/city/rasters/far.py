@@ -17,7 +17,7 @@ from affine import Affine
 from warpsample.city.rasters.canopy import Canopy, Crowns, build_prisms
 from warpsample.city.rasters.fringe import fringe_bounds
 from warpsample.city.rasters.grid import Bounds, Grid, resample_extremes
-from warpsample.city.rasters.pooling import bounds_beyond, pool_raster
+from warpsample.city.rasters.pooling import Frame, bounds_beyond, find_gaps, pool_raster
 from warpsample.city.rasters.scenery import Columns, Part, join_triangles
 from warpsample.city.rasters.sources.reader import RasterReader
 
@@ -60,12 +60,14 @@ class FarField:
             model: Surface model. With "block" heights are those of cells, else the extremes of cells and their neighbours.
             canopy: Crowns to include in the upper columns, or None.
         """
-        size, beyond, fringe = 1 << (max(1, margin // _FINENESS).bit_length() - 1), None, None
-        own = pool_raster(reader, canopy, size, model, joined=other is not None)
-        if other is not None:
-            heights = other.read(slice(None), slice(None))
-            beyond = bounds_beyond(heights, own, ~reader.transform @ other.transform, model)
-            fringe = fringe_bounds(heights, beyond) if model != "block" else None
+        size = 1 << (max(1, margin // _FINENESS).bit_length() - 1)
+        if other is None:
+            return cls(pool_raster(reader, canopy, size, model, Frame())[0], None, size, reader.outline)
+        heights, where = other.read(slice(None), slice(None)), ~reader.transform @ other.transform
+        frame = Frame.of(heights, where, reader.shape) if model == "tin" else Frame()
+        own, holes = pool_raster(reader, canopy, size, model, frame)
+        beyond = bounds_beyond(heights, own, where, model, find_gaps(heights, where, holes, size, reader.shape))
+        fringe = fringe_bounds(heights, beyond) if model != "block" else None
         return cls(own, beyond, size, reader.outline, fringe)
 
     def columns(self, tile: Window, near: Window, lowest: float) -> list[Columns]:

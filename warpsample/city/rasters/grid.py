@@ -157,7 +157,7 @@ def resample_extremes(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> 
             np.fmax.at(upper, at, highest[inside])
             np.minimum.at(lower, at, lowest[inside])
     upper[np.isinf(upper)] = np.nan
-    lower[np.isinf(lower) | ~_mask_covered(bounds, where, shape)] = np.nan
+    lower[np.isinf(lower) | ~mask_covered(bounds, where, shape)] = np.nan
     return upper, lower
 
 
@@ -181,7 +181,7 @@ def _find_overlap(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> tupl
     return *ends, box
 
 
-def _mask_covered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> np.ndarray:
+def mask_covered(bounds: Bounds, where: Affine, shape: tuple[int, int]) -> np.ndarray:
     """Return a mask of the cells of a grid that lie entirely within a raster."""
     row, column = np.mgrid[: shape[0] + 1, : shape[1] + 1]
     a, b, c, d, e, f = (~bounds.transform @ where)[:6]
