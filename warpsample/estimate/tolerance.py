@@ -30,6 +30,7 @@ _SLOWEST, _FASTEST = 0.5, 2.0  # limits of the exponent r: the error falls as ra
 _APART = 4.0  # ratio of the rays of two rounds from which on the two rounds give an exponent
 _APART_IF_SMOOTH = 1.5  # the same ratio without a mesh: exponents differ by integrand, and the error is known better
 _ROUNDS = 8
+_NEXT = 1.5  # ratio of the numbers of rays of two confirmations
 _PRIOR = 16.0  # weight of the prior on edges, as a number of points: for few points, and where no ray has hit anything
 
 
@@ -63,18 +64,21 @@ def find_count(trial: "Trial", tolerance: float) -> int:
 
 
 def _confirm(trial: "Trial", count: int, tolerance: float) -> int:
-    """Return `count` rays per point, or more if these, in the coarsest strata, miss the tolerance in a trial of their own.
+    """Return `count` rays per point, or more if these miss the tolerance in a trial of their own.
 
-    The error of few rays does not fall steadily with their number, as at walls below an open sky.
+    That trial is for few rays, whose error does not fall steadily with their number, as at walls below an open sky, and for
+    far fewer rays than in the last round, because errors may fall faster than forecast, as below stripes of a picture.
     """
-    top, tried = counts_with_the_strata_of(_FIRST)[1], dict(trial.tried)
-    if count > top or count == trial.runner.plan.count or tried.get(count, inf) <= tolerance:
+    most, top = trial.runner.plan.count, counts_with_the_strata_of(_FIRST)[1]
+    if count > top and trial.count <= _FAR * count:
         return count
-    trial.run(count, _LEAST_SHARE)
-    if trial.error <= MISSED * tolerance:
-        return count
-    enough = (more for more, error in trial.tried if more > count and error <= tolerance)
-    return _confirm(trial, trial.whole(min(enough, default=2 * count)), tolerance)
+    while count < most and dict(trial.tried).get(count, inf) > tolerance:
+        trial.run(count, _LEAST_SHARE)
+        if trial.error <= MISSED * tolerance:
+            break
+        enough = (more for more, error in trial.tried if more > count and error <= tolerance)
+        count = trial.whole(min(_NEXT * count, min(enough, default=most)))
+    return count
 
 
 def _finer_if_less(trial: "Trial", needed: float, aim: float) -> float:
