@@ -148,12 +148,16 @@ def test_squeezed_faces_are_counted_beside_parts_with_fewer_texels(density):
 
 @pytest.mark.parametrize("turn", [0, 1, 2])
 @pytest.mark.parametrize("width", [0.0, 1e-30, 6.1e-17, 1e-15, 1e-14, 1e-3])
-def test_each_face_without_a_width_in_the_image_is_counted(width, turn):
-    """The cosine of 90 degrees is 6e-17. Right-angled faces of this width were neither without an area nor squeezed."""
+@pytest.mark.parametrize("size", [256, (32, 256), 300])
+def test_each_face_without_a_width_in_the_image_is_counted(size, width, turn):
+    """The cosine of 90 degrees is 6e-17. Right-angled faces of this width were neither without an area nor squeezed.
+
+    Nor were faces of 1e-14 in images that are not square.
+    """
     corners = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     faces = np.roll([[0, 1, 2], [2, 3, 0]], turn, axis=1)
     mesh = ws.Mesh(np.column_stack([corners, np.zeros(4)]), faces)
-    report = ws.texture_points(mesh, (corners * (width, 1.0))[faces], 256).report
+    report = ws.texture_points(mesh, (corners * (width, 1.0))[faces], size).report
     assert report.zero_area + report.squeezed == 2
 
 

@@ -88,7 +88,7 @@ def find_outside_faces(uv: np.ndarray) -> np.ndarray:
     return (uv < -_OUTSIDE).any(axis=(1, 2)) | (uv > 1.0 + _OUTSIDE).any(axis=(1, 2))
 
 
-def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarray) -> np.ndarray:
+def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarray, flat: np.ndarray) -> np.ndarray:
     """Return the mask of faces that the image shows much narrower than they are, (R,), as where u is wrapped from 1 to 0.
 
     A squeezed face is narrower than a texel in the image. It would be wider than eight texels at the scale of its longest
@@ -99,12 +99,13 @@ def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarra
         mesh: Mesh.
         faces: (R,) numbers of the faces, or None for all.
         corners: (R, 3, 2) texture coordinates of face corners in texels, not finite for faces without coordinates.
+        flat: (R,) mask of faces without an area, from `find_face_flaws`, which are not squeezed.
     """
     corners = np.where(np.isfinite(corners).all(axis=(1, 2), keepdims=True), corners, 0.0)
     lengths = _edge_lengths(corners)
     longest = lengths.max(axis=1)
     area = 2.0 * find_flat_areas(corners)
-    narrow = np.flatnonzero((area > _FLAT * longest**2) & (area < longest))
+    narrow = np.flatnonzero(~flat & (area < longest))
     number = narrow if faces is None else faces[narrow]
     edges = np.maximum(_edge_lengths(mesh.vertices[mesh.faces[number]]), POINT)
     widths = 2.0 * mesh.face_areas[number, None] / edges

@@ -198,7 +198,8 @@ class Texels:
         for some in rows:
             face, lost = np.arange(some.start, some.stop), find_face_flaws(uv[some])["zero_area"]
             flat += int(np.count_nonzero(lost & ~find_slivers(self.mesh, face, lost)))
-            squeezed += int(np.count_nonzero(find_squeezed_faces(self.mesh, face, uv[some] * np.array(self.how.size))))
+            narrow = find_squeezed_faces(self.mesh, face, uv[some] * np.array(self.how.size), lost)
+            squeezed += int(np.count_nonzero(narrow))
         return flat, squeezed
 
     def _is_named(self, number: int, rows: Iterable[slice]) -> bool:

@@ -310,7 +310,8 @@ def place_texels(
     flaws, corners = find_face_flaws(uv), uv * np.array(size, np.float64)
     claims = claim_points(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
     slivers = find_slivers(mesh, faces, flaws["zero_area"])
-    flaws |= {"overlapped": claims.overlapping, "squeezed": find_squeezed_faces(mesh, faces, corners)}
+    squeezed = find_squeezed_faces(mesh, faces, corners, flaws["zero_area"])
+    flaws |= {"overlapped": claims.overlapping, "squeezed": squeezed}
     flaws |= {"zero_area": flaws["zero_area"] & ~slivers, "flat_slivers": slivers}
     report = build_report(mesh, faces, claims.covered, claims.overlapped, flaws)
     turned = None if normals == "face" else corner_normals
