@@ -31,6 +31,7 @@ from warpsample.maths.numerics import ONE, TWO, ZERO
 
 _HALF_A_RAY, _IF_ALL_AGREE, _IF_ONE_DIFFERS = 0.25, 1.64**2, 3.85  # variances of geometry without a hit, in rays squared
 _WORTH_IF_ALL_AGREE = 9.0
+_AGREE = 0.3  # largest standard error of rays that nearly agree, in standard deviations of what they may have missed
 _WORTH_OF_COUNTS = 16.0  # differences: from edge to edge the variance varies by a third of its mean, at 4 to 8 samples
 _WORTH_OF_WEIGHTS = 4.0  # less than for counts: the change of the weight at an edge is estimated from the rays
 _THREE = wp.constant(wp.float64(3.0))
@@ -147,7 +148,7 @@ def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...
 
 
 def widen(found: Any, typical: tuple[float, ...], count: int) -> Any:
-    """Return an `Estimate` whose intervals allow for a few rays of typical value, if they did not.
+    """Return an `Estimate` whose intervals allow for a few rays of typical value where the rays of a point nearly agree.
 
     Args:
         found: Estimate with `count` rays per point.
@@ -158,6 +159,7 @@ def widen(found: Any, typical: tuple[float, ...], count: int) -> Any:
         return found
     least = np.float32(sqrt(_IF_ALL_AGREE) / count) * np.array(typical, np.float32)
     is_narrow = (found.degrees_of_freedom > 0.0) & (found.spread < least)  # points without a value have no degrees
+    is_narrow &= found.standard_error <= _AGREE * least
     spread = np.where(is_narrow, least, found.spread)
     degrees = np.where(is_narrow, np.float32(_WORTH_IF_ALL_AGREE), found.degrees_of_freedom)
     return replace(found, spread=spread, degrees_of_freedom=degrees)
