@@ -6,7 +6,7 @@ from math import pi
 import numpy as np
 import pytest
 import warp as wp
-from estimate_cases import square
+from estimate_cases import at, lid, square
 
 import warpsample as ws
 from warpsample.estimate import split
@@ -248,52 +248,54 @@ def test_wrong_variants_are_rejected(variant, caught, monkeypatch):
     assert judge(sampling, picture=picture, truth=exact(picture)) >= caught
 
 
-@pytest.mark.parametrize("sampling", ["cosine", "picture", "both"])
+BESIDE = ws.as_mesh(([[0, 0, -99], [1, 0, -99], [0, 1, -99]], [[0, 1, 2]]))
+"""A face that covers next to none of the sky of the points below."""
+
+
+def tilted(degrees, copies):
+    """Points whose normals are tilted from +z by an angle, and the share of their cosine lobes below the horizon."""
+    angle = np.radians(degrees)
+    return at((0.0, 0.0, 0.0), (np.sin(angle), 0.0, np.cos(angle)), copies), (1.0 - np.cos(angle)) / 2.0
+
+
+def halves(ground):
+    """A sky of radiance 1 above a ground of another radiance."""
+    return np.repeat([[1.0], [ground]], 64, axis=0).repeat(256, axis=1)
+
+
+@pytest.mark.parametrize("sampling", MODES)
 @pytest.mark.parametrize("tilt", [150.0, 170.0, 179.0])
 @pytest.mark.parametrize(("rays", "ground"), [(64, 0.0), (64, 0.01), (256, 0.0)])
-def test_errors_below_a_picture_that_is_dark_there(tilt, sampling, rays, ground):
-    """Faces that look down see a strip of the sky. Where all rays went below it, their value had an error of 0."""
-    sky = np.repeat(np.float32([[3.0], [3.0 * ground]]), 64, axis=0).repeat(256, axis=1)
-    normal = np.float32([[np.sin(np.radians(tilt)), 0.0, np.cos(np.radians(tilt))]])
-    points = ws.SurfacePoints(position=np.random.default_rng(0).uniform(size=(2000, 3)), normal=normal.repeat(2000, axis=0))
-    beside = ws.as_mesh(([[0, 0, -99], [1, 0, -99], [0, 1, -99]], [[0, 1, 2]]))
-    found = ws.irradiance(beside, points, sky, rays, sampling=sampling)
-    down = (1.0 - np.cos(np.radians(tilt))) / 2.0
-    truth = 3.0 * np.pi * (1.0 - down + ground * down)
+def test_errors_of_faces_that_look_down_to_a_dark_ground(tilt, sampling, rays, ground):
+    """They see a strip of the sky. Where all rays went below it, their value had an error of 0."""
+    points, down = tilted(tilt, 2000)
+    sky, truth = 3.0 * halves(ground), 3.0 * np.pi * (1.0 - down + ground * down)
+    found = ws.irradiance(BESIDE, points, sky, rays, sampling=sampling)
     assert (raised_errors(found) > 0.0).all()
     lower, upper = found.interval()
     assert np.mean((lower <= truth) & (truth <= upper)) > 0.87  # 0.90 to 1 were measured, and 0.05 with errors of 0
-    colours = ws.irradiance(beside, points, sky[..., None] * np.float32([1.0, 2.0, 0.0]), rays, sampling=sampling)
-    np.testing.assert_allclose(2.0 * colours.spread[:, 0], colours.spread[:, 1], rtol=1e-5)
+    colours = ws.irradiance(BESIDE, points, sky[..., None] * [1.0, 2.0, 0.0], rays, sampling=sampling)
+    np.testing.assert_allclose(2.0 * colours.spread[:, 0], colours.spread[:, 1], rtol=1e-5)  # float32 sums of weights
     assert not colours.spread[:, 2].any()
 
 
-@pytest.mark.parametrize(("points", "tilt"), [(1, 170.0), (1, 150.0), (5, 160.0)])
-def test_a_tolerance_counts_light_that_no_ray_has_met(points, tilt):
+@pytest.mark.parametrize(("copies", "tilt"), [(1, 170.0), (1, 150.0), (5, 160.0)])
+def test_a_tolerance_counts_light_that_no_ray_has_met(copies, tilt):
     """Where all rays of the trial went to the black part of a picture, the search ended with 4 rays and a value of 0."""
-    sky = np.repeat([[1.0], [0.0]], 64, axis=0).repeat(256, axis=1)
-    normal = np.array([[np.sin(np.radians(tilt)), 0.0, np.cos(np.radians(tilt))]]).repeat(points, axis=0)
-    places = ws.SurfacePoints(position=np.zeros((points, 3)), normal=normal)
-    beside = ws.as_mesh(([[0, 0, -99], [1, 0, -99], [0, 1, -99]], [[0, 1, 2]]))
-    truth = np.pi * (1.0 + np.cos(np.radians(tilt))) / 2.0
-    found = [ws.irradiance(beside, places, sky, 1 << 14, tolerance=0.01, seed=seed).value - truth for seed in range(100)]
-    assert np.sqrt(np.mean(np.square(found))) < 1.5 * 0.01  # 1.0 to 1.3 was measured for few points
+    points, down = tilted(tilt, copies)
+    off = [
+        ws.irradiance(BESIDE, points, halves(0.0), 1 << 14, tolerance=0.01, seed=seed).value - np.pi * (1.0 - down)
+        for seed in range(100)
+    ]
+    assert np.sqrt(np.mean(np.square(off))) < 1.5 * 0.01  # 1.0 to 1.3 was measured for few points
 
 
 def test_small_openings_above_a_black_ground():
     """A wall with an opening that one ray meets: rays below the horizon passed for free ones, and 67 % were covered."""
-    half, far, y, z, rays = 0.024, 2000.0, -0.34, 0.84, 4096
-    across = [(-far, y - half), (y + half, far), (y - half, y + half), (y - half, y + half)]
-    along = [(-far, far), (-far, far), (-far, z - half), (z + half, far)]
-    corners = [
-        [(1, u[0], v[0]), (1, u[1], v[0]), (1, u[1], v[1]), (1, u[0], v[1])] for u, v in zip(across, along, strict=True)
-    ]
-    faces = 4 * np.arange(4)[:, None, None] + np.array([[0, 2, 1], [0, 3, 2]])
-    wall = ws.as_mesh((np.reshape(corners, (-1, 3)), faces.reshape(-1, 3)))
-    points = ws.SurfacePoints(position=np.zeros((1000, 3)), normal=np.tile([1.0, 0.0, 0.0], (1000, 1)))
-    truth = 4.0 * half**2 / (1.0 + y**2 + z**2) ** 2  # irradiance through a small opening, right to a thousandth
-    sky = np.repeat([[1.0], [0.0]], 256, axis=0).repeat(8, axis=1)
-    lower, upper = ws.irradiance(wall, points, sky, rays, seed=1).interval()
+    half, x, y = 0.024, -0.34, 0.84
+    points = at((0.0, 0.0, 0.0), (0, 0, 1), 1000)
+    truth = 4.0 * half**2 / (1.0 + x**2 + y**2) ** 2  # irradiance through a small opening, right to a thousandth
+    lower, upper = ws.irradiance(lid(half, x, y), points, halves(0.0), 4096, up=(0, 1, 0)).interval()
     assert np.mean((lower <= truth) & (truth <= upper)) > 0.93  # as the page states for small openings
 
 
@@ -302,8 +304,5 @@ def test_a_tolerance_is_reached_below_stripes(tolerance):
     """From 64 to 128 rays the error falls by rays^-1.5. The forecast from 160 rays, by rays^-0.75, took twice too few."""
     stripes = np.zeros((32, 64), np.float32)
     stripes[:14, ::8] = stripes[:14, 1::8] = 1.0
-    places = np.random.default_rng(0).uniform(size=(300, 3))
-    points = ws.SurfacePoints(position=places, normal=np.tile([0.0, 0.0, 1.0], (300, 1)))
-    beside = ws.as_mesh(([[0, 0, -99], [1, 0, -99], [0, 1, -99]], [[0, 1, 2]]))
-    found = ws.irradiance(beside, points, stripes, 4096, tolerance=tolerance)
+    found = ws.irradiance(BESIDE, tilted(0.0, 300)[0], stripes, 4096, tolerance=tolerance)
     assert np.sqrt(np.mean(np.square(found.standard_error, dtype=float))) < 1.15 * tolerance  # a tenth, and its own error

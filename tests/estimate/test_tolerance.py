@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 import warp as wp
-from estimate_cases import at, square
+from estimate_cases import at, lid, square
 from glass_cases import same_bits
 
 import warpsample as ws
@@ -123,15 +123,6 @@ def test_skipping_does_not_change_the_count(sequence):
             for skip in (True, False)
         )
         assert same_bits(one, other, "spread", "degrees_of_freedom")
-
-
-def lid(half):
-    """A wide lid at height 1 with a square hole above the origin, whose sides are 2 `half` long."""
-    far = 2000.0
-    x = np.array([(-far, -half), (half, far), (-half, half), (-half, half)])
-    y = np.array([(-far, far), (-far, far), (-far, -half), (half, far)])
-    corners = np.stack([x[:, [0, 0, 1, 1]], y[:, [0, 1, 1, 0]], np.ones((4, 4))], axis=2).reshape(-1, 3)
-    return ws.as_mesh((corners, (4 * np.arange(4)[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)))
 
 
 def test_the_search_ends_where_it_goes_to_and_fro():

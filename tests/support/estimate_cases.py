@@ -23,6 +23,15 @@ def square(z=1.0):
     return ws.as_mesh(([(0, 0, z), (1, 0, z), (1, 1, z), (0, 1, z)], [(0, 2, 1), (0, 3, 2)]))
 
 
+def lid(half, x=0.0, y=0.0):
+    """A wide lid at height 1, facing down, with a square hole around (x, y) whose sides are 2 `half` long."""
+    far = 2000.0
+    columns = np.array([(-far, x - half), (x + half, far), (x - half, x + half), (x - half, x + half)])
+    rows = np.array([(-far, far), (-far, far), (-far, y - half), (y + half, far)])
+    corners = np.stack([columns[:, [0, 0, 1, 1]], rows[:, [0, 1, 1, 0]], np.ones((4, 4))], axis=2).reshape(-1, 3)
+    return ws.as_mesh((corners, (4 * np.arange(4)[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)))
+
+
 def same(found, other):
     return np.array_equal(found.value, other.value) and np.array_equal(found.standard_error, other.standard_error)
 

@@ -6,7 +6,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from warpsample.mesh.mesh import Mesh
-from warpsample.texture.uv.charts import POINT, find_flat_areas, find_wide, label_charts
+from warpsample.texture.uv.charts import (
+    POINT,
+    find_edge_lengths,
+    find_flat_areas,
+    find_longest_edges,
+    find_wide,
+    label_charts,
+)
 
 _OUTSIDE = 1e-6  # of the image: tolerance for coordinates 0 and 1 rounded to float32
 _FLAT = 2.0**-48  # of the longest edge's square: less is no area but a rounding error (16 float64 epsilons)
@@ -64,7 +71,7 @@ def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
     uv = np.where(finite[:, None, None], uv, 0.0)
     first, second = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
     area = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
-    flat = finite & (np.abs(area) <= _FLAT * _edge_lengths(uv).max(axis=1) ** 2)
+    flat = finite & (np.abs(area) <= _FLAT * find_longest_edges(uv) ** 2)
     return {
         "outside": find_outside_faces(uv),
         "zero_area": flat,
@@ -102,12 +109,12 @@ def find_squeezed_faces(mesh: Mesh, faces: np.ndarray | None, corners: np.ndarra
         flat: (R,) mask of faces without an area, from `find_face_flaws`, which are not squeezed.
     """
     corners = np.where(np.isfinite(corners).all(axis=(1, 2), keepdims=True), corners, 0.0)
-    lengths = _edge_lengths(corners)
+    lengths = find_edge_lengths(corners)
     longest = lengths.max(axis=1)
     area = 2.0 * find_flat_areas(corners)
     narrow = np.flatnonzero(~flat & (area < longest))
     number = narrow if faces is None else faces[narrow]
-    edges = np.maximum(_edge_lengths(mesh.vertices[mesh.faces[number]]), POINT)
+    edges = np.maximum(find_edge_lengths(mesh.vertices[mesh.faces[number]]), POINT)
     widths = 2.0 * mesh.face_areas[number, None] / edges
     is_long = lengths[narrow] > _LONG * longest[narrow, None]
     is_wide = is_long & (widths * lengths[narrow] > _WIDE * edges)
@@ -124,18 +131,13 @@ def _find_usual_scale(mesh: Mesh, faces: np.ndarray | slice, corners: np.ndarray
     This is the larger one of two means weighted by area: that of the largest stretch of an edge, over the image, and that
     of the longest edges, over the chart.
     """
-    lengths, edges = _edge_lengths(corners), _edge_lengths(mesh.vertices[mesh.faces[faces]])
+    lengths, edges = find_edge_lengths(corners), find_edge_lengths(mesh.vertices[mesh.faces[faces]])
     longest, chart = lengths.max(axis=1), label_charts(corners)
     area = np.where(longest > 0.0, mesh.face_areas[faces], 0.0)  # faces without coordinates do not count
     own = longest / np.maximum(edges.max(axis=1), POINT)
     of_charts = np.bincount(chart, area * own) / np.maximum(np.bincount(chart, area), POINT)
     stretch = (lengths / np.maximum(edges, POINT)).max(axis=1)
     return np.maximum(of_charts[chart], np.average(stretch, weights=area))
-
-
-def _edge_lengths(corners: np.ndarray) -> np.ndarray:
-    """Return the lengths of the edges of faces, (F, 3), for corners (F, 3, k)."""
-    return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
 
 
 def build_report(

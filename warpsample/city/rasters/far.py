@@ -64,9 +64,10 @@ class FarField:
         if other is None:
             return cls(pool_raster(reader, canopy, size, model, Frame())[0], None, size, reader.outline)
         heights, where = other.read(slice(None), slice(None)), ~reader.transform @ other.transform
-        frame = Frame.of(heights, where, reader.shape) if model == "tin" else Frame()
-        own, holes = pool_raster(reader, canopy, size, model, frame)
-        beyond = bounds_beyond(heights, own, where, model, find_gaps(heights, where, holes, size, reader.shape))
+        is_tin = model == "tin"
+        own, holes = pool_raster(reader, canopy, size, model, Frame.of(heights, where, reader.shape) if is_tin else Frame())
+        gaps = find_gaps(heights, where, holes, size, reader.shape) if is_tin else None
+        beyond = bounds_beyond(heights, own, where, model, gaps)
         fringe = fringe_bounds(heights, beyond) if model != "block" else None
         return cls(own, beyond, size, reader.outline, fringe)
 

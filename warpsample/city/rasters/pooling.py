@@ -109,7 +109,7 @@ def find_gaps(heights: np.ndarray, where: Affine, holes: np.ndarray, size: int, 
     return gaps
 
 
-def bounds_beyond(heights: np.ndarray, own: Bounds, where: Affine, model: str, gaps: np.ndarray) -> Bounds:
+def bounds_beyond(heights: np.ndarray, own: Bounds, where: Affine, model: str, gaps: np.ndarray | None) -> Bounds:
     """Return the bounds of the surface of another raster, which may have cells without data.
 
     The surface of a cell depends on its neighbours. A neighbour without data has the heights of the raster itself, if any.
@@ -119,7 +119,7 @@ def bounds_beyond(heights: np.ndarray, own: Bounds, where: Affine, model: str, g
         own: Bounds of the raster itself, from `pool_raster`.
         where: Affine map from cells of the other raster to those of the raster itself.
         model: Surface model.
-        gaps: Mask of the cells of the other raster without data, from `find_gaps`; "tin" needs it.
+        gaps: Mask of the cells of the other raster without data, from `find_gaps`, for "tin"; None for other models.
     """
     if model == "block":
         return Bounds(heights, heights, where)
@@ -128,7 +128,7 @@ def bounds_beyond(heights: np.ndarray, own: Bounds, where: Affine, model: str, g
     if missing.any():
         upper, lower = (np.where(missing, some, heights) for some in resample_extremes(own, where, heights.shape))
     highest = np.where(missing, _widen_extremes(heights, 1, np.fmax), _widen_extremes(upper, 1, np.fmax))
-    without = missing | _mask_uncovered(gaps, Frame()) if model == "tin" else missing
+    without = missing if gaps is None else missing | _mask_uncovered(gaps, Frame())
     return Bounds(highest, np.where(without, np.nan, _widen_extremes(lower, 1, np.fmin)), where)
 
 

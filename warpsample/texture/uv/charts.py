@@ -48,7 +48,12 @@ def find_flat_areas(corners: np.ndarray) -> np.ndarray:
 
 def find_longest_edges(corners: np.ndarray) -> np.ndarray:
     """Return the length of the longest edge of each face, (F,), for corners (F, 3, k)."""
-    return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).max(axis=1)
+    return find_edge_lengths(corners).max(axis=1)
+
+
+def find_edge_lengths(corners: np.ndarray) -> np.ndarray:
+    """Return the lengths of the edges of faces, (F, 3), for corners (F, 3, k); edge i begins at corner i."""
+    return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
 
 
 def find_longest_part(corners: np.ndarray, limit: float) -> float:

@@ -7,6 +7,7 @@ import numpy as np
 from warpsample.texture.uv.charts import (
     POINT,
     find_areas,
+    find_edge_lengths,
     find_flat_areas,
     find_longest_edges,
     find_wide,
@@ -119,7 +120,7 @@ def _find_narrowed(cut: Cut, scale: float) -> np.ndarray:
         scale: texels per unit of length.
     """
     corners, places = cut.positions[cut.charts.faces], cut.charts.places[cut.charts.faces]
-    edges, lengths = (np.linalg.norm(np.roll(own, -1, axis=1) - own, axis=2) for own in (corners, places))
+    edges, lengths = find_edge_lengths(corners), find_edge_lengths(places)
     longest = lengths.max(axis=1)
     stretch = np.where(lengths > _LONG * longest[:, None], lengths, 0.0) / np.maximum(edges, POINT) ** 2
     stretch = np.maximum(stretch.max(axis=1), 1.0 / np.maximum(edges.max(axis=1), POINT))
