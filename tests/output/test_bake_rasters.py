@@ -152,6 +152,17 @@ def test_a_run_that_is_killed_while_it_removes_its_folder_can_be_resumed(tmp_pat
     assert not store.path.exists()
 
 
+@pytest.mark.parametrize("content", [b"", b"[]", b'{"count'])
+def test_a_folder_whose_attributes_are_damaged_is_named(tmp_path, content):
+    """As a machine that lost its power may leave it: an empty file gave JSON's message alone, and [] a traceback."""
+    store = tile_files.TileFiles(tmp_path / "sky.tif", resume=True)
+    store.path.mkdir()
+    (store.path / tile_files.ABOUT).write_bytes(content)
+    match = r"^--output: got '.*\.sky\.tif\.tiles', whose about\.json is damaged"
+    with store.locked(), pytest.raises(ValueError, match=match):
+        store.about()
+
+
 @pytest.mark.parametrize("resume", [False, True])
 def test_a_file_in_the_place_of_the_tiles_is_kept(tmp_path, resume):
     store = tile_files.TileFiles(tmp_path / "sky.tif", resume)

@@ -200,6 +200,23 @@ def test_an_overlap_is_found_where_all_centres_lie_on_edges(layers):
     assert report.overlapped == (49 if layers == 2 else 0)
 
 
+@pytest.mark.parametrize(
+    ("width", "stacked", "texels"), [(0.3, 12, 1), (0.01, 4, 1), (1e-4, 12, 1), (0.3, 1, 0), (0.3, 2, 0)]
+)
+def test_faces_on_one_place_of_a_palette_overlap_however_small(width, stacked, texels):
+    """Faces that contain no texel's centre counted as free of overlaps: `--uv auto` gave a body a single value."""
+    faces = np.arange(3 * 24).reshape(-1, 3)
+    mesh = ws.Mesh(np.random.default_rng(1).uniform(size=(72, 3)), faces)
+    uv = np.full((24, 3, 2), np.nan)
+    swatch = np.array([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])
+    uv[:stacked] = (np.array([5.1, 9.2]) + width * swatch) / 16
+    if stacked == 2:  # two halves of a square
+        uv[1] = (np.array([5.1, 9.2]) + width * (1.0 - swatch)) / 16
+    t = ws.texture_points(mesh, uv, 16)
+    assert t.report.overlapped == texels
+    assert (t.report.covered, t.report.zero_area, t.report.squeezed) == (4, 0, 0)
+
+
 @pytest.mark.parametrize("tangents", [False, True])
 def test_faces_without_coordinates_have_no_points(tangents):
     triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])

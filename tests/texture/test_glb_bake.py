@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 import pytest
+import trimesh
 from glb_files import glb, placed_twice
 from lookups import lookup, on_surface
 from textured_scenes import RAYS, SQUARE, TWO, array_of, baked, changed, corner, occlusion, opened, picture, rich
@@ -176,6 +177,19 @@ def test_a_set_with_u_wrapped_from_1_to_0_is_not_taken(call, tmp_path):
     path.write_bytes(glb(tree, [wall, uv, faces]))
     why = "2 faces more than eight texels wide on the mesh are less than one wide in it"
     assert f"new coordinates, set 1 (set 0 is passed over: {why}): " in baked(call, path)[1]
+
+
+def test_a_set_that_only_chooses_a_colour_is_not_taken(call, tmp_path):
+    """All faces of a box on one tiny place of a palette."""
+    box = trimesh.creation.box()
+    corners = np.float32(box.vertices[box.faces].reshape(-1, 3))
+    uv = np.float32([0.3, 0.3]) + np.tile(np.float32([(0, 0), (3e-4, 0), (0, 3e-4)]), (12, 1))
+    primitive = {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}
+    path = tmp_path / "in.glb"
+    tree = {"meshes": [{"primitives": [primitive]}], "nodes": [{"mesh": 0}], "materials": [{}]}
+    path.write_bytes(glb(tree, [corners, uv]))
+    why = r"faces overlap in 1 of 4 texels \(25.00%\), and auto accepts none; --uv 0 takes it"
+    assert re.search(rf", new coordinates, set 1 \(set 0 is passed over: {why}\): ", baked(call, path)[1])
 
 
 @pytest.mark.parametrize("material", [0, 1])

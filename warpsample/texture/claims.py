@@ -11,6 +11,7 @@ from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory, run
 from warpsample.sequences.hashing import seed_for
 from warpsample.texture.coverage import claim_texels, mark_overlaps, weigh_corners
+from warpsample.texture.uv.charts import find_flat_areas
 
 _BYTES = 42  # memory per texel while texels are assigned to faces
 _POINT_BYTES = 25  # memory per point afterwards
@@ -19,6 +20,7 @@ _MOST_SAMPLES, _MOST_SIDE = 1024, 1 << 16
 _TASK = 1 << 16  # texels per kernel task; the bounding box of a large face is divided among several tasks
 _SEED = seed_for("texels", 0)
 _LAST_FACE = 0xFFFFFFFF
+_CROWDED = 1.1  # times the area of a rectangle; 1 plus rounding of the areas of very narrow faces
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,8 +31,9 @@ class Claims:
         id: (P,) uint64, point numbers in ascending order: (row * width + column) * samples + sample.
         face: (P,) int32, the face of each point.
         covered: number of texels with at least one point.
-        overlapped: number of texels with a point within 0.001 texels of the centre that is inside two or more faces.
-        overlapping: (F,) bool, faces that contain this point of an overlapped texel.
+        overlapped: number of texels with a point within 0.001 texels of the centre that is inside two or more faces, and of
+            texels with crowded faces.
+        overlapping: (F,) bool, faces that contain this point of an overlapped texel, and crowded faces.
     """
 
     id: np.ndarray
@@ -69,13 +72,38 @@ def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int],
             inputs = [*shared_inputs, *size, samples, len(corners), _SEED, *outputs]
             if len(tasks):  # one thread: Warp's atomic functions are not atomic on the CPU
                 run(claim_texels(), len(tasks), inputs, memory.device, workers=1, work=texels * samples)
-        overlapped = int(np.count_nonzero(centre_counts > 1))
-        if overlapped:
+        overlapped = centre_counts > 1
+        if overlapped.any():
             inputs = [*shared_inputs, size[0], loan.lend(centre_counts), loan.output(marks, zero=True)]
             run(mark_overlaps(), len(tasks), inputs, memory.device, workers=1, work=texels)
     id, face = _list_points(nearest, owners, samples, len(corners))
     check_memory(len(id) * _POINT_BYTES, images, "take fewer texels")
-    return Claims(id, face, int(np.count_nonzero(nearest)), overlapped, marks > 0)
+    crowded, crowded_texels = _find_crowded(corners, usable, size)
+    overlapped[crowded_texels] = True
+    return Claims(id, face, int(np.count_nonzero(nearest)), int(np.count_nonzero(overlapped)), (marks > 0) | crowded)
+
+
+def _find_crowded(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
+    """Find faces that must overlap, although they may be smaller than a texel and contain no centre.
+
+    Faces with their middles in one texel are crowded if their areas sum to more than a rectangle around them all, as where
+    coordinates only choose a colour of a palette. Arguments are those of `claim_points`.
+
+    Returns:
+        The (F,) mask of the crowded faces, and the numbers of their texels.
+    """
+    rows = np.flatnonzero(usable)
+    middle = np.floor(corners[rows].mean(axis=1))
+    inside = ((middle >= 0.0) & (middle < size)).all(axis=1)
+    rows, middle = rows[inside], middle[inside]
+    texel, group = np.unique(middle.astype(np.int64) @ (1, size[0]), return_inverse=True)
+    low, high = np.full((len(texel), 2), np.inf), np.zeros((len(texel), 2))
+    np.minimum.at(low, group, corners[rows].min(axis=1))
+    np.maximum.at(high, group, corners[rows].max(axis=1))
+    crowded = np.bincount(group, find_flat_areas(corners[rows])) > _CROWDED * np.prod(high - low, axis=1)
+    mask = np.zeros(len(corners), np.bool_)
+    mask[rows] = crowded[group]
+    return mask, texel[crowded]
 
 
 def compute_weights(

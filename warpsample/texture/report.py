@@ -28,8 +28,9 @@ class TextureReport:
 
     Attributes:
         covered: number of texels with at least one point.
-        overlapped: number of texels in which two or more faces overlap within 0.001 texels of the centre. Such a texel shows
-            the face of the lowest number.
+        overlapped: number of texels in which two or more faces overlap within 0.001 texels of the centre, or in which the
+            areas of faces sum to more than a rectangle around these faces, as for very small faces that choose a colour of a
+            palette. Such a texel shows the face of the lowest number.
         outside: number of faces partly or wholly outside the image. The part outside has no texels.
         zero_area: number of faces without an area in the image, which have no texels; without `flat_slivers`.
         flat_slivers: number of faces without an area in the image that are less than 1/10,000 as wide in space as their

@@ -146,8 +146,18 @@ def tile_file(folder: Path, index: int) -> Path:
 
 
 def read_about(folder: Path) -> dict[str, Any]:
-    """Read the attributes stored in a folder of tiles, which identify the computation."""
-    return json.loads((folder / ABOUT).read_bytes())
+    """Read the attributes stored in a folder of tiles, which identify the computation.
+
+    Raises:
+        ValueError: the file of the attributes is damaged.
+    """
+    try:
+        found = json.loads((folder / ABOUT).read_bytes())
+    except ValueError:
+        found = None
+    if not isinstance(found, dict):
+        raise ValueError(f"--output: got {str(folder)!r}, whose {ABOUT} is damaged, want another output name")
+    return found
 
 
 def write_digests(folder: Path, digests: Mapping[str, np.ndarray]) -> None:
