@@ -17,7 +17,7 @@ from affine import Affine
 from warpsample.city.rasters.canopy import Canopy, Crowns, build_prisms
 from warpsample.city.rasters.fringe import fringe_bounds
 from warpsample.city.rasters.grid import Bounds, Grid, resample_extremes
-from warpsample.city.rasters.pooling import Frame, bounds_beyond, find_gaps, pool_raster
+from warpsample.city.rasters.pooling import Surroundings, bounds_beyond, find_gaps, pool_raster, read_border
 from warpsample.city.rasters.scenery import Columns, Part, join_triangles
 from warpsample.city.rasters.sources.reader import RasterReader
 
@@ -62,14 +62,15 @@ class FarField:
         """
         size = 1 << (max(1, margin // _FINENESS).bit_length() - 1)
         if other is None:
-            return cls(pool_raster(reader, canopy, size, model, Frame())[0], None, size, reader.outline)
+            return cls(pool_raster(reader, canopy, size, model, Surroundings())[0], None, size, reader.outline)
         heights, where = other.read(slice(None), slice(None)), ~reader.transform @ other.transform
-        is_tin = model == "tin"
-        own, holes = pool_raster(reader, canopy, size, model, Frame.of(heights, where, reader.shape) if is_tin else Frame())
-        gaps = find_gaps(heights, where, holes, size, reader.shape) if is_tin else None
-        beyond = bounds_beyond(heights, own, where, model, gaps)
-        fringe = fringe_bounds(heights, beyond) if model != "block" else None
-        return cls(own, beyond, size, reader.outline, fringe)
+        if model == "block":
+            own, _ = pool_raster(reader, canopy, size, model, Surroundings())
+            return cls(own, Bounds(heights, heights, where), size, reader.outline)
+        own, holes = pool_raster(reader, canopy, size, model, Surroundings.of(heights, where, reader.shape))
+        gaps = find_gaps(heights, where, holes, size, reader.shape) if model == "tin" else None
+        beyond = bounds_beyond(heights, read_border(reader, canopy), where, reader.shape, gaps)
+        return cls(own, beyond, size, reader.outline, fringe_bounds(heights, beyond))
 
     def columns(self, tile: Window, near: Window, lowest: float) -> list[Columns]:
         """Return two functions that build a tile's distant terrain as triangles: with too high and with too low columns.
