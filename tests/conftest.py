@@ -1,5 +1,6 @@
 """Fixtures that all tests share."""
 
+import gc
 import importlib.util
 import os
 import signal
@@ -31,6 +32,12 @@ def pytest_collection_modifyitems(config, items):
         left = [item for item in items if item.get_closest_marker("thorough")]
         config.hook.pytest_deselected(items=left)
         items[:] = [item for item in items if not item.get_closest_marker("thorough")]
+
+
+def pytest_collection_finish():
+    """Keeps modules and tests out of each later collection of garbage, which would look at a million objects."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture
