@@ -224,6 +224,35 @@ def test_a_damaged_tile_is_computed_again_and_no_other(dsm, folder, computed):
     assert contents(folder / "sky.zarr") == right
 
 
+@pytest.mark.parametrize("damage", ["missing", "truncated", "flipped", "folder"])
+def test_damaged_coordinates_are_written_again(dsm, folder, computed, damage):
+    """Nobody looked at them: y was 0 in all rows of a store that was complete."""
+    ran, _ = computed
+    store = folder / "sky.zarr"
+    bake(dsm, store)
+    right = contents(store)
+    ran.clear()
+    file = store / "y" / "c" / "0"
+    content = file.read_bytes()
+    file.unlink()
+    if damage == "folder":
+        file.parent.rmdir()
+    elif damage != "missing":
+        file.write_bytes(content[:10] if damage == "truncated" else content[:20] + bytes([content[20] ^ 1]) + content[21:])
+    bake(dsm, store, resume=True)
+    assert ran == []
+    assert contents(store) == right
+
+
+@pytest.mark.parametrize("file", ["zarr.json", "spatial_ref/zarr.json"])
+def test_another_reference_system_in_a_store_is_named(dsm, folder, file):
+    bake(dsm, folder / "sky.zarr")
+    path = folder / "sky.zarr" / file
+    path.write_bytes(path.read_bytes().replace(b"Slovene", b"Sloveni"))
+    with pytest.raises(ValueError, match=rf"whose {file} has another attribute than"):
+        bake(dsm, folder / "sky.zarr", resume=True)
+
+
 @pytest.mark.parametrize(
     ("options", "what"),
     [

@@ -2,6 +2,7 @@
 
 import json
 import warnings
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -64,24 +65,24 @@ def add_array(
     return group.create_array(name, shape=shape, chunks=chunks, dtype=dtype, fill_value=absent, compressors=codecs, **about)
 
 
-def check_metadata(path: Path, job: Job, argument: str) -> None:
-    """Raise an error if the metadata files of a store differ from the files that the job would create.
+def check_metadata(path: Path, files: Mapping[str, bytes], argument: str) -> None:
+    """Raise an error if the metadata files of a store differ from the files that the run would create.
 
     The attributes of the run are not compared here, but by `check_same`.
 
     Args:
         path: Path of the store.
-        job: Job that the store was created for.
+        files: Contents of the files that the run would create, by path relative to the store.
         argument: Name of the path's argument, for error messages.
 
     Raises:
         ValueError: if a metadata file differs or cannot be read; the message names the file.
     """
-    kinds = {**point_arrays_of(job), **job.gives}
-    arrays_of(path, kinds, argument)  # raises an error for arrays that cannot be read
+    wanted = {name: _read(content) for name, content in files.items() if name.endswith(_FILE)}
+    names = [name.removesuffix(f"/{_FILE}") for name, content in wanted.items() if content["node_type"] == "array"]
+    arrays_of(path, names, argument)  # raises an error for arrays that cannot be read
     got = f"{argument}: got {str(path)!r}"
-    wanted = {name: _read(content) for name, content in metadata_of(job).items()}
-    for name in kinds:
+    for name in names:
         file = f"{name}/{_FILE}"
         if flaw := _describe_difference(_read((path / file).read_bytes()), wanted[file]):
             raise ValueError(f"{got}, whose {file} {flaw}; compute the store again under a new name")
@@ -104,7 +105,9 @@ def _describe_difference(kept: Any, wanted: dict[str, Any]) -> str:
     """Describe the first difference between the metadata of two arrays, to end an error message; return "" if equal."""
     if not isinstance(kept, dict):
         return "is damaged"
-    return next((f"has another {key} than this run writes" for key in _COMPARED if kept.get(key) != wanted.get(key)), "")
+    keys = (*_COMPARED, "attributes") if wanted.get("attributes") else _COMPARED
+    other = (key.removesuffix("s") for key in keys if kept.get(key) != wanted.get(key))
+    return next((f"has another {key} than this run writes" for key in other), "")
 
 
 def _describe_flaw(kept: dict[str, Any], wanted: dict[str, Any]) -> str:

@@ -14,10 +14,11 @@ from warpsample.city.rasters.datasets import attributes_of
 from warpsample.city.rasters.raster_surface import on_map
 from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.cluster.holdings import arrays_of, whole_chunks
-from warpsample.cluster.metadata import add_array, contents_of
+from warpsample.cluster.metadata import add_array, check_metadata, contents_of
 from warpsample.cluster.store import check_same, make_store
 from warpsample.cluster.writing import write_chunk
 from warpsample.host.engine import check_space
+from warpsample.host.files import write_bytes
 
 _MAP = "spatial_ref"
 _KIND = np.dtype(np.float32)
@@ -43,11 +44,9 @@ def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument:
     whole = np.zeros(run.grid[0] * run.grid[1], np.bool_)
     if path.exists():
         check_same(path, dict(about), argument)
-        for name, array in arrays_of(path, run.names, argument).items():
-            if (array.shape, array.chunks) != (run.reader.shape, run.sides):
-                raise ValueError(
-                    f"{argument}: got {str(path)!r}, whose array {name!r} has another shape; compute again under a new name"
-                )
+        files = _metadata(run, about)
+        _mend_coordinates(path, files)
+        check_metadata(path, files, argument)
         whole = whole_chunks(path, run.names, argument)
     check_space(path, int(cells * (1.0 - whole.mean())) * _KIND.itemsize * len(run.names), f"{cells:,} cells")
     if not path.exists():
@@ -74,6 +73,15 @@ def tiles_in(path: Path, run: RasterRun) -> Iterator[tuple[Span, dict[str, np.nd
     """Return an iterator over the tiles of a finished store, as (span, arrays by name)."""
     arrays = arrays_of(path, run.names, "store")
     return ((span, {name: array[span] for name, array in arrays.items()}) for span in run.spans())
+
+
+def _mend_coordinates(path: Path, files: Mapping[str, bytes]) -> None:
+    """Write the coordinates of a store again where they are missing or damaged; `files` are those of a new store."""
+    for name, content in files.items():
+        file = path / name
+        if not name.endswith("zarr.json") and not (file.is_file() and file.read_bytes() == content):
+            file.parent.mkdir(parents=True, exist_ok=True)
+            write_bytes(file, content)
 
 
 def _metadata(run: RasterRun, about: Mapping[str, Any]) -> dict[str, bytes]:

@@ -76,7 +76,7 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
     check_new(path, resume, argument)
     if path.exists():
         check_same(path, job.about, argument)
-        check_metadata(path, job, argument)
+        check_metadata(path, metadata_of(job), argument)
         whole = whole_chunks(path, (*point_arrays_of(job), *job.gives), argument)
         _check_space(path, job, job.count - np.count_nonzero(whole))
         return whole
