@@ -95,6 +95,8 @@ def array_of(values=HEIGHTS, **coordinates):
             "heights of dtype bool, want real numbers",
         ),
         (array_of(), ValueError, "which has no place on a map"),
+        (array_of().rio.write_crs("EPSG:3794"), ValueError, "which has no place on a map"),
+        ("placeless.tif", ValueError, r"source: got 'placeless\.tif', which has no place on a map"),
         (array_of().assign_attrs(_FillValue="x"), ValueError, r"attributes \{'_FillValue': 'x'\}, want numbers$"),
         (array_of().assign_attrs(scale_factor="x"), ValueError, r"attributes \{'scale_factor': 'x'\}, want numbers$"),
         (
@@ -122,9 +124,9 @@ def test_bad_rasters_are_refused_in_a_sentence(tmp_path, monkeypatch, source, ki
             file.update_tags(1, positive="down")
     if name == "degrees.tif":
         write_tif(source, HEIGHTS, crs="EPSG:4326", transform=Affine(1e-4, 0.0, 15.0, 0.0, -1e-4, 46.0))
-    if name == "nowhere.tif":
+    if name in ("nowhere.tif", "placeless.tif"):
         with pytest.warns(rasterio.errors.NotGeoreferencedWarning):
-            write_tif(source, HEIGHTS, crs=None, transform=Affine.identity())
+            write_tif(source, HEIGHTS, crs=None if name == "nowhere.tif" else "EPSG:3794", transform=Affine.identity())
     with pytest.raises(kind, match=message) as caught:
         rasters.surface(source)
     assert "\n" not in str(caught.value)

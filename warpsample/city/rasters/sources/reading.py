@@ -100,7 +100,7 @@ def _file_reader(path: str) -> RasterReader:
                 f"source: got {path!r} with {len(bands)} bands, want one band of heights; extract the band, for example "
                 "with gdal_translate -b 1"
             )
-        check_place(file.transform, file.crs, repr(path))
+        check_place(file.transform, repr(path))
         if file.driver == "AAIGrid" and Path(path).is_file():
             check_arc_grid(path, file.shape)
         band = bands[0]

@@ -36,12 +36,12 @@ def affine_of(transform: object) -> Affine:
         ) from None
 
 
-def check_place(transform: Affine, crs: object, what: str) -> None:
-    """Raise a ValueError for a raster without a transform and without a CRS."""
-    if transform == Affine.identity() and crs is None:
+def check_place(transform: Affine, what: str) -> None:
+    """Raise a ValueError for a raster without a transform, for which readers return the identity."""
+    if transform == Affine.identity():
         raise ValueError(
             f"source: got {what}, which has no place on a map, want a raster with a transform; "
-            "pass (array, affine, None) to state the raster's position"
+            "pass (array, affine, crs) to state the raster's position"
         )
 
 
@@ -113,7 +113,7 @@ def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
     """
     if not all(name in array.coords and array.coords[name].ndim == 1 and array.sizes[name] > 1 for name in dims):
         transform = array.rio.transform()
-        check_place(transform, array.rio.crs, "an xarray.DataArray")
+        check_place(transform, "an xarray.DataArray")
         return transform
     steps, starts = [], []
     for name in dims:
