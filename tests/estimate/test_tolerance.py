@@ -96,6 +96,19 @@ def test_it_changes_the_count_and_nothing_else(bunny, points):
     assert np.isin(coarse.rays, [4, 12, 16]).all()  # the fewest, and the trials' 8 and 4
 
 
+def test_a_result_that_misses_the_tolerance_by_far_warns():
+    """Few points see a bright patch of the sky, and few rays meet it: the errors were 6 tolerances, without a word."""
+    mesh = ws.load_mesh("courtyard")
+    centers = ws.face_centers(mesh)
+    points = centers.take(np.arange(0, len(centers), 5))
+    picture = np.ones((64, 128))
+    picture[24:27, 14:18] = 100.0
+    missed = "tolerance: got 1.079, which is not reached with .* few rays meet the light; without a tolerance, 65,536 rays"
+    with pytest.warns(UserWarning, match=missed):
+        found = ws.irradiance(mesh, points, picture, 1 << 16, tolerance=1.079, seed=205506)
+    assert root_mean_square(found.standard_error) > 2.0 * 1.079
+
+
 @pytest.mark.parametrize(
     ("sequence", "tolerance"),
     [("fibonacci", 0.04), ("independent", 0.02), ("sobol", 0.08), ("stratified", 0.06), ("stratified", 0.015)],

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import replace
+from math import sqrt
 
 import numpy as np
 
@@ -60,22 +61,25 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
         count = find_count(trial, plan.tolerance)
         log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
         main = runner.result(options.seed, count)
-        if count == plan.count and _is_missed(main, plan.tolerance):
-            message = (
-                f"tolerance: got {plan.tolerance:g}, which is not reached with {count:,} rays per point; "
-                "allow more rays with a larger count (--samples)"
-            )
+        hint = "allow more rays with a larger count (--samples)"
+        if count < plan.count:
+            hint = f"few rays meet the light; without a tolerance, {plan.count:,} rays per point are cast"
+        if _is_missed(main, plan.tolerance, is_most=count == plan.count):
+            message = f"tolerance: got {plan.tolerance:g}, which is not reached with {count:,} rays per point; {hint}"
             warn_of_missed_tolerance(message, stacklevel=4)
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
     unneeded = saved * int(np.count_nonzero(has_value(main.status))) - int(trial.rays.sum(dtype=np.int64))
     return replace(main, rays=main.rays + trial.rays, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))
 
 
-def _is_missed(found: Estimate, tolerance: float) -> bool:
-    """Return whether the standard errors exceed a tolerance.
+def _is_missed(found: Estimate, tolerance: float, *, is_most: bool) -> bool:
+    """Return whether the standard errors exceed a tolerance, with the most rays that are allowed or with fewer.
 
-    Values above 0 without rays and differences are proven. Values of 0 are not, as below the horizon of the sky.
+    Values above 0 without rays and differences are proven. Values of 0 are not, as below the horizon of the sky. With fewer
+    rays, errors of few points may be larger by chance: three standard deviations, if the error of one point may be as large
+    as the tolerance.
     """
     good = has_value(found.status)
     is_proven = found.value[good].all() and not (found.rays.any() or found.standard_error.any())
-    return not is_proven and error_of(found, good) > MISSED * tolerance
+    times = MISSED if is_most else MISSED + 3.0 / sqrt(max(np.count_nonzero(good), 1))
+    return not is_proven and error_of(found, good) > times * tolerance
