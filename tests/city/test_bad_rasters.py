@@ -96,6 +96,7 @@ def array_of(values=HEIGHTS, **coordinates):
         ),
         (array_of(), ValueError, "which has no place on a map"),
         (array_of().rio.write_crs("EPSG:3794"), ValueError, "which has no place on a map"),
+        (array_of(x=np.arange(4) + 0.5, y=np.arange(3) + 0.5).rio.write_crs("EPSG:3794"), ValueError, "no place on a map"),
         ("placeless.tif", ValueError, r"source: got 'placeless\.tif', which has no place on a map"),
         (array_of().assign_attrs(_FillValue="x"), ValueError, r"attributes \{'_FillValue': 'x'\}, want numbers$"),
         (array_of().assign_attrs(scale_factor="x"), ValueError, r"attributes \{'scale_factor': 'x'\}, want numbers$"),

@@ -121,9 +121,12 @@ def test_a_geotiff_has_bands_tags_and_the_layout(dsm, folder):
 def test_what_a_virtual_raster_refers_to_is_no_output(dsm, folder):
     before = dsm.read_bytes()
     rasterio.shutil.copy(dsm, folder / "dsm.vrt", driver="VRT")
-    with pytest.raises(ValueError, match="^--output: got .*dsm.tif', which is the input"):
-        bake(folder / "dsm.vrt", dsm)
-    assert dsm.read_bytes() == before
+    content = (folder / "dsm.vrt").read_text().replace(str(dsm), "dsm.vrt").replace('relativeToVRT="0"', 'relativeToVRT="1"')
+    (folder / "of_vrt.vrt").write_text(content)  # a virtual raster of a virtual one: the raster below was replaced
+    for name in ("dsm.vrt", "of_vrt.vrt"):
+        with pytest.raises(ValueError, match="^--output: got .*dsm.tif', which is the input"):
+            bake(folder / name, dsm)
+        assert dsm.read_bytes() == before
 
 
 def test_a_full_disk_keeps_the_tiles(dsm, folder):
@@ -242,6 +245,28 @@ def test_damaged_coordinates_are_written_again(dsm, folder, computed, damage):
     bake(dsm, store, resume=True)
     assert ran == []
     assert contents(store) == right
+
+
+@pytest.mark.filterwarnings("ignore:Consolidated metadata")
+def test_a_store_that_others_wrote_anew_is_refused_and_keeps_its_bytes(dsm, folder):
+    """Its coordinates are compressed: those of this run, not compressed, were written before the refusal."""
+    store = folder / "sky.zarr"
+    bake(dsm, store)
+    xr.open_zarr(store).load().drop_encoding().to_zarr(store, mode="w")
+    right = contents(store)
+    with pytest.raises(ValueError, match="^--output: got .* new name$"):
+        bake(dsm, store, resume=True)
+    assert contents(store) == right
+
+
+@pytest.mark.parametrize("content", [b"", b'{"attributes": {}, "zarr_format": 3, "node_type": 0}'])
+def test_the_metadata_of_records_are_checked(dsm, folder, content):
+    bake(dsm, folder / "sky.zarr")
+    (folder / "sky.zarr" / ".run" / "zarr.json").write_bytes(content)
+    with pytest.raises(
+        ValueError, match=r"^--output: got .*sky\.zarr', whose \.run/zarr\.json (is damaged|has another node_type)"
+    ):
+        bake(dsm, folder / "sky.zarr", resume=True)
 
 
 @pytest.mark.parametrize("file", ["zarr.json", "spatial_ref/zarr.json"])
@@ -395,7 +420,7 @@ def test_a_damaged_tile_file_is_computed_again_and_no_other(dsm, folder, compute
         bake(dsm, folder / "sky.tif")
     file = folder / ".sky.tif.tiles" / "tile-2.npz"
     content = bytearray(file.read_bytes())
-    content[len(content) // 2] ^= 1
+    content[content.index(b"value.npy") + 300] ^= 1  # a number of the tile
     file.write_bytes(content)
     ran.clear()
     counted.most = -1

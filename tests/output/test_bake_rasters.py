@@ -5,6 +5,7 @@ import subprocess
 import sys
 from importlib import import_module
 from io import BytesIO
+from types import SimpleNamespace
 
 import city_files
 import numpy as np
@@ -150,6 +151,21 @@ def test_a_run_that_is_killed_while_it_removes_its_folder_can_be_resumed(tmp_pat
         left = 1
     store.remove()
     assert not store.path.exists()
+
+
+def test_exchanged_tiles_and_pipes_are_no_complete_tiles(dsm, tmp_path):
+    """Exchanged tiles of one shape were taken, and a pipe was read for ever."""
+    store = tile_files.TileFiles(tmp_path / "sky.tif", resume=True)
+    store.path.mkdir()
+    run = SimpleNamespace(grid=(2, 2), names=("value",), reader=SimpleNamespace(shape=(2, 2)))
+    for index in range(3):
+        tile_files.write_tile_file(store.path, index, run, {"value": np.full((1, 1), index, np.float32)})
+    first, second = (tile_files.tile_file(store.path, index) for index in (0, 1))
+    content = first.read_bytes()
+    first.write_bytes(second.read_bytes())
+    second.write_bytes(content)
+    os.mkfifo(tile_files.tile_file(store.path, 3))
+    assert store.begin(run, {}).tolist() == [False, False, True, False]
 
 
 @pytest.mark.parametrize("content", [b"", b"[]", b'{"count'])

@@ -19,7 +19,10 @@ from warpsample.host.locks import making
 
 _FILE = "zarr.json"
 _ABSENT = {"f": float("nan"), "i": -2, "u": 255}  # values of chunks that are not written, by kind of dtype
-_COMPARED = ("shape", "data_type", "chunk_grid", "chunk_key_encoding", "fill_value", "codecs", "dimension_names")
+_COMPARED = (
+    *("node_type", "zarr_format", "shape", "data_type", "chunk_grid", "chunk_key_encoding", "fill_value", "codecs"),
+    *("dimension_names", "attributes"),
+)
 """Metadata that determine how chunks are read; other entries may differ between versions of Zarr."""
 
 
@@ -81,15 +84,21 @@ def check_metadata(path: Path, files: Mapping[str, bytes], argument: str) -> Non
     wanted = {name: _read(content) for name, content in files.items() if name.endswith(_FILE)}
     names = [name.removesuffix(f"/{_FILE}") for name, content in wanted.items() if content["node_type"] == "array"]
     arrays_of(path, names, argument)  # raises an error for arrays that cannot be read
-    got = f"{argument}: got {str(path)!r}"
-    for name in names:
-        file = f"{name}/{_FILE}"
-        if flaw := _describe_difference(_read((path / file).read_bytes()), wanted[file]):
-            raise ValueError(f"{got}, whose {file} {flaw}; compute the store again under a new name")
-    if flaw := _describe_flaw(_read((path / _FILE).read_bytes()), wanted[_FILE]):
-        raise ValueError(f"{got}, whose {_FILE} {flaw}; compute the store again under a new name")
+    for file, content in wanted.items():
+        describe = _describe_flaw if file == _FILE else _describe_difference
+        if flaw := describe(_read((path / file).read_bytes() if (path / file).is_file() else b""), content):
+            raise _flawed(path, flaw, argument, file)
+
+
+def check_readable(path: Path, argument: str) -> None:
+    """Raise a ValueError if xarray cannot open a store."""
     if flaw := _find_read_error(path):
-        raise ValueError(f"{got}, whose {_FILE} cannot be read: {flaw}; compute the store again under a new name")
+        raise _flawed(path, f"cannot be read: {flaw}", argument)
+
+
+def _flawed(path: Path, flaw: str, argument: str, file: str = _FILE) -> ValueError:
+    """Return the error for a flaw of a metadata file of a store."""
+    return ValueError(f"{argument}: got {str(path)!r}, whose {file} {flaw}; compute the store again under a new name")
 
 
 def _read(content: bytes) -> dict[str, Any]:
@@ -103,10 +112,9 @@ def _read(content: bytes) -> dict[str, Any]:
 
 def _describe_difference(kept: Any, wanted: dict[str, Any]) -> str:
     """Describe the first difference between the metadata of two arrays, to end an error message; return "" if equal."""
-    if not isinstance(kept, dict):
+    if not isinstance(kept, dict) or not kept:
         return "is damaged"
-    keys = (*_COMPARED, "attributes") if wanted.get("attributes") else _COMPARED
-    other = (key.removesuffix("s") for key in keys if kept.get(key) != wanted.get(key))
+    other = (key.removesuffix("s") for key in _COMPARED if kept.get(key, {}) != wanted.get(key, {}))
     return next((f"has another {key} than this run writes" for key in other), "")
 
 

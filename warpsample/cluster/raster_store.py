@@ -14,7 +14,7 @@ from warpsample.city.rasters.datasets import attributes_of
 from warpsample.city.rasters.raster_surface import on_map
 from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.cluster.holdings import arrays_of, whole_chunks
-from warpsample.cluster.metadata import add_array, check_metadata, contents_of
+from warpsample.cluster.metadata import add_array, check_metadata, check_readable, contents_of
 from warpsample.cluster.store import check_same, make_store
 from warpsample.cluster.writing import write_chunk
 from warpsample.host.engine import check_space
@@ -45,8 +45,9 @@ def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument:
     if path.exists():
         check_same(path, dict(about), argument)
         files = _metadata(run, about)
-        _mend_coordinates(path, files)
         check_metadata(path, files, argument)
+        _mend_coordinates(path, files)
+        check_readable(path, argument)
         whole = whole_chunks(path, run.names, argument)
     check_space(path, int(cells * (1.0 - whole.mean())) * _KIND.itemsize * len(run.names), f"{cells:,} cells")
     if not path.exists():

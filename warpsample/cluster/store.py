@@ -16,7 +16,7 @@ from warpsample.cluster.arrays import point_arrays_of
 from warpsample.cluster.holdings import about_of, whole_chunks
 from warpsample.cluster.job import SHAPE, STREAMS_OF, Job
 from warpsample.cluster.lock import lock_name
-from warpsample.cluster.metadata import check_metadata, metadata_of
+from warpsample.cluster.metadata import check_metadata, check_readable, metadata_of
 from warpsample.estimate.source.content import difference
 from warpsample.host.arguments import quote
 from warpsample.host.engine import check_space
@@ -77,6 +77,7 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
     if path.exists():
         check_same(path, job.about, argument)
         check_metadata(path, metadata_of(job), argument)
+        check_readable(path, argument)
         whole = whole_chunks(path, (*point_arrays_of(job), *job.gives), argument)
         _check_space(path, job, job.count - np.count_nonzero(whole))
         return whole

@@ -27,6 +27,8 @@ except ModuleNotFoundError:  # Windows
 ABOUT, DIGESTS = "about.json", "digests.npz"
 """Files with the attributes of the run, and with the digests of the blocks of its input rasters."""
 
+_INDEX = "index"  # of a tile, in its file
+
 
 class TileFiles:
     """Storage of computed raster tiles as .npz files, in the hidden folder `.NAME.tiles` next to the output NAME.
@@ -99,7 +101,8 @@ class TileFiles:
     def _is_whole(self, index: int, run: RasterRun) -> bool:
         """Return whether the .npz file of a tile can be read and holds all result arrays."""
         try:
-            return self._file(index).exists() and set(read_arrays(self._file(index))) == set(run.names)
+            arrays = read_arrays(self._file(index)) if self._file(index).is_file() else {}
+            return set(arrays) == {*run.names, _INDEX} and arrays[_INDEX] == index
         except (OSError, ValueError, KeyError, EOFError, BadZipFile):
             return False
 
@@ -120,7 +123,8 @@ class TileFiles:
     def tiles(self, run: RasterRun) -> Tiles:
         """Yield the range of rows and columns and the arrays of each tile, after all have been computed."""
         for index, span in enumerate(run.spans()):
-            yield span, read_arrays(self._file(index))
+            arrays = read_arrays(self._file(index))
+            yield span, {name: arrays[name] for name in run.names}
 
     def about(self) -> dict[str, Any]:
         """Return the attributes stored in the folder, which identify the computation."""
@@ -169,7 +173,7 @@ def write_digests(folder: Path, digests: Mapping[str, np.ndarray]) -> None:
 def write_tile_file(folder: Path, index: int, run: RasterRun, arrays: Mapping[str, np.ndarray]) -> None:
     """Write the arrays of one tile to an .npz file in a folder; other processes never see a partly written file."""
     with complete_or_absent(tile_file(folder, index)) as stream:
-        write_arrays(stream, {name: arrays[name] for name in run.names})
+        write_arrays(stream, {_INDEX: np.array(index), **{name: arrays[name] for name in run.names}})
 
 
 @contextmanager

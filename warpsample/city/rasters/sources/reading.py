@@ -1,9 +1,10 @@
 """Checked readers of rasters of heights: files, xarray.DataArrays, and arrays with a transform."""
 
+import os
 import re
 import warnings
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
@@ -206,12 +207,29 @@ def _reader(
 
 
 def files_read(path: str) -> list[Path]:
-    """Return the files of a raster: the file itself, and files that a .vrt or an address within an archive refers to."""
+    """Return the files of a raster: the file itself, and files that it refers to.
+
+    A .vrt refers to other rasters, which may be .vrt files, too, and an address within an archive refers to the archive.
+    """
+    found: dict[str, str] = {}
+    waiting = [path]
+    while waiting:
+        one = waiting.pop(0)
+        if found.setdefault(os.path.realpath(one), one) is one and (one is path or _is_virtual(one)):
+            with suppress(FileNotFoundError, ValueError), _open_raster(one) as file:  # reported when the file is read
+                waiting += file.files
+    return [Path(one) for one in found.values()]
+
+
+def _is_virtual(path: str) -> bool:
+    """Return whether a file is a .vrt; a mosaic may have too many other files to open each."""
+    if path.lower().endswith(".vrt"):
+        return True
     try:
-        with _open_raster(path) as file:
-            return [Path(path), *map(Path, file.files)]
-    except (FileNotFoundError, ValueError):  # reported when the file is read
-        return [Path(path)]
+        with Path(path).open("rb") as file:
+            return b"<VRTDataset" in file.read(1024)
+    except OSError:
+        return False
 
 
 @contextmanager

@@ -126,7 +126,9 @@ def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
             raise ValueError(f"source: got coordinates {name!r} that are not evenly spaced, want cells of one size")
         steps.append(step)
         starts.append(float(centres[0]) - 0.5 * step)
-    return Affine(steps[1], 0.0, starts[1], 0.0, steps[0], starts[0])
+    transform = Affine(steps[1], 0.0, starts[1], 0.0, steps[0], starts[0])
+    check_place(transform, "an xarray.DataArray")  # rioxarray gives these coordinates to a file without a transform
+    return transform
 
 
 def coordinates_of(transform: Affine, shape: tuple[int, int]) -> dict[str, np.ndarray]:
