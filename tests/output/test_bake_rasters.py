@@ -191,9 +191,11 @@ def test_a_file_in_the_place_of_the_tiles_is_kept(tmp_path, resume):
     assert store.path.read_text() == "thesis"
 
 
-def test_a_link_to_nowhere_in_the_place_of_the_tiles_is_kept(tmp_path):
+@pytest.mark.parametrize("target", ["nowhere", "."])
+def test_a_link_in_the_place_of_the_tiles_is_kept(tmp_path, target):
+    """The tiles behind a link to a folder were computed, but could not be removed at the end."""
     store = tile_files.TileFiles(tmp_path / "sky.tif", resume=False)
-    store.path.symlink_to(tmp_path / "nowhere")
-    with pytest.raises(ValueError, match="which is a file, want another"), store.locked():
+    store.path.symlink_to(tmp_path / target)
+    with pytest.raises(ValueError, match="which is a link, want another"), store.locked():
         pass
     assert store.path.is_symlink()

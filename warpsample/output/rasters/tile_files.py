@@ -48,13 +48,14 @@ class TileFiles:
         """Create and lock the folder of tiles within a `with` statement; remove the folder at the end if it is empty.
 
         Raises:
-            ValueError: the folder exists and is not to be resumed, or holds other files, or a file has its name.
+            ValueError: the folder exists and is not to be resumed, or holds other files, or a file or link has its name.
             WriteError: another process is writing the tiles, or the folder cannot be created.
         """
-        if os.path.lexists(self.path) and not self.path.is_dir():
+        is_link = self.path.is_symlink()
+        if is_link or (self.path.exists() and not self.path.is_dir()):
             raise ValueError(
-                f"--output: got {str(self.path)!r}, which is a file, want another output name, because a folder of this "
-                "name holds the tiles of the run"
+                f"--output: got {str(self.path)!r}, which is a {'link' if is_link else 'file'}, want another output name, "
+                "because a folder of this name holds the tiles of the run"
             )
         try:
             with suppress(FileExistsError):
