@@ -103,7 +103,7 @@ def test_a_result_that_misses_the_tolerance_by_far_warns():
     points = centers.take(np.arange(0, len(centers), 5))
     picture = np.ones((64, 128))
     picture[24:27, 14:18] = 100.0
-    missed = "tolerance: got 1.079, which is not reached with .* few rays meet the light; without a tolerance, 65,536 rays"
+    missed = "tolerance: got 1.079, which is not reached with .* its rays met what the trial missed; without .* 65,536 rays"
     with pytest.warns(UserWarning, match=missed):
         found = ws.irradiance(mesh, points, picture, 1 << 16, tolerance=1.079, seed=205506)
     assert root_mean_square(found.standard_error) > 2.0 * 1.079

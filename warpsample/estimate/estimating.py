@@ -63,7 +63,7 @@ def estimate(plan: Plan, summed: RaySum | SplitSum) -> Estimate:
         main = runner.result(options.seed, count)
         hint = "allow more rays with a larger count (--samples)"
         if count < plan.count:
-            hint = f"few rays meet the light; without a tolerance, {plan.count:,} rays per point are cast"
+            hint = f"its rays met what the trial missed; without a tolerance, {plan.count:,} rays per point are cast"
         if _is_missed(main, plan.tolerance, is_most=count == plan.count):
             message = f"tolerance: got {plan.tolerance:g}, which is not reached with {count:,} rays per point; {hint}"
             warn_of_missed_tolerance(message, stacklevel=4)

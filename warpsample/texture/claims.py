@@ -11,7 +11,7 @@ from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory, run
 from warpsample.sequences.hashing import seed_for
 from warpsample.texture.coverage import claim_texels, mark_overlaps, weigh_corners
-from warpsample.texture.uv.charts import find_flat_areas
+from warpsample.texture.uv.charts import find_box_sides, find_flat_areas
 
 _BYTES = 42  # memory per texel while texels are assigned to faces
 _POINT_BYTES = 25  # memory per point afterwards
@@ -97,10 +97,8 @@ def _find_crowded(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int]
     inside = ((middle >= 0.0) & (middle < size)).all(axis=1)
     rows, middle = rows[inside], middle[inside]
     texel, group = np.unique(middle.astype(np.int64) @ (1, size[0]), return_inverse=True)
-    low, high = np.full((len(texel), 2), np.inf), np.zeros((len(texel), 2))
-    np.minimum.at(low, group, corners[rows].min(axis=1))
-    np.maximum.at(high, group, corners[rows].max(axis=1))
-    crowded = np.bincount(group, find_flat_areas(corners[rows])) > _CROWDED * np.prod(high - low, axis=1)
+    sides = find_box_sides(corners[rows], group)
+    crowded = np.bincount(group, find_flat_areas(corners[rows])) > _CROWDED * np.prod(sides, axis=1)
     mask = np.zeros(len(corners), np.bool_)
     mask[rows] = crowded[group]
     return mask, texel[crowded]

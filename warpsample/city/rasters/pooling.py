@@ -169,7 +169,7 @@ def bounds_beyond(
         at = tuple(slice(first, first + count) for first, count in zip(corner, cells, strict=True))
         upper[at], lower[at] = np.fmax(upper[at], highest), np.fmin(lower[at], lowest)
     highest, with_own, lowest = (
-        _widen_extremes(NOTHING.around(cells, 0), pick)
+        _widen_extremes(np.pad(cells, 1, constant_values=np.nan), pick)
         for cells, pick in ((alone, np.fmax), (upper, np.fmax), (lower, np.fmin))
     )
     without = missing if gaps is None else missing | _mask_near(np.pad(gaps, 1, constant_values=True))

@@ -100,7 +100,7 @@ class TileFiles:
         return whole
 
     def _is_whole(self, index: int, run: RasterRun) -> bool:
-        """Return whether the .npz file of a tile can be read and holds all result arrays."""
+        """Return whether the .npz file of a tile can be read, and holds the number of the tile and all result arrays."""
         try:
             arrays = read_arrays(self._file(index)) if self._file(index).is_file() else {}
             return set(arrays) == {*run.names, _INDEX} and arrays[_INDEX] == index

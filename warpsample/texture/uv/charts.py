@@ -60,13 +60,21 @@ def find_longest_part(corners: np.ndarray, limit: float) -> float:
     """Return the largest diagonal of the boxes of connected faces (F, 3, 3); 0 if none is longer than `limit`."""
     if not len(corners) or np.linalg.norm(np.ptp(corners, axis=(0, 1))) <= limit:
         return 0.0
-    label = label_charts(corners)
+    longest = float(np.linalg.norm(find_box_sides(corners, label_charts(corners)), axis=1).max())
+    return longest if longest > limit else 0.0
+
+
+def find_box_sides(corners: np.ndarray, label: np.ndarray) -> np.ndarray:
+    """Return the sides of the boxes around groups of faces, (groups, k), in the order of the groups' numbers.
+
+    Args:
+        corners: (F, 3, k) corners of the faces.
+        label: (F,) number of each face's group, at least 0.
+    """
     order = np.argsort(label, kind="stable")
     starts = np.flatnonzero(np.diff(label[order], prepend=-1))
     low = np.minimum.reduceat(corners.min(axis=1)[order], starts)
-    high = np.maximum.reduceat(corners.max(axis=1)[order], starts)
-    longest = float(np.linalg.norm(high - low, axis=1).max())
-    return longest if longest > limit else 0.0
+    return np.maximum.reduceat(corners.max(axis=1)[order], starts) - low
 
 
 def label_closed(faces: np.ndarray) -> np.ndarray:

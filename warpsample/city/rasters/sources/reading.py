@@ -215,7 +215,9 @@ def files_read(path: str) -> list[Path]:
     waiting = [path]
     while waiting:
         one = waiting.pop(0)
-        if found.setdefault(os.path.realpath(one), one) is one and (one is path or _is_virtual(one)):
+        is_known = os.path.realpath(one) in found
+        found.setdefault(os.path.realpath(one), one)
+        if not is_known and (one == path or _is_virtual(one)):
             with suppress(FileNotFoundError, ValueError), _open_raster(one) as file:  # reported when the file is read
                 waiting += file.files
     return [Path(one) for one in found.values()]
