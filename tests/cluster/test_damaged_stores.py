@@ -103,7 +103,7 @@ def test_consolidated_metadata_that_are_damaged_are_named(path, mesh, key, value
     kept["consolidated_metadata"]["metadata"]["value"][key] = value
     (path / "zarr.json").write_text(json.dumps(kept))
     said = (
-        rf"^path: got '.*out\.zarr', whose zarr\.json has another {key} "
+        rf"^path: got '.*out\.zarr', whose zarr\.json has another '{key}' "
         rf"than this run writes at 'value'; compute the store again under a new name$"
     )
     with pytest.raises(ValueError, match=said):
@@ -136,7 +136,7 @@ def test_so_is_one_of_another_shape(path, mesh):
     file.write_text(file.read_text().replace('"float32"', '"float64"'))
     with pytest.raises(
         ValueError,
-        match=r".*spread/zarr.json has another data_type than this run writes; compute the store again under a new name$",
+        match=r".*spread/zarr.json has another 'data_type' than this run writes; compute the store again under a new name$",
     ):
         bake(path, mesh, resume=True)
 

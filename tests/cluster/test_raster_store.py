@@ -264,7 +264,7 @@ def test_the_metadata_of_records_are_checked(dsm, folder, content):
     bake(dsm, folder / "sky.zarr")
     (folder / "sky.zarr" / ".run" / "zarr.json").write_bytes(content)
     with pytest.raises(
-        ValueError, match=r"^--output: got .*sky\.zarr', whose \.run/zarr\.json (is damaged|has another node_type)"
+        ValueError, match=r"^--output: got .*sky\.zarr', whose \.run/zarr\.json (is damaged|has another 'node_type')"
     ):
         bake(dsm, folder / "sky.zarr", resume=True)
 
@@ -274,7 +274,7 @@ def test_another_reference_system_in_a_store_is_named(dsm, folder, file):
     bake(dsm, folder / "sky.zarr")
     path = folder / "sky.zarr" / file
     path.write_bytes(b"Sloveni".join(path.read_bytes().rsplit(b"Slovene", 1)))
-    with pytest.raises(ValueError, match=rf"whose {file} has another attribute than"):
+    with pytest.raises(ValueError, match=rf"whose {file} has another 'attributes' than"):
         bake(dsm, folder / "sky.zarr", resume=True)
 
 

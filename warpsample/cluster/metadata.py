@@ -114,8 +114,8 @@ def _describe_difference(kept: Any, wanted: dict[str, Any]) -> str:
     """Describe the first difference between the metadata of two arrays, to end an error message; return "" if equal."""
     if not isinstance(kept, dict) or not kept:
         return "is damaged"
-    other = (key.removesuffix("s") for key in _COMPARED if kept.get(key, {}) != wanted.get(key, {}))
-    return next((f"has another {key} than this run writes" for key in other), "")
+    other = (key for key in _COMPARED if kept.get(key, {}) != wanted.get(key, {}))
+    return next((f"has another {key!r} than this run writes" for key in other), "")
 
 
 def _describe_flaw(kept: dict[str, Any], wanted: dict[str, Any]) -> str:
