@@ -56,3 +56,31 @@ def computed(monkeypatch):
 
     monkeypatch.setattr(baking, "bake_chunk", counted)
     return ran
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """An empty folder for what is written."""
+    made = tmp_path / "made"
+    made.mkdir()
+    return made
+
+
+@pytest.fixture
+def computed_tiles(monkeypatch):
+    """The tiles of a raster that are computed; the test may set after how many comes an interrupt."""
+    from warpsample.city.rasters.tiles import RasterRun
+
+    ran, numbers = [], RasterRun.numbers
+
+    def counted(run, span):
+        if run.reader.shape == (2, 2):  # a check of the options
+            return numbers(run, span)
+        if len(ran) == counted.most:
+            raise KeyboardInterrupt
+        ran.append(list(run.spans()).index(span))
+        return numbers(run, span)
+
+    counted.most = -1
+    monkeypatch.setattr(RasterRun, "numbers", counted)
+    return ran, counted
