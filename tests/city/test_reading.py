@@ -45,6 +45,7 @@ def same(found, right=HEIGHTS, gone=GONE):
         (LOWEST, "float32", {}),
         (-LOWEST, "float32", {}),
         (-np.inf, "float32", {"nodata": -9999.0}),
+        (-9999.0, "float16", {"nodata": -9999.0}),  # which float16 rounds to -10000
         (-1.7e308, "float64", {"nodata": -1.7e308}),  # which float32 does not hold
         (np.inf, "float64", {}),
         (65, "uint16", {"mask": np.where(GONE, 0, 255).astype(np.uint8)}),

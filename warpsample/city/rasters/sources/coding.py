@@ -81,10 +81,11 @@ class Coding:
             raise TypeError(f"source: got heights of dtype {values.dtype}, want real numbers")
         heights = values.astype(np.float64)
         none = ~(np.abs(heights) < _LARGEST)
+        codes = _UNDECLARED if self.nodata is None else (*_UNDECLARED, self.nodata)
+        kinds = {np.float64, np.float32, values.dtype.type if values.dtype.kind == "f" else np.float64}
         with np.errstate(over="ignore"):  # numbers outside float32 count as nodata anyway
-            declared = () if self.nodata is None else (self.nodata, np.float32(self.nodata))
-        for code in (*_UNDECLARED, *declared):
-            none |= heights == float(code)
+            rounded = {float(kind(code)) for code in codes for kind in kinds}  # in float16, -9999 is -10000
+        none |= np.isin(heights, list(rounded))
         heights = heights * self.scale + self.offset
         heights[none] = np.nan
         return heights
