@@ -194,12 +194,30 @@ def test_heights_are_converted_to_the_unit_of_the_coordinates(crs, units, factor
     assert grid.metres == pytest.approx(1200.0 / 3937.0 if "2263" in crs else 1.0)
 
 
-def test_a_unit_that_is_not_known_is_reported():
-    array = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": "furlong"}).rio.write_crs("EPSG:3794")
-    with pytest.warns(
-        UserWarning, match="got heights in 'furlong', a unit that is not known here, and coordinates in units of 1"
-    ):
-        same(heights_of(array.rio.write_transform(UTM)), gone=np.zeros(HEIGHTS.shape, bool))
+@pytest.mark.parametrize(
+    ("crs", "whose", "factor"),
+    [
+        ("EPSG:3794", "coordinates in units of 1 m", 1.0),
+        ("EPSG:3794+5703", "a CRS with heights in units of 1 m", 1.0),  # without a word before
+        ("EPSG:32633+8228", "a CRS with heights in units of 0.3048 m", 0.3048),
+    ],
+)
+def test_a_unit_that_is_not_known_is_reported(crs, whose, factor):
+    array = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": "furlong"}).rio.write_crs(crs)
+    said = f"got heights in 'furlong', a unit that is not known here, and {whose}; both are taken to be the same unit"
+    with pytest.warns(UserWarning, match=said):
+        same(heights_of(array.rio.write_transform(UTM)), factor * HEIGHTS, np.zeros(HEIGHTS.shape, bool))
+
+
+@pytest.mark.parametrize("crs", ["EPSG:3794", "EPSG:3794+5703"])
+@pytest.mark.parametrize(
+    ("units", "metres"),
+    [("centimeters", 0.01), ("Kilometres", 1000.0), ("U.S. survey feet", 1200.0 / 3937.0), ("foot (US)", 1200.0 / 3937.0)],
+)
+def test_units_are_known_by_several_names(crs, units, metres):
+    """With heights in the CRS, they were taken for metres without a word."""
+    array = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": units}).rio.write_crs(crs)
+    assert np.allclose(heights_of(array.rio.write_transform(UTM)), metres * HEIGHTS, rtol=1e-9)
 
 
 def test_heights_without_a_map_are_converted_to_metres(tmp_path):

@@ -58,7 +58,7 @@ class Units:
         except reference.CRSError:
             return cls(name, None, np.ones(3), "which pyproj does not know")
         reference.check_map(crs, metadata.at(_KEY), "transform it first")
-        flat, up = reference.metres_of(crs), reference.height_metres_of(crs, "")
+        flat, up = reference.metres_of(crs), reference.height_metres_of(crs)
         doubt = "without a unit of heights; they are taken to be in that of the map" if up is None and flat != 1.0 else ""
         return cls(name, crs, np.array([flat, flat, up or flat], np.float64), doubt)
 

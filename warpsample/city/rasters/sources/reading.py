@@ -29,6 +29,7 @@ from warpsample.city.rasters.sources.reference import (
     crs_of,
     describe_stretch,
     height_metres_of,
+    length_of,
     metres_of,
 )
 from warpsample.city.rasters.sources.transforms import (
@@ -189,13 +190,15 @@ def _reader(
     """Build a reader that converts heights to the unit of the horizontal coordinates, after checks."""
     check_cells(transform, shape)
     found = crs_of(crs)
-    metres, height_metres, unknown = metres_of(found), height_metres_of(found, unit), unit.strip()
-    if height_metres is None and (unknown or abs(metres - 1.0) > 1e-5):
-        message = f"heights in {unit!r}, a unit that is not known here" if unknown else "no unit of its heights"
+    metres, stated, of_crs = metres_of(found), length_of(unit), height_metres_of(found)
+    if stated is None and (unit.strip() or (of_crs is None and abs(metres - 1.0) > 1e-5)):
+        message = f"heights in {unit!r}, a unit that is not known here" if unit.strip() else "no unit of its heights"
+        whose = "coordinates" if of_crs is None else "a CRS with heights"
         warnings.warn(
-            f"source: got {message}, and coordinates in units of {metres:g} m; both are taken to be the same unit",
+            f"source: got {message}, and {whose} in units of {of_crs or metres:g} m; both are taken to be the same unit",
             stacklevel=2,
         )
+    height_metres = stated or of_crs or metres
     stretched = describe_stretch(found, *(transform @ (shape[1] / 2.0, shape[0] / 2.0)))
     if stretched:
         warnings.warn(
@@ -203,7 +206,7 @@ def _reader(
             stacklevel=2,
         )
     coordinates = coordinates_of(transform, shape) if coordinates is None else coordinates
-    return RasterReader(shape, transform, found, metres, dims, coordinates, (height_metres or metres) / metres, heights)
+    return RasterReader(shape, transform, found, metres, dims, coordinates, height_metres / metres, heights)
 
 
 def files_read(path: str) -> list[Path]:

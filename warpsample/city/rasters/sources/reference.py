@@ -11,19 +11,14 @@ from pyproj.exceptions import CRSError, ProjError
 from warpsample.host.arguments import quote
 
 _FOOT, _SURVEY_FOOT = 0.3048, 1200.0 / 3937.0
-_METRES = dict.fromkeys(("m", "metre", "metres", "meter", "meters"), 1.0)
-_METRES |= {"mm": 0.001, "cm": 0.01, "dm": 0.1, "km": 1000.0}
-_METRES |= dict.fromkeys(("ft", "foot", "feet", "international foot"), _FOOT)
-_METRES |= dict.fromkeys(("us-ft", "ftus", "us survey foot", "us survey feet", "foot_us"), _SURVEY_FOOT)
-_METRES |= {
-    "decimetre": 0.1,
-    "dam": 10.0,
-    "inch": 0.0254,
-    "yd": 0.9144,
-    "yard": 0.9144,
-    "fathom": 1.8288,
-    "sft": _SURVEY_FOOT,
-}
+_METRES = {"m": 1.0, "mm": 0.001, "cm": 0.01, "dm": 0.1, "dam": 10.0, "km": 1000.0}
+for _prefix, _factor in (("", 1.0), ("milli", 0.001), ("centi", 0.01), ("deci", 0.1), ("deca", 10.0), ("kilo", 1000.0)):
+    _METRES |= dict.fromkeys((f"{_prefix}{metre}" for metre in ("metre", "metres", "meter", "meters")), _factor)
+_METRES |= dict.fromkeys(("ft", "foot", "feet", "international foot", "international feet"), _FOOT)
+_METRES |= dict.fromkeys(("us-ft", "ftus", "us survey foot", "us survey feet", "foot_us", "sft"), _SURVEY_FOOT)
+_METRES |= dict.fromkeys(("foot (us)", "feet (us)", "us foot", "us feet", "survey foot", "survey feet"), _SURVEY_FOOT)
+_METRES |= dict.fromkeys(("inch", "inches"), 0.0254) | dict.fromkeys(("yd", "yard", "yards"), 0.9144)
+_METRES |= dict.fromkeys(("fathom", "fathoms"), 1.8288)
 _ANGLE = re.compile(r"(arc|deg|grad|rad)[a-z_ -]*|°|(grid_)?(latitude|longitude)")  # units and standard names of netCDF
 _DEPTH = re.compile(r"(^|_)depth(_|$)")  # in standard names of netCDF, as sea_floor_depth_below_geoid
 _PART = re.compile(r"[?&]\d+=([^?&]+)")  # of an address of several systems: crs-compound?1=...&2=...
@@ -117,7 +112,7 @@ def check_unit(unit: str, crs: pyproj.CRS | None, what: str) -> None:
     name, metres = unit.strip().lower(), metres_of(crs)
     if _ANGLE.fullmatch(name):
         raise ValueError(f"source: got {what} in {unit!r}, want lengths, as heights are; {REPROJECT} or gdalwarp")
-    length = _METRES.get(name)
+    length = length_of(unit)
     if length is not None and abs(length - metres) > 1e-5 * metres:
         raise ValueError(
             f"source: got {what} in {unit!r}, want the unit of the CRS ({metres:g} m); convert the numbers to that unit"
@@ -132,15 +127,13 @@ def check_upward(attributes: Mapping[str, Any]) -> None:
         raise ValueError(f"source: got {got}, want heights (positive up); negate the numbers, and correct the attribute")
 
 
-def height_metres_of(crs: pyproj.CRS | None, unit: str) -> float | None:
-    """Return the length in metres of the unit of heights, or None if the unit is unknown.
+def length_of(unit: str) -> float | None:
+    """Return the length in metres of a unit by its name in any case, such as "cm" or "US survey foot"; None if unknown."""
+    return _METRES.get(unit.strip().lower().replace("u.s.", "us"))
 
-    Args:
-        crs: CRS of the raster, whose third axis is used if `unit` is unknown.
-        unit: Name of the unit from a band or an array, "" for none.
-    """
-    if unit.strip().lower() in _METRES:
-        return _METRES[unit.strip().lower()]
+
+def height_metres_of(crs: pyproj.CRS | None) -> float | None:
+    """Return the length in metres of the unit of a CRS's third axis, or None without a third axis."""
     parts = crs.sub_crs_list if crs else []
     axes = parts[1].axis_info if len(parts) > 1 else crs.axis_info[2:] if crs else []
     return axes[0].unit_conversion_factor or None if axes else None
