@@ -315,6 +315,7 @@ def test_a_strip_much_thinner_than_a_cell_at_the_edge_is_counted():
     assert (found.standard_error > 0.0).all()
 
 
+@pytest.mark.thorough  # a scene of 700,000 triangles
 def test_far_terrain_takes_no_bar_from_a_mast():
     """A grid of highest vertices of 100 km would be too coarse for masts of a raster of 81 m."""
     heights = np.zeros((81, 81))

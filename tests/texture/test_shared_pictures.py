@@ -73,6 +73,7 @@ def lids(path, heights, materials=1):
 def test_images_and_points_are_held_for_few_pictures(call, tmp_path, monkeypatch, materials, instances):
     """Those of all pictures were held until the file was written: 24 materials of 2048 x 2048 texels took 3.4 GB."""
     fill, alive, seen = bake.fill_texture, weakref.WeakSet(), []
+    gc.freeze()  # the collections below would look at all that other tests left: 10 s
 
     def filled(job, points, **more):
         found = fill(job, points, **more)

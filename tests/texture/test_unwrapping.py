@@ -99,9 +99,9 @@ def tube_with_collapsed_faces():
     [
         lambda: CREATE.cylinder(1, 2, sections=512),
         lambda: CREATE.annulus(0.9, 1, 3, sections=700),
-        lambda: CREATE.torus(1, 0.3, 600, 60),
+        pytest.param(lambda: CREATE.torus(1, 0.3, 600, 60), marks=pytest.mark.thorough),
         lambda: CREATE.icosphere(6),
-        lambda: CREATE.uv_sphere(count=(64, 512)),
+        pytest.param(lambda: CREATE.uv_sphere(count=(64, 512)), marks=pytest.mark.thorough),
         lambda: arc(90),
         lambda: arc(99),
         lambda: CREATE.cone(1, 0.9, sections=600),
