@@ -56,7 +56,7 @@ def test_years_of_months_may_differ_and_letters_be_of_any_encoding(tmp_path, ath
 
 @pytest.mark.parametrize("width", [16, *(pytest.param(n, marks=pytest.mark.slow) for n in (33, 35, 40))])
 def test_what_follows_the_diffuse_radiation_does_not_count(tmp_path, athens, width):
-    path = write_epw(tmp_path / "wide.epw", change=lambda table: [(row + 5 * ["x"])[:width] for row in table])
+    path = write_epw(tmp_path / "wide.epw", change=lambda table: [(row + 5 * ['"x, y"'])[:width] for row in table])
     assert np.array_equal(read_weather(path).diffuse_horizontal, read_weather(athens).diffuse_horizontal)
 
 
@@ -128,6 +128,11 @@ FLAWS = {
     "infinite": (cell(4000, 15, "inf"), "diffuse horizontal radiation .* first inf in line 4000"),
     "words": (cell(4000, 15, "bright"), "line 4000 has the radiation 'bright', want a number"),
     "a year of words": (cell(4000, 0, "now"), "line 4000 has the year 'now', want a year from 1800 to 2199"),
+    "commas in a field": (  # the global radiation was taken for the direct one: 3,064 kWh/m2 for 1,861
+        lambda table: [[*row[:5], '"?9,A"', *row[6:13], "300", *row[14:]] for row in table],
+        "line 9 has a comma between quotation marks, want none up to the diffuse radiation",
+    ),
+    "a decimal comma": (cell(4000, 15, '"1,5"'), "line 4000 has a comma between quotation marks"),
     "an underscore": (cell(4000, 14, "1_000"), "line 4000 has the radiation '1_000', want a number"),
     "a year of two digits": (cell(4000, 0, "99"), "line 4000 has the year '99', want a year from 1800 to 2199"),
 }

@@ -14,6 +14,7 @@ _PVLIB_FIELDS = 35
 _DIRECT = 14  # the field of the direct radiation, from 0
 _YEAR = re.compile("(1[89]|2[01])[0-9]{2}")
 _NUMBER = re.compile(r"[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)(e[+-]?[0-9]+)?|nan|[+-]?inf", re.IGNORECASE)
+_QUOTED_COMMA = re.compile(r'(?:^|,)\s*"[^"]*,[^"]*"\s*(?:,|$)')
 _STRONGEST = 1500.0  # W/m²: 1,412 outside the atmosphere; files mark missing values with 9999
 _LIMITS = {"latitude": 90, "longitude": 180, "time zone": 14, "altitude": 9000}  # degrees, hours, metres
 _DAYS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
@@ -35,8 +36,12 @@ def check_text(path: Path) -> str:
         if len(lines) < number or not lines[number - 1].upper().startswith(f"{name},"):
             raise ValueError(f"line {number} does not begin with {name}, as in an EPW file")
     _check_place(lines[0])
-    rows = [line.replace('"', "").split(",") for line in lines[_HEADER:] if line.strip()]
-    for number, row in enumerate(rows, _HEADER + 1):
+    data = [line for line in lines[_HEADER:] if line.strip()]
+    rows = [line.replace('"', "").split(",") for line in data]
+    for number, (line, row) in enumerate(zip(data, rows, strict=True), _HEADER + 1):
+        quoted = _QUOTED_COMMA.search(line)
+        if quoted and line.count(",", 0, quoted.start()) < _FIELDS - 1:  # the fields after it would be shifted
+            raise ValueError(f"line {number} has a comma between quotation marks, want none up to the diffuse radiation")
         if len(row) < _FIELDS:
             raise ValueError(f"line {number} has {len(row)} fields, want at least {_FIELDS}, up to the diffuse radiation")
     if len(rows) != len(YEAR):
