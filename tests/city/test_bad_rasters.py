@@ -64,6 +64,8 @@ def array_of(values=HEIGHTS, **coordinates):
         ((HEIGHTS, UTM, "EPSG:32633+5715"), ValueError, "source: got depths .CRS WGS 84 / UTM zone 33N [+] MSL depth"),
         ((HEIGHTS, UTM, "nothing"), ValueError, "source: got 'nothing' for its CRS, want a CRS that pyproj knows"),
         ("text.vrt", ValueError, r"source: got 'text\.vrt' with the nodata value 'x', want a number$"),
+        ("latin.vrt", ValueError, r"source: got 'latin\.vrt', which is not in UTF-8 .*; write its file names in UTF-8$"),
+        ("h\udcf6he.tif", ValueError, r"source: got 'h\\udcf6he\.tif', whose name is not in UTF-8, as GDAL needs; rename"),
         ((HEIGHTS[0], UTM, None), ValueError, r"source: got an array of shape \(4,\), want \(rows, columns\)"),
         ((np.stack([HEIGHTS, HEIGHTS]), UTM, None), ValueError, r"shape \(2, 3, 4\), want \(rows, columns\)"),
         ((HEIGHTS > 3, UTM, None), TypeError, "source: got dtype bool, want an array of real numbers"),
@@ -115,6 +117,8 @@ def test_bad_rasters_are_refused_in_a_sentence(tmp_path, monkeypatch, source, ki
     if name == "text.vrt":
         write_tif("heights.tif", HEIGHTS)
         (tmp_path / source).write_text(VRT)
+    if name == "latin.vrt":  # rasterio cannot say that the file is missing: its heights were 0
+        (tmp_path / source).write_text(VRT.replace(">x<", ">-9<").replace("heights", "h\xf6hen"), encoding="latin-1")
     if name == "cut.tif":
         write_tif(source, np.random.default_rng(0).random((300, 300)))
         (tmp_path / source).write_bytes((tmp_path / source).read_bytes()[:200_000])

@@ -48,10 +48,17 @@ class Coding:
         """Read nodata value, scale and offset of one band of an open raster file.
 
         Raises:
-            ValueError: A VRT whose nodata value is a text; GDAL would read the text as 0.
+            ValueError: A VRT whose nodata value is a text, which GDAL would read as 0, or a VRT that is not in UTF-8.
+                Rasterio loses errors about file names in other encodings, so missing files would have heights of 0.
         """
-        declared = _DECLARED.findall(Path(path).read_bytes()) if file.driver == "VRT" and Path(path).is_file() else []
-        for text in declared:
+        content = Path(path).read_bytes() if file.driver == "VRT" and Path(path).is_file() else b""
+        try:
+            content.decode()
+        except UnicodeDecodeError as error:
+            raise ValueError(
+                f"source: got {path!r}, which is not in UTF-8 ({error.reason}); write its file names in UTF-8"
+            ) from error
+        for text in _DECLARED.findall(content):
             if not _is_number(text):
                 raise ValueError(f"source: got {path!r} with the nodata value {text.decode()!r}, want a number")
         return cls(file.nodatavals[band - 1], file.scales[band - 1], file.offsets[band - 1])

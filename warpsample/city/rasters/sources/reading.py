@@ -250,6 +250,10 @@ def _open_raster(path: str) -> Iterator[Any]:
             warnings.simplefilter("ignore", NotGeoreferencedWarning)
             with rasterio.open(path) as file:
                 yield file
+    except UnicodeEncodeError as error:
+        raise ValueError(
+            f"source: got {path!r}, whose name is not in UTF-8, as GDAL needs; rename the file or folder"
+        ) from error
     except RasterioError as error:
         if isinstance(error, RasterioIOError) and "://" not in path and ":" not in path[2:] and not Path(path).exists():
             raise FileNotFoundError(f"source: got {path!r}, which is missing, want {_WANTS}") from error
