@@ -66,7 +66,11 @@ def test_what_a_virtual_raster_refers_to_is_no_output(dsm, folder):
     rasterio.shutil.copy(dsm, folder / "dsm.vrt", driver="VRT")
     content = (folder / "dsm.vrt").read_text().replace(str(dsm), "dsm.vrt").replace('relativeToVRT="0"', 'relativeToVRT="1"')
     (folder / "of_vrt.vrt").write_text(content)  # a virtual raster of a virtual one: the raster below was replaced
-    for name in ("dsm.vrt", "of_vrt.vrt"):
+    addresses = f"GTIFF_DIR:1:{dsm}", f"vrt://{dsm}?bands=1&amp;nogrid", f"/vsisubfile/0,{dsm}"  # so it was by these
+    for number, address in enumerate(addresses):
+        text = (folder / "dsm.vrt").read_text().replace(f">{dsm}<", f">{address}<")
+        (folder / f"{number}.vrt").write_text(text)
+    for name in ("dsm.vrt", "of_vrt.vrt", "0.vrt", "1.vrt", "2.vrt", f"/vsisubfile/0,{dsm}"):
         with pytest.raises(ValueError, match="^--output: got .*dsm.tif', which is the input"):
             bake(folder / name, dsm)
         assert dsm.read_bytes() == before

@@ -216,6 +216,10 @@ def test_what_is_not_our_working_folder_stays(dsm, folder, computed_tiles):
         bake(dsm, folder / "sky.tif")
     with pytest.raises(ValueError, match="sky.tif.tiles' of seed 0, want tiles of seed 1"):
         bake(dsm, folder / "sky.tif", resume=True, seed=1)
+    counted.most = -1
+    (hidden / "thesis.txt").write_text("own")  # at the end, it was removed with the tiles
+    bake(dsm, folder / "sky.tif", resume=True)
+    assert [path.name for path in hidden.iterdir()] == ["thesis.txt"]
 
 
 def test_a_damaged_tile_file_is_computed_again_and_no_other(dsm, folder, computed_tiles):

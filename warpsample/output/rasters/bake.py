@@ -14,7 +14,7 @@ import numpy as np
 
 from warpsample.city.rasters.cog import check_sidecars, write_cog
 from warpsample.city.rasters.datasets import run_of
-from warpsample.city.rasters.sources.reading import files_read
+from warpsample.city.rasters.sources.inputs import files_read
 from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.estimate.quantities.record import ARGUMENTS, Quantity
 from warpsample.host.arguments import quote
@@ -34,6 +34,9 @@ from warpsample.sequences.record import STREAMS
 
 STREAMS_OF, VERSIONS = "streams", ("warpsample", "warp-lang")
 """Attributes of the random streams, and the libraries whose versions determine the values."""
+
+WORK = "cog"
+"""Name of the folder, within that of the tiles, in which a GeoTIFF is written."""
 
 Tiles = Iterator[tuple[Span, Mapping[str, np.ndarray]]]
 """Spans of tiles and arrays by name."""
@@ -189,7 +192,7 @@ def _finish(run: BakeRun, raster: RasterRun, about: Mapping[str, Any], store: Ti
     """Write the output file and the report of a raster command from the computed tiles; return notes for the user."""
     notes = []
     if run.output.suffix in (".tif", ".tiff"):
-        removed = write_cog(run.output, raster, about, lambda: store.tiles(raster), store.path / "cog")
+        removed = write_cog(run.output, raster, about, lambda: store.tiles(raster), store.path / WORK)
         names = ", ".join(file.name for file in removed)
         notes += [f"removed {names}: overviews, masks or statistics of the file that was replaced"] if removed else []
     if run.output.suffix != ".png" and run.report is None:

@@ -17,7 +17,7 @@ from warpsample.host.engine import check_space
 from warpsample.host.files import WriteError, complete_or_absent, read_arrays, write_arrays, write_bytes
 from warpsample.host.interrupts import uninterrupted
 from warpsample.host.shared_values import describe_remedy
-from warpsample.output.rasters.bake import RasterJob, Tiles, read_unchanging, summarize_tile
+from warpsample.output.rasters.bake import WORK, RasterJob, Tiles, read_unchanging, summarize_tile
 
 try:
     import fcntl
@@ -27,6 +27,7 @@ except ModuleNotFoundError:  # Windows
 ABOUT, DIGESTS = "about.json", "digests.npz"
 """Files with the attributes of the run, and with the digests of the blocks of its input rasters."""
 
+_TILE = "tile-{}.npz"
 _INDEX = "index"  # of a tile, in its file
 
 
@@ -132,22 +133,22 @@ class TileFiles:
         return read_about(self.path)
 
     def remove(self) -> None:
-        """Remove the hidden folder with all tiles; what a killed process leaves of it can be resumed."""
+        """Remove the hidden folder with all tiles, but keep other files; what a killed process leaves can be resumed."""
         uninterrupted(self._remove)
 
     def _remove(self) -> None:
-        """Remove the folder, and its attributes last: without them its files would be those of a user."""
-        for path in list(self.path.iterdir()):
-            if path.is_dir():
-                shutil.rmtree(path)
-            elif path.name != ABOUT:
+        """Remove the files of the run, and its attributes last: without them its files would be those of a user."""
+        if (self.path / WORK).is_dir():
+            shutil.rmtree(self.path / WORK)
+        for pattern in (_TILE.format("*"), DIGESTS, ABOUT):
+            for path in list(self.path.glob(pattern)):
                 path.unlink()
-        shutil.rmtree(self.path)
+        _remove_if_empty(self.path)
 
 
 def tile_file(folder: Path, index: int) -> Path:
     """Return the path of the .npz file of a tile in a folder of tiles."""
-    return folder / f"tile-{index}.npz"
+    return folder / _TILE.format(index)
 
 
 def read_about(folder: Path) -> dict[str, Any]:

@@ -1,10 +1,9 @@
 """Checked readers of rasters of heights: files, xarray.DataArrays, and arrays with a transform."""
 
-import os
 import re
 import warnings
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
@@ -95,7 +94,7 @@ def ground_of(source: Any) -> RasterReader:
 
 def _file_reader(path: str) -> RasterReader:
     """Open a raster file with rasterio, and return a reader of its heights."""
-    with _open_raster(path) as file:
+    with open_raster(path) as file:
         bands = [n for n, colour in enumerate(file.colorinterp, 1) if colour != ColorInterp.alpha]
         if len(bands) != 1:
             raise ValueError(
@@ -120,7 +119,7 @@ def _read_prj_unit(path: str) -> str:
 
 def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> np.ndarray:
     """Read the heights in some rows and columns of a raster file, which is opened and closed each time."""
-    with _open_raster(path) as file:
+    with open_raster(path) as file:
         window = Window.from_slices(rows, columns)
         heights = coding.heights(file.read(band, window=window))
         heights[file.read_masks(band, window=window) == 0] = np.nan
@@ -209,36 +208,8 @@ def _reader(
     return RasterReader(shape, transform, found, metres, dims, coordinates, height_metres / metres, heights)
 
 
-def files_read(path: str) -> list[Path]:
-    """Return the files of a raster: the file itself, and files that it refers to.
-
-    A .vrt refers to other rasters, which may be .vrt files, too, and an address within an archive refers to the archive.
-    """
-    found: dict[str, str] = {}
-    waiting = [path]
-    while waiting:
-        one = waiting.pop(0)
-        is_known = os.path.realpath(one) in found
-        found.setdefault(os.path.realpath(one), one)
-        if not is_known and (one == path or _is_virtual(one)):
-            with suppress(FileNotFoundError, ValueError), _open_raster(one) as file:  # reported when the file is read
-                waiting += file.files
-    return [Path(one) for one in found.values()]
-
-
-def _is_virtual(path: str) -> bool:
-    """Return whether a file is a .vrt; a mosaic may have too many other files to open each."""
-    if path.lower().endswith(".vrt"):
-        return True
-    try:
-        with Path(path).open("rb") as file:
-            return b"<VRTDataset" in file.read(1024)
-    except OSError:
-        return False
-
-
 @contextmanager
-def _open_raster(path: str) -> Iterator[Any]:
+def open_raster(path: str) -> Iterator[Any]:
     """Open a raster file with rasterio within a `with` statement.
 
     Raises:
