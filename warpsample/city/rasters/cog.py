@@ -37,8 +37,8 @@ def check_sidecars(path: Path, argument: str, inputs: Iterable[Path]) -> None:
 
 def _list_sidecars(path: Path) -> list[Path]:
     """Return the existing sidecar files of a GeoTIFF; of a link also those of its target."""
-    names = dict.fromkeys(f"{base}{suffix}" for base in (path, os.path.realpath(path)) for suffix in _SIDECARS)
-    return [sidecar for sidecar in map(Path, names) if sidecar.exists()]
+    files = {Path(os.path.realpath(one.parent), one.name): None for one in (path, Path(os.path.realpath(path)))}
+    return [sidecar for file in files for suffix in _SIDECARS if (sidecar := Path(f"{file}{suffix}")).exists()]
 
 
 def write_cog(
