@@ -127,6 +127,21 @@ def test_terrain_around_a_city_may_be_a_raster(call, tmp_path):
     assert np.mean(walls) == pytest.approx(0.5, abs=0.05)
 
 
+@pytest.mark.slow  # kernels of reflected light
+def test_terrain_reflects_and_transmits_no_light(call, tmp_path):
+    """A number applied to it, too: walls of one house received a quarter more light than without a reflectance."""
+    path = cases.written(tmp_path / "a.json", cases.house(cases.surfaces(boundaries=cases.FACES[:6])))
+    given = ["--samples", 64, "--points", 300, "--context", "ground"]
+    day = ["--quantity", "irradiation", "--weather", "athens", "--period", "06-21", "06-21", "--patches", "tregenza"]
+    for options, optics in ((day, "--reflectance"), ([], "--transmittance")):
+        for name, more in (("b.csv", ()), ("c.csv", (optics, 0.5))):
+            assert call("bake", path, "-o", tmp_path / name, *given, *options, *more)[0] == 0
+        column = "irradiation_kwh_m2" if options else "ambient_occlusion"
+        black, shown = ([float(row[column] or 0.0) for row in rows(tmp_path / name)] for name in ("b.csv", "c.csv"))
+        assert shown == pytest.approx(black, rel=1e-6)
+        assert max(black) > 0.0
+
+
 def test_a_warning_about_the_raster_names_context(call, tmp_path):
     """Not "source", which is the city."""
     pytest.importorskip("rasterio")

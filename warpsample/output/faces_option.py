@@ -11,16 +11,21 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 _WANTS = "a number, NAME.npy with one number for each face, or numbers by part, such as leaf=0.2,glass=0.8"
 
 
-def with_optics(mesh: Mesh, **options: str | None) -> Mesh:
+def with_optics(mesh: Mesh, own: np.ndarray | None = None, **options: str | None) -> Mesh:
     """Return a copy of a mesh with the transmittance and reflectance given by command-line options.
 
     A pair such as leaf=0.2 applies to all parts with that name, or with that name between slashes, as in OBJECT/MATERIAL.
     Faces of other parts get 0.
 
+    Args:
+        mesh: Mesh.
+        own: (F,) mask of the faces to which a number for all faces applies; others get 0. Default: all faces.
+        **options: Texts of the options, or None for those that are not given.
+
     Raises:
         TypeError, ValueError, FileNotFoundError: a wrong number, a missing or wrong file, or a name without a part.
     """
-    shares = {name: _shares(mesh, text, f"--{name}") for name, text in options.items() if text is not None}
+    shares = {name: _shares(mesh, own, text, f"--{name}") for name, text in options.items() if text is not None}
     if not shares:
         return mesh
     try:
@@ -29,13 +34,16 @@ def with_optics(mesh: Mesh, **options: str | None) -> Mesh:
         raise type(error)(f"--{error}") from None
 
 
-def _shares(mesh: Mesh, text: str, option: str) -> np.ndarray:
+def _shares(mesh: Mesh, own: np.ndarray | None, text: str, option: str) -> np.ndarray:
     """Parse an option like `--reflectance` to one number for all faces, or an array with a number per face."""
     if text.endswith(".npy"):
         file = check_file(Path(text), option, _WANTS)
         with naming_file(option, file, _WANTS):
             return read_array(file)
-    return _by_parts(mesh, text, option) if "=" in text else np.array(_number(text, text, option))
+    if "=" in text:
+        return _by_parts(mesh, text, option)
+    number = np.array(_number(text, text, option))
+    return number if own is None else np.where(own, number, 0.0)
 
 
 def _by_parts(mesh: Mesh, text: str, option: str) -> np.ndarray:

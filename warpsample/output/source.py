@@ -65,7 +65,8 @@ def read_source(run: BakeRun) -> Source:
     city, state = None, InputState.of(run.mesh if _keeps_input(run) else None)
     if run.kind == CITY:
         city = load_city(run.mesh, lod=run.lod, split=run.split, context=_read_context(run.context))
-    mesh = with_optics(load_mesh(run.mesh) if city is None else city.mesh, **run.optics)
+    own = None if city is None or not run.context else city.surface >= 0  # terrain neither reflects nor transmits
+    mesh = with_optics(load_mesh(run.mesh) if city is None else city.mesh, own, **run.optics)
     notes = _check_glb(run, mesh)
     return Source(run, quantity, mesh, city, _place_points(run, mesh, city), state, tuple(notes))
 
