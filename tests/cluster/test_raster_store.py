@@ -1,5 +1,6 @@
 """Rasters baked by the command: tiles that are whole or absent, runs that go on, and GeoTIFFs that appear at the end."""
 
+import json
 import resource
 import signal
 import subprocess
@@ -67,10 +68,14 @@ def test_what_a_virtual_raster_refers_to_is_no_output(dsm, folder):
     content = (folder / "dsm.vrt").read_text().replace(str(dsm), "dsm.vrt").replace('relativeToVRT="0"', 'relativeToVRT="1"')
     (folder / "of_vrt.vrt").write_text(content)  # a virtual raster of a virtual one: the raster below was replaced
     addresses = f"GTIFF_DIR:1:{dsm}", f"vrt://{dsm}?bands=1&amp;nogrid", f"/vsisubfile/0,{dsm}"  # so it was by these
+    addresses += f"<![CDATA[vrt://{dsm}]]>", f"/vsizip/{{{dsm}}}/x.tif", f"/vsicached?file={dsm}"
     for number, address in enumerate(addresses):
         text = (folder / "dsm.vrt").read_text().replace(f">{dsm}<", f">{address}<")
         (folder / f"{number}.vrt").write_text(text)
-    for name in ("dsm.vrt", "of_vrt.vrt", "0.vrt", "1.vrt", "2.vrt", f"/vsisubfile/0,{dsm}"):
+    (folder / "tiles.geojson").write_text(json.dumps({"location": str(dsm)}))  # of an index, which names another index
+    (folder / "s.gti").write_text("<GDALTileIndexDataset><IndexDataset>tiles.geojson</IndexDataset></GDALTileIndexDataset>")
+    names = "dsm.vrt", "of_vrt.vrt", *(f"{number}.vrt" for number in range(len(addresses))), "s.gti", f"/vsisubfile/0,{dsm}"
+    for name in names:
         with pytest.raises(ValueError, match="^--output: got .*dsm.tif', which is the input"):
             bake(folder / name, dsm)
         assert dsm.read_bytes() == before

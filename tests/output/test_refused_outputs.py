@@ -145,6 +145,27 @@ def test_nor_are_arrays_of_faces_and_lobes(call, cube, tmp_path, uncomputed, can
     assert (status, err.partition(", which")[2]) == (2, f" is the input {str(array)!r}, want another file\n")
 
 
+def test_nor_is_a_report_an_input(call, cube, tmp_path, uncomputed):
+    """Reports were compared with the mesh and the output alone."""
+    array, report = tmp_path / "in.npy", tmp_path / "report.html"
+    np.save(array, np.full(12, 0.5))
+    report.hardlink_to(array)
+    status, _, err = call("bake", cube, "-o", tmp_path / "out.csv", "--transmittance", array, "--report", report)
+    said = f"error: --report: got {str(report)!r}, which is the input {str(array)!r}, want another file\n"
+    assert (status, err) == (2, said)
+
+
+def test_nor_is_an_output_a_raster_below_the_terrain_of_a_city(call, tmp_path, uncomputed):
+    pytest.importorskip("rasterio")
+    city, terrain, virtual = (tmp_path / name for name in ("in.city.json", "terrain.csv", "terrain.vrt"))
+    city.write_text(json.dumps(SQUARE_CITY))
+    terrain.write_text("0.5 0.5 1\n1.5 0.5 1\n0.5 1.5 1\n1.5 1.5 1\n")
+    source = '<SimpleSource><SourceFilename relativeToVRT="1">terrain.csv</SourceFilename></SimpleSource>'
+    virtual.write_text(f'<VRTDataset rasterXSize="2" rasterYSize="2"><VRTRasterBand>{source}</VRTRasterBand></VRTDataset>')
+    status, _, err = call("bake", city, "-o", terrain, "--context", virtual)
+    assert (status, err.partition(", which")[2]) == (2, f" is the input {str(terrain)!r}, want another file\n")
+
+
 UNWRITABLE = {  # what is said of each
     "missing": "whose folder does not exist",
     "file": "whose folder does not exist",

@@ -15,6 +15,7 @@ from warpsample.host.engine import check_memory
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.host.shared_values import digest_of
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.linked_files import list_linked_files
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb
 
@@ -41,7 +42,7 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
     about = _read_attributes(store)
     quantity = CALLS[about["call"]]
     run = _run(quantity, about, mesh, output)
-    check_output(output, "--output", mesh)
+    check_output(output, "--output", mesh, *list_linked_files(mesh))
     if run.at is None and output.suffix in (".ply", ".glb"):
         raise ValueError(f"--output: got {output.name!r} for points, want .vtp, .npz or .csv")
     shape = load_mesh(mesh)

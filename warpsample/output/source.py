@@ -1,5 +1,6 @@
 """Input of a `warpsample bake` command: the checked arguments, the mesh or city, and the points to compute at."""
 
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -77,9 +78,10 @@ def _check(run: BakeRun, quantity: Quantity) -> None:
     check_places(run.points, run.at)
     if run.output.suffix == ".png":
         check_rendering()
-    check_report(run.report, run.mesh, run.output)
+    files = input_files(run, quantity)
+    check_report(run.report, run.output, *files)
     Memory.of(run.options.get("device"))
-    check_output(run.output, "--output", *input_files(run, quantity))
+    check_output(run.output, "--output", *files)
 
 
 def input_files(run: BakeRun, quantity: Quantity) -> list[Path]:
@@ -87,7 +89,7 @@ def input_files(run: BakeRun, quantity: Quantity) -> list[Path]:
     files = [run.options.get(option) for option in quantity.files]
     context = Path(run.context) if run.context else None
     files += [text for text in run.optics.values() if text and text.endswith(".npy")]
-    files += [context, *list_linked_files(context)]
+    files += [context, *list_linked_files(context), *_raster_files(run.context)]
     return [Path(file) for file in (run.mesh, *list_linked_files(run.mesh), *files) if file is not None]
 
 
@@ -95,12 +97,24 @@ def _read_context(name: str | None) -> Any:
     """Read the terrain around a city: none, a plane, a mesh file in the city's unit, or a raster of heights."""
     if name in (None, GROUND_PLANE):
         return name
-    is_raster = Path(name).suffix.lower() not in (*SUFFIXES, "")
-    if not is_raster:
+    if not _is_raster(name):
         return load_mesh(name)
     surface = rasters.surface  # first, because it names the extra if that is not installed
     with imported("warpsample.city.rasters.canopy").rename_argument("context"):
         return surface(name)
+
+
+def _is_raster(name: str) -> bool:
+    """Return whether the terrain around a city is a raster of heights, by its suffix."""
+    return Path(name).suffix.lower() not in (*SUFFIXES, "")
+
+
+def _raster_files(name: str | None) -> list[Path]:
+    """Return the files of the raster around a city; none for other terrain, or without the extra, which reading names."""
+    if name is not None and _is_raster(name):
+        with suppress(ModuleNotFoundError):
+            return imported("warpsample.city.rasters.sources.inputs").files_read(name)
+    return []
 
 
 def _keeps_input(run: BakeRun) -> bool:

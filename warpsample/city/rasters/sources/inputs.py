@@ -2,56 +2,56 @@
 
 import os
 import re
-from collections.abc import Iterator
 from contextlib import suppress
 from html import unescape
 from pathlib import Path
 
 from warpsample.city.rasters.sources.reading import open_raster
 
-_SOURCE = re.compile(rb"<Source(?:Filename|Dataset)[^>]*>([^<]+)<")  # in the text of a VRT
-_ADDRESS = re.compile(r'/vsi\w+/|://|[:,?"]')  # what surrounds file names in GDAL's addresses, as in vrt://in.tif?bands=1
+_BETWEEN = re.compile(r"[\s\"'<>()\[\]{}|,;:?&=]+|/vsi\w+/|://")
+"""What is between file names in texts and addresses of GDAL, as in vrt://in.tif?bands=1."""
+
+_MOST = 1 << 20  # characters of a text in which names are looked for
 
 
 def files_read(path: str) -> list[Path]:
     """Return the files of a raster: the file itself, and files that it refers to.
 
-    A .vrt refers to other rasters, which may be .vrt files, too, and an address within an archive refers to the archive.
+    GDAL lists most files of a .vrt, but not those in addresses, as GTIFF_DIR:1:dsm.tif, and none of an index of tiles. So
+    each existing file counts that a text names, such as a .vrt or an index, and so do files that these name.
     """
     found: dict[str, str] = {}
-    waiting = [path, *_list_parts(path)]
+    waiting = [path, *_list_named(path, Path())]
     while waiting:
         one = waiting.pop(0)
-        is_known = os.path.realpath(one) in found
-        found.setdefault(os.path.realpath(one), one)
-        is_virtual = _is_virtual(one)
-        if not is_known and (one == path or is_virtual):
+        if os.path.realpath(one) in found:
+            continue
+        found[os.path.realpath(one)] = one
+        text = _read_text(Path(one))
+        if one == path or text:
             with suppress(FileNotFoundError, ValueError), open_raster(one) as file:  # reported when the file is read
                 waiting += file.files
-        if not is_known and is_virtual:
-            waiting += _list_sources(Path(one))
+            waiting += _list_named(text, Path(one).parent)
     return [Path(one) for one in found.values()]
 
 
-def _is_virtual(path: str) -> bool:
-    """Return whether a file is a .vrt; a mosaic may have too many other files to open each."""
-    if path.lower().endswith(".vrt"):
-        return True
-    try:
-        with Path(path).open("rb") as file:
-            return b"<VRTDataset" in file.read(1024)
-    except OSError:
-        return False
+def _read_text(path: Path) -> str:
+    """Read the beginning of a file that is a text; "" for other files, which have a zero in their first bytes."""
+    with suppress(OSError):
+        if path.is_file():  # reading a pipe may never end
+            with path.open("rb") as file:
+                first = file.read(1024)
+                return "" if b"\0" in first else unescape(os.fsdecode(first + file.read(_MOST)))
+    return ""
 
 
-def _list_sources(path: Path) -> Iterator[str]:
-    """Yield the files within the GDAL addresses of a VRT, which GDAL does not list as its files."""
-    for source in _SOURCE.findall(path.read_bytes()) if path.is_file() else ():
-        yield from _list_parts(unescape(os.fsdecode(source)), path.parent)
-
-
-def _list_parts(address: str, folder: Path = Path()) -> Iterator[str]:
-    """Yield the existing files that an address names, relative to a folder or to the current one."""
-    for part in _ADDRESS.split(address):
-        with suppress(OSError):  # a part may be too long for a name
-            yield from (str(place / part) for place in (folder, Path()) if part and (place / part).is_file())
+def _list_named(text: str, folder: Path) -> list[str]:
+    """Return the existing files that a text names, relative to a folder or to the current one."""
+    names = {name for name in _BETWEEN.split(text) if not name.replace(".", "").replace("-", "").isdecimal()}
+    found = []
+    for place in dict.fromkeys((folder, Path())):
+        for name in filter(None, names):
+            with suppress(OSError):  # it may be too long for a name
+                if (place / name).is_file():
+                    found.append(str(place / name))
+    return sorted(found)
