@@ -1,6 +1,7 @@
 """Rasters baked by the command: tiles that are whole or absent, runs that go on, and GeoTIFFs that appear at the end."""
 
 import json
+import re
 import resource
 import signal
 import subprocess
@@ -60,6 +61,17 @@ def test_a_geotiff_has_bands_tags_and_the_layout(dsm, folder):
     bake(dsm, folder / "whole.tif", tile=None, margin=None)
     with rasterio.open(folder / "whole.tif") as file:
         assert file.descriptions == ("value", "standard_error", "half_width")
+
+
+@pytest.mark.filterwarnings("ignore:.*on which distances are")
+def test_a_reference_system_that_no_geotiff_holds_is_refused(dsm, folder):
+    """GDAL wrote it into a sidecar file, which was removed: the result had no place."""
+    rasterio.shutil.copy(dsm, folder / "dsm.vrt", driver="VRT")
+    text = re.sub("<SRS.*</SRS>", "<SRS>+proj=eqearth +lon_0=15</SRS>", (folder / "dsm.vrt").read_text(), flags=re.DOTALL)
+    (folder / "dsm.vrt").write_text(text)
+    with pytest.raises(ValueError, match="sky.tif', but a GeoTIFF cannot hold the CRS of the raster, unknown; write a"):
+        bake(folder / "dsm.vrt", folder / "sky.tif")
+    assert [path.name for path in folder.iterdir()] == ["dsm.vrt"]
 
 
 def test_what_a_virtual_raster_refers_to_is_no_output(dsm, folder):

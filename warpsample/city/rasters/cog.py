@@ -8,12 +8,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pyproj
 import rasterio
 import rasterio.shutil
 from rasterio._err import CPLE_BaseError
 from rasterio.errors import RasterioError
+from rasterio.io import MemoryFile
 from rasterio.windows import Window
 
+from warpsample.city.rasters.sources.reference import is_same_map
 from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.host.files import WriteError, complete_or_absent, is_same
 
@@ -33,6 +36,27 @@ def check_sidecars(path: Path, argument: str, inputs: Iterable[Path]) -> None:
             raise ValueError(
                 f"{argument}: got {str(path)!r} next to {older.name}, which GDAL would read as part of it; want another name"
             )
+
+
+def check_reference(run: RasterRun, path: Path, argument: str) -> None:
+    """Raise a ValueError if a GeoTIFF cannot hold the CRS of a raster: GDAL would write none or another one.
+
+    Such a CRS has no code that GDAL knows, and a projection without GeoTIFF keys, as +proj=eqearth.
+    """
+    outline, (rows, columns) = run.reader.outline, run.reader.shape
+    if outline.crs is None or outline.crs.geodetic_crs is None:  # a map without a place on Earth
+        return
+    where = {"crs": outline.crs.to_wkt(), "transform": outline.transform}
+    with rasterio.Env(GDAL_PAM_ENABLED="NO"), MemoryFile() as memory:  # without a sidecar file, which nobody keeps
+        with memory.open(driver="GTiff", height=1, width=1, count=1, dtype="uint8", **where) as file:
+            file.write(np.zeros((1, 1, 1), np.uint8))
+        with memory.open() as file:
+            found = file.crs and pyproj.CRS.from_wkt(file.crs.to_wkt())
+    if not (found and is_same_map(outline.crs, found, *(outline.transform @ (columns / 2.0, rows / 2.0)))):
+        raise ValueError(
+            f"{argument}: got {str(path)!r}, but a GeoTIFF cannot hold the CRS of the raster, {outline.crs.name}; write a "
+            ".zarr, or reproject the raster first"
+        )
 
 
 def _list_sidecars(path: Path) -> list[Path]:

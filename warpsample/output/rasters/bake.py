@@ -12,7 +12,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from warpsample.city.rasters.cog import check_sidecars, write_cog
+from warpsample.city.rasters.cog import check_reference, check_sidecars, write_cog
 from warpsample.city.rasters.datasets import run_of
 from warpsample.city.rasters.sources.inputs import files_read
 from warpsample.city.rasters.tiles import RasterRun, Span
@@ -34,6 +34,9 @@ from warpsample.sequences.record import STREAMS
 
 STREAMS_OF, VERSIONS = "streams", ("warpsample", "warp-lang")
 """Attributes of the random streams, and the libraries whose versions determine the values."""
+
+GEOTIFF = (".tif", ".tiff")
+"""Suffixes of outputs that are GeoTIFFs."""
 
 WORK = "cog"
 """Name of the folder, within that of the tiles, in which a GeoTIFF is written."""
@@ -175,6 +178,8 @@ def _bake(run: BakeRun, job: RasterJob, store: TileStore, record: RunRecord) -> 
     """Compute all tiles that are missing in the store and write the output; return notes, and the raster's shape."""
     raster, about = job.read()
     raster.check()
+    if run.output.suffix in GEOTIFF:
+        check_reference(raster, run.output, "--output")
     digests = {name: digests_of(reader) for name, reader in raster.rasters.items()}
     about |= describe_heights(digests)
     whole = store.begin(raster, about)
@@ -191,7 +196,7 @@ def _bake(run: BakeRun, job: RasterJob, store: TileStore, record: RunRecord) -> 
 def _finish(run: BakeRun, raster: RasterRun, about: Mapping[str, Any], store: TileStore) -> list[str]:
     """Write the output file and the report of a raster command from the computed tiles; return notes for the user."""
     notes = []
-    if run.output.suffix in (".tif", ".tiff"):
+    if run.output.suffix in GEOTIFF:
         removed = write_cog(run.output, raster, about, lambda: store.tiles(raster), store.path / WORK)
         names = ", ".join(file.name for file in removed)
         notes += [f"removed {names}: overviews, masks or statistics of the file that was replaced"] if removed else []
