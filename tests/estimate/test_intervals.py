@@ -5,6 +5,7 @@ from math import hypot, pi, sqrt
 import numpy as np
 import pytest
 import trimesh
+import warp as wp
 from estimate_cases import at, irradiance, square, street
 from scipy.stats import binom, t
 
@@ -156,6 +157,27 @@ def test_an_event_that_hardly_a_ray_meets_is_in_the_interval(rays):
     assert unseen >= 0.05  # it does happen
     assert case.held(64)[0].mean() >= LEAST
     assert case.held(64, two_errors)[0].mean() <= 1.0 - unseen + 1e-9
+
+
+D = np.sin(np.radians(80.0)), np.cos(np.radians(80.0))
+
+
+@wp.func
+def narrow(w: wp.vec3) -> float:
+    return wp.exp(30.0 * (wp.static(float(D[0])) * w[0] + wp.static(float(D[1])) * w[2] - 1.0))
+
+
+@pytest.mark.slow  # compiles kernels
+@pytest.mark.parametrize(("count", "share"), [(32, 0.76), (64, 0.86)])
+def test_intervals_of_a_narrow_lobe_are_too_short_as_the_page_says(count, share):
+    """Few rays have most of the value. The truth is that of 400 x 800 nodes in the cosine and the azimuth."""
+    nodes, weights = np.polynomial.legendre.leggauss(400)
+    cosine, azimuth = (nodes[:, None] + 1.0) / 2.0, (np.arange(800) + 0.5) / 400.0 * np.pi
+    along = np.sqrt(1.0 - cosine**2) * np.cos(azimuth) * D[0] + cosine * D[1]
+    truth = weights @ (np.exp(30.0 * (along - 1.0)).mean(axis=1) * cosine[:, 0])
+    points = ws.SurfacePoints(np.zeros((4000, 3)), np.tile((0.0, 0.0, 1.0), (4000, 1)))
+    lower, upper = ws.integrate(points, narrow, count).interval(0.95)
+    assert np.mean((lower <= truth) & (truth <= upper)) == pytest.approx(share, abs=0.03)  # 4 standard deviations of 4,000
 
 
 def test_leaves_do_not_break_the_expectation():
