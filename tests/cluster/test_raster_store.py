@@ -63,6 +63,15 @@ def test_a_geotiff_has_bands_tags_and_the_layout(dsm, folder):
         assert file.descriptions == ("value", "standard_error", "half_width")
 
 
+def test_a_sidecar_that_cannot_be_removed_keeps_the_old_file(dsm, folder):
+    """It was removed after the old file was replaced, so that its error came too late."""
+    (folder / "sky.tif").write_bytes(b"old")
+    (folder / "sky.tif.ovr").mkdir()
+    with pytest.raises(WriteError, match="sky.tif cannot be written"):
+        bake(dsm, folder / "sky.tif")
+    assert (folder / "sky.tif").read_bytes() == b"old"
+
+
 @pytest.mark.filterwarnings("ignore:.*on which distances are")
 def test_a_reference_system_that_no_geotiff_holds_is_refused(dsm, folder):
     """GDAL wrote it into a sidecar file, which was removed: the result had no place."""

@@ -155,6 +155,13 @@ def test_nor_is_a_report_an_input(call, cube, tmp_path, uncomputed):
     assert (status, err) == (2, said)
 
 
+def test_a_report_is_not_the_output_by_a_link_to_what_is_not_there_yet(call, cube, tmp_path, uncomputed):
+    output, report = tmp_path / "out.csv", tmp_path / "report.html"
+    report.symlink_to(output)
+    status, _, err = call("bake", cube, "-o", output, "--report", report)
+    assert (status, err.partition(", which is the ")[0]) == (2, f"error: --report: got {str(report)!r}")
+
+
 def test_nor_is_an_output_a_raster_below_the_terrain_of_a_city(call, tmp_path, uncomputed):
     pytest.importorskip("rasterio")
     city, terrain, virtual = (tmp_path / name for name in ("in.city.json", "terrain.csv", "terrain.vrt"))

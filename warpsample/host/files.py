@@ -304,10 +304,10 @@ def _flaw(path: Path, inputs: list[Path]) -> str:
 
 
 def is_same(target: Path, source: Path) -> bool:
-    """Return whether two paths lead to the same existing file."""
+    """Return whether two paths lead to the same file, which need not exist yet."""
     with suppress(OSError):  # one of the two does not exist
         return target.samefile(source)
-    return False
+    return os.path.realpath(target) == os.path.realpath(source)
 
 
 @contextmanager

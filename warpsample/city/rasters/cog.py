@@ -18,7 +18,7 @@ from rasterio.windows import Window
 
 from warpsample.city.rasters.sources.reference import is_same_map
 from warpsample.city.rasters.tiles import RasterRun, Span
-from warpsample.host.files import WriteError, complete_or_absent, is_same
+from warpsample.host.files import WriteError, complete_or_absent, is_same, to_disk
 
 _BLOCK = 512  # cells along the sides of the file's own tiles
 _SIDECARS = (".msk", ".ovr", ".aux.xml")  # masks, overviews and statistics, which GDAL would read as those of the new file
@@ -99,8 +99,9 @@ def write_cog(
         removed = _list_sidecars(path) if path.exists() else []
         with complete_or_absent(path) as stream, (folder / "cog.tif").open("rb") as made:
             shutil.copyfileobj(made, stream, 1 << 24)
-        for sidecar in removed:
-            sidecar.unlink(missing_ok=True)
+            to_disk(stream)
+            for sidecar in removed:  # before the old file is replaced, because it may be impossible
+                sidecar.unlink(missing_ok=True)
     return removed
 
 
