@@ -147,6 +147,18 @@ def test_trunks_and_crowns_come_in_rasters_and_as_elevations(tmp_path):
     assert np.allclose(read.canopy_mesh.vertices - [5e5, 1e5, 0.0], right.vertices, atol=1e-9)
 
 
+@pytest.mark.parametrize("metres", [1.0, 1200.0 / 3937.0])
+def test_what_differs_from_the_ground_by_rounding_is_no_crown(metres):
+    """Elevations in feet or in steps of a centimetre made flat slabs on slopes: sky views were 0.07 too low."""
+    ground = np.add.outer(np.arange(8.0), np.arange(8.0)) / metres
+    canopy = ground + np.where(np.arange(8) % 2 == 0, 0.008, 1e-6) / metres
+    canopy[3, 3] = ground[3, 3] + 0.02 / metres
+    crs = "EPSG:2263+5703" if metres == 1.0 else "EPSG:2263+6360"
+    where = Affine.translation(9e5, 2e5) @ NORTH_UP, crs
+    made = rasters.surface((ground, *where), canopy=(canopy, *where), relative=False)
+    assert len(made.canopy_mesh.faces) - len(made.mesh.faces) == 12  # of one crown
+
+
 def test_errors_are_those_of_both_runs():
     made = with_crowns(np.zeros((3, 3)), np.eye(3) * 6.0)
     points, _ = made.points()

@@ -24,6 +24,9 @@ _RING = ((0, 0), (0, 1), (1, 1), (1, 0))
 TRUNK = 0.25
 """Default height of a crown's underside, as a fraction of the crown's height, as in SOLWEIG."""
 
+_THINNEST = 0.01
+"""Thickness of the thinnest crown in metres. Elevations of bare ground may differ from those of the raster by rounding."""
+
 _ALL = slice(None)
 _OFF = 0.01
 """Largest distance, in cells, between corners of two rasters on the same cells: some files round their transforms."""
@@ -101,7 +104,8 @@ class Canopy:
                 "there are no crowns; relative=False takes elevations"
             )
         ground = grid.height if self.relative else 0.0
-        top = np.where((top != 0.0) & (ground + top > grid.height), ground + top, np.nan)
+        least = grid.height + _THINNEST / grid.metres
+        top = np.where((top != 0.0) & (ground + top > least), ground + top, np.nan)
         if isinstance(self.trunk, RasterReader):
             trunk = self.trunk.read(rows, columns)
             if (bottomless := np.isnan(trunk) & ~np.isnan(top)).any():
