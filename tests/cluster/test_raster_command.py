@@ -127,6 +127,22 @@ def test_no_input_is_removed_with_the_masks_of_an_older_file(dsm, option, suffix
     assert used.read_bytes() == older.read_bytes() == dsm.read_bytes()
 
 
+@pytest.mark.parametrize("name", ["sky.tif.OVR", "SKY.TIF.msk", "sky.aux", "sky.tif.Aux"])
+def test_sidecars_in_other_case_and_of_erdas_are_refused(dsm, name, call, monkeypatch):
+    """GDAL read them as part of the result: all cells were masked. They may belong to another file, so they stay."""
+    monkeypatch.chdir(dsm.parent)
+    (dsm.parent / name).write_bytes(b"EHFA_HEADER_TAG")
+    for old in (False, True):
+        if old:
+            (dsm.parent / "sky.tif").write_bytes(b"old")
+        status, _, said = call("bake", dsm.name, "-o", "sky.tif", "--quantity", "sky", "--samples", 4)
+        assert status == 2
+        assert f"error: --output: got 'sky.tif' next to {name}, which GDAL would read as part of it" in said
+    (dsm.parent / name).rename(dsm.parent / "sky.tif.tex")
+    (dsm.parent / "sky.aux").write_text("\\relax")  # of LaTeX
+    assert call("bake", dsm.name, "-o", "sky.tif", "--quantity", "sky", "--samples", 4)[0] == 0
+
+
 def test_overviews_beside_the_target_of_a_link_are_removed(dsm, call, monkeypatch):
     """And those beside the link: GDAL finds the former when the target is opened, and the latter when the link is."""
     monkeypatch.chdir(dsm.parent)

@@ -3,7 +3,7 @@
 import os
 import shutil
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -22,17 +22,19 @@ from warpsample.host.files import WriteError, complete_or_absent, is_same, to_di
 
 _BLOCK = 512  # cells along the sides of the file's own tiles
 _SIDECARS = (".msk", ".ovr", ".aux.xml")  # masks, overviews and statistics, which GDAL would read as those of the new file
+_ERDAS = b"EHFA_HEADER_TAG"
 _HOW = {"compress": "DEFLATE", "overview_resampling": "AVERAGE", "blocksize": _BLOCK, "bigtiff": "IF_SAFER"}
 
 
 def check_sidecars(path: Path, argument: str, inputs: Iterable[Path]) -> None:
     """Raise a ValueError for a GeoTIFF beside files that GDAL would read as its masks, overviews or statistics.
 
-    Those of an older GeoTIFF with this name are accepted, unless they are inputs: `write_cog` removes them.
+    Those of an older GeoTIFF with this name are accepted, unless they are inputs: `write_cog` removes them. Files
+    with names in other case may be those of another GeoTIFF, but GDAL reads them, too.
     """
-    inputs = list(inputs)
-    for older in _list_sidecars(path):
-        if not path.exists() or any(is_same(older, file) for file in inputs):
+    inputs, own = list(inputs), _list_sidecars(path)
+    for older in own + _list_similar(path, own):
+        if older not in own or not path.exists() or any(is_same(older, file) for file in inputs):
             raise ValueError(
                 f"{argument}: got {str(path)!r} next to {older.name}, which GDAL would read as part of it; want another name"
             )
@@ -61,8 +63,33 @@ def check_reference(run: RasterRun, path: Path, argument: str) -> None:
 
 def _list_sidecars(path: Path) -> list[Path]:
     """Return the existing sidecar files of a GeoTIFF; of a link also those of its target."""
-    files = {Path(os.path.realpath(one.parent), one.name): None for one in (path, Path(os.path.realpath(path)))}
-    return [sidecar for file in files for suffix in _SIDECARS if (sidecar := Path(f"{file}{suffix}")).exists()]
+    return [one for file in _list_names(path) for suffix in _SIDECARS if (one := Path(f"{file}{suffix}")).exists()]
+
+
+def _list_similar(path: Path, own: list[Path]) -> list[Path]:
+    """Return the files that GDAL reads as sidecars, but that are not in `own`: in other case, or .aux files of ERDAS."""
+    found = []
+    for file in _list_names(path):
+        wanted = {f"{file.name}{suffix}".lower() for suffix in (*_SIDECARS, ".aux")} | {f"{file.stem}.aux".lower()}
+        near = sorted(file.parent.iterdir()) if file.parent.is_dir() else []
+        found += [one for one in near if one.name.lower() in wanted and one not in own and _is_sidecar(one)]
+    return found
+
+
+def _is_sidecar(path: Path) -> bool:
+    """Return whether a file can be a sidecar by its content: an .aux file may be of LaTeX."""
+    if path.suffix.lower() != ".aux":
+        return True
+    with suppress(OSError):
+        if path.is_file():
+            with path.open("rb") as file:
+                return file.read(len(_ERDAS)) == _ERDAS
+    return False
+
+
+def _list_names(path: Path) -> list[Path]:
+    """Return the absolute paths at which GDAL opens a file: the path, and for a link also that of its target."""
+    return list({Path(os.path.realpath(one.parent), one.name): None for one in (path, Path(os.path.realpath(path)))})
 
 
 def write_cog(
