@@ -193,6 +193,10 @@ def test_no_lengths_are_taken_for_degrees(heights, side):
         ("1 2 3\n4 5 6-7\n", "with '6-7' among"),
         ("1 2 3\n4 5 6e\n", "with '6e' among"),
         ("1 2 3\n4 <NA> 6\n", "with '<NA>' among"),
+        *(
+            (f"1 2 3\n4 {text} 6\n", f"with '{text}' among")
+            for text in ("NA", "-nan", "1,234.5", "1.2.3", "1e2.5", "n", "D5", "5.nan", ".", "1,234,567")
+        ),
     ],
 )
 def test_a_damaged_arc_grid_is_refused(tmp_path, text, got):
@@ -233,6 +237,22 @@ def test_an_arc_header_without_one_place_is_refused(tmp_path, place):
     path = tmp_path / "dsm.asc"
     path.write_text("\n".join(["ncols 3", "nrows 1", *place.splitlines(), "cellsize 1", "1 2 3", ""]))
     with pytest.raises(ValueError, match="^source: got '.*dsm.asc' with ncols, .* in its header, want xllcorner"):
+        ws.rasters.surface(path)
+
+
+@pytest.mark.parametrize(
+    ("lines", "got"),
+    [
+        ("NODATA_value nan\nnan\n2\n3", "with 'nan' alone in the first line of heights, which GDAL takes for the header"),
+        ("  dx 1\n1\n2\n3", "with 'dx' among its heights"),
+        ("nodata_value\n-9\n1\n2\n3", "with 'nodata_value' alone in the first line"),
+    ],
+)
+def test_an_arc_header_that_gdal_divides_otherwise_is_refused(tmp_path, lines, got):
+    """Heights moved by a cell, or words of the header were heights."""
+    path = tmp_path / "dsm.asc"
+    path.write_text(f"ncols 1\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n{lines}\n")
+    with pytest.raises(ValueError, match=f"^source: got '.*dsm.asc' {got}"):
         ws.rasters.surface(path)
 
 

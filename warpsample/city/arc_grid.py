@@ -7,36 +7,24 @@ from pathlib import Path
 import numpy as np
 
 _CHUNK = 1 << 24  # bytes read at a time
-_HEADER = re.compile(rb"(?:\s*(?:ncols|nrows|[xy]ll(?:corner|center)|cellsize|d[xy]|nodata_value)\s+\S+)+", re.IGNORECASE)
+_KEYS = rb"(?:ncols|nrows|[xy]ll(?:corner|center)|cellsize|d[xy]|nodata_value)"
+_HEADER = re.compile(rb"\s*(?:" + _KEYS + rb"[ \t]+\S+[ \t]*[\r\n]+)+", re.IGNORECASE)
+"""Lines of a header: GDAL takes an indented line, and a value on a line of its own, for heights."""
+
 _LONGEST_HEADER = 4096
 _NUMBER = re.compile(rb"[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?", re.IGNORECASE)
 _NO_NUMBER = re.compile(rb"[+-]?(nan|inf(inity)?|1[.]#(qnan|ind|inf))", re.IGNORECASE)  # nodata values that are no heights
 _LENGTHS = (b"cellsize", b"dx", b"dy")
 _PLACES = ({b"xllcorner", b"yllcorner"}, {b"xllcenter", b"yllcenter"})
 
-_SPACE, _DIGIT, _SIGN, _POINT, _EXPONENT, _LETTER, _OTHER = range(7)
-_CLASSES = np.full(256, _OTHER, np.uint8)
-_CLASSES[:33] = _SPACE
-for _class, _bytes in ((_DIGIT, b"0123456789"), (_SIGN, b"+-"), (_POINT, b".,"), (_EXPONENT, b"eE")):
-    _CLASSES[[*_bytes]] = _class
-_CLASSES[[*b"nNaAiIfFqQdD#"]] = _LETTER  # of nan, inf, 1.#QNAN and 1.#IND
-_FOLLOWS = np.zeros((7, 7), bool)
-"""Whether a byte of the second class may follow one of the first in a text of numbers."""
-for _first, _seconds in (
-    (_SPACE, (_SPACE, _DIGIT, _SIGN, _POINT, _LETTER)),
-    (_DIGIT, (_SPACE, _DIGIT, _POINT, _EXPONENT)),
-    (_SIGN, (_DIGIT, _POINT, _LETTER)),
-    (_POINT, (_SPACE, _DIGIT, _EXPONENT, _LETTER)),
-    (_EXPONENT, (_DIGIT, _SIGN)),
-    (_LETTER, (_SPACE, _DIGIT, _LETTER)),
-):
-    _FOLLOWS[_first, _seconds] = True
+_SPECIAL = rb"(?i:[+]?nan|[+-]?inf(?:inity)?)|-?1[.]#QNAN|-1[.]#IND|[+-]?1[.]#INF"  # as GDAL reads them; it reads -nan as 0
+_HEIGHT = rb"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?|" + _SPECIAL
+_DAMAGED = re.compile(rb"(?<=[\x00-\x20])(?!(?:" + _HEIGHT + rb")[\x00-\x20])[^\x00-\x20]+")
+_LONE_WORD = re.compile(rb"[ \t]*[A-Za-z]\S*[ \t]*[\r\n]")
 
 
 def check_arc_grid(path: str, shape: tuple[int, int]) -> None:
     """Raise a ValueError for an Arc ASCII grid with a wrong count of heights, or with a text that is not a number.
-
-    The bytes of the heights are compared with those that may follow each other in numbers, without converting the numbers.
 
     Args:
         path: Path of the file.
@@ -45,12 +33,11 @@ def check_arc_grid(path: str, shape: tuple[int, int]) -> None:
     header, count = _read_header(path), 0
     _check_header(path, header)
     for chunk in _chunks(path, len(header)):
-        classes = _CLASSES[np.frombuffer(chunk, np.uint8)]
-        wrong = ~_FOLLOWS.ravel()[7 * classes[:-1] + classes[1:]]
-        if wrong.any():
-            text = _token_at(chunk, int(wrong.argmax()) + 1)
+        if damaged := _DAMAGED.search(chunk):
+            text = damaged[0][:40].decode("ascii", "replace")
             raise ValueError(f"source: got {path!r} with {text!r} among its heights, want numbers: the file is damaged")
-        count += np.count_nonzero((classes[:-1] == _SPACE) & (classes[1:] != _SPACE))
+        is_space = np.frombuffer(chunk, np.uint8) <= ord(" ")
+        count += np.count_nonzero(is_space[:-1] & ~is_space[1:])
     rows, columns = shape
     if count != rows * columns:
         raise ValueError(
@@ -82,21 +69,24 @@ def _check_header(path: str, header: bytes) -> None:
 
 
 def _chunks(path: str, start: int) -> Iterator[bytes]:
-    """Yield the text of the heights, from byte `start`, in chunks; each begins with the last byte of the preceding one.
+    """Yield the text of the heights, from byte `start`, in chunks of whole numbers; each begins and ends with a space.
 
-    The last chunk ends in a space.
+    Raises:
+        ValueError: The heights begin with a line such as nan, which GDAL takes for a line of the header.
     """
     with Path(path).open("rb") as file:
         file.seek(start)
-        last = b"\n"
+        rest, is_first = b"\n", True
         while chunk := file.read(_CHUNK):
-            yield last + chunk
-            last = chunk[-1:]
-        yield last + b"\n"
-
-
-def _token_at(chunk: bytes, index: int) -> str:
-    """Return the word of a text at a byte index, or the word that ends there if the byte is a space."""
-    before = re.search(rb"[^\x00-\x20]{0,20}$", chunk[:index])
-    after = re.match(rb"[^\x00-\x20]{0,20}", chunk[index:])
-    return ((before[0] if before else b"") + (after[0] if after else b"")).decode("ascii", "replace")
+            if is_first and (word := _LONE_WORD.match(chunk)):
+                text = word[0][:40].decode("ascii", "replace").strip()
+                raise ValueError(
+                    f"source: got {path!r} with {text!r} alone in the first line of heights, which GDAL takes for the "
+                    "header; write a number, such as -9999"
+                )
+            is_first = False
+            rest += chunk
+            end = max(rest.rfind(space) for space in (b" ", b"\n", b"\t", b"\r"))
+            yield rest[: end + 1]
+            rest = rest[end:]
+        yield rest + b"\n"
