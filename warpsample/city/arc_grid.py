@@ -12,14 +12,14 @@ _HEADER = re.compile(rb"\s*(?:" + _KEYS + rb"[ \t]+\S+[ \t]*[\r\n]+)+", re.IGNOR
 """Lines of a header: GDAL takes an indented line, and a value on a line of its own, for heights."""
 
 _LONGEST_HEADER = 4096
-_NUMBER = re.compile(rb"[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?", re.IGNORECASE)
+_DECIMAL = rb"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?"
+_NUMBER = re.compile(_DECIMAL)
 _NO_NUMBER = re.compile(rb"[+-]?(nan|inf(inity)?|1[.]#(qnan|ind|inf))", re.IGNORECASE)  # nodata values that are no heights
 _LENGTHS = (b"cellsize", b"dx", b"dy")
 _PLACES = ({b"xllcorner", b"yllcorner"}, {b"xllcenter", b"yllcenter"})
 
 _SPECIAL = rb"(?i:[+]?nan|[+-]?inf(?:inity)?)|-?1[.]#QNAN|-1[.]#IND|[+-]?1[.]#INF"  # as GDAL reads them; it reads -nan as 0
-_HEIGHT = rb"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?|" + _SPECIAL
-_DAMAGED = re.compile(rb"(?<=[\x00-\x20])(?!(?:" + _HEIGHT + rb")[\x00-\x20])[^\x00-\x20]+")
+_DAMAGED = re.compile(rb"(?<=[\x00-\x20])(?!(?:" + _DECIMAL + rb"|" + _SPECIAL + rb")[\x00-\x20])[^\x00-\x20]+")
 _LONE_WORD = re.compile(rb"[ \t]*[A-Za-z]\S*[ \t]*[\r\n]")
 
 

@@ -17,8 +17,8 @@ _MOST = 1 << 20  # characters of a text in which names are looked for
 def files_read(path: str) -> list[Path]:
     """Return the files of a raster: the file itself, and files that it refers to.
 
-    GDAL lists most files of a .vrt, but not those in addresses, as GTIFF_DIR:1:dsm.tif, and none of an index of tiles. So
-    each existing file counts that a text names, such as a .vrt or an index, and so do files that these name.
+    GDAL lists most files of a .vrt, but neither those in addresses, such as GTIFF_DIR:1:dsm.tif, nor those of an index of
+    tiles. So each existing file whose name is in the text of a .vrt or an index counts, too, and so on from file to file.
     """
     found: dict[str, str] = {}
     waiting = [path, *_list_named(path, Path())]
