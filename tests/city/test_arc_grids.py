@@ -6,7 +6,7 @@ import pytest
 pytest.importorskip("rasterio")
 
 import warpsample as ws
-from warpsample.city import arc_grid
+from warpsample.city.rasters.sources import arc_grid
 
 
 @pytest.mark.parametrize(
@@ -17,6 +17,10 @@ from warpsample.city import arc_grid
         ("1 2 3\n4 x 6\n", "with 'x' among its heights, want numbers"),
         ("1 2 3\n4 5 6-7\n", "with '6-7' among"),
         ("1 2 3\n4 5 6e\n", "with '6e' among"),
+        ("1 2 3\n4 \x115 6\n", r"with '\\x115' among"),
+        ("1 2 3\n4\x1a5 6\n", r"with '4\\x1a5' among"),
+        ("1 2 3\n4 nan 6\n", "with 'nan' among its heights, want integers, as the others are, and -9999 for no data"),
+        ("1 2 3\n4 inf 6\n", "with 'inf' among its heights, want integers"),
         ("1 2 3\n4 <NA> 6\n", "with '<NA>' among"),
         *(
             (f"1 2 3\n4 {text} 6\n", f"with '{text}' among")

@@ -9,7 +9,8 @@ def build_tin(grid: Grid) -> Triangles:
     """Build the triangles between the centres of each 2 x 2 block of cells that all have heights.
 
     A square is cut along the diagonal whose ends differ less in height, or else along the higher diagonal. So a rotated or
-    mirrored raster gives the same triangles. Both triangles of a square belong to the square's first cell. Next to cells
+    mirrored raster gives the same surface. Flat squares are cut by the order of cells; this changes no height, but the
+    weights of their normals at corners. Both triangles of a square belong to the square's first cell. Next to cells
     without data, walls reach from the triangles down to the lowest height, so that no ray gets below the triangles.
 
     A part of a raster may have no such block. Its cells are points without a triangle, and one triangle without an area

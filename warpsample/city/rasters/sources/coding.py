@@ -2,7 +2,7 @@
 
 import re
 from dataclasses import dataclass
-from math import isfinite
+from math import inf, isfinite
 from pathlib import Path
 from typing import Any
 
@@ -29,11 +29,15 @@ class Coding:
     Attributes:
         nodata: Number that marks cells without data, or None.
         scale, offset: Factor and summand that convert a stored number to a height.
+        others: More numbers that mark cells without data.
+        valid: Lowest and highest stored number that counts as data.
     """
 
     nodata: float | None = None
     scale: float = 1.0
     offset: float = 0.0
+    others: tuple[float, ...] = ()
+    valid: tuple[float, float] = (-inf, inf)
 
     def __post_init__(self) -> None:
         """Raise a ValueError for a scale or an offset that is not finite, or a scale of 0."""
@@ -87,8 +91,8 @@ class Coding:
         if values.dtype.kind not in "fiu":
             raise TypeError(f"source: got heights of dtype {values.dtype}, want real numbers")
         heights = values.astype(np.float64)
-        none = ~(np.abs(heights) < _LARGEST)
-        codes = _UNDECLARED if self.nodata is None else (*_UNDECLARED, self.nodata)
+        none = ~(np.abs(heights) < _LARGEST) | (heights < self.valid[0]) | (heights > self.valid[1])
+        codes = (*_UNDECLARED, *self.others, *(() if self.nodata is None else (self.nodata,)))
         kinds = {np.float64, np.float32, values.dtype.type if values.dtype.kind == "f" else np.float64}
         with np.errstate(over="ignore"):  # numbers outside float32 count as nodata anyway
             rounded = {float(kind(code)) for code in codes for kind in kinds}  # in float16, -9999 is -10000

@@ -2,16 +2,26 @@
 
 import os
 import re
-from contextlib import suppress
+import sqlite3
+from collections.abc import Iterator
+from contextlib import closing, suppress
 from html import unescape
+from itertools import chain, product
 from pathlib import Path
 
-from warpsample.city.rasters.sources.reading import open_raster
+from warpsample.city.rasters.sources.opening import open_raster
 
-_BETWEEN = re.compile(r"[\s\"'<>()\[\]{}|,;:?&=]+|/vsi\w+/|://")
-"""What is between file names in texts and addresses of GDAL, as in vrt://in.tif?bands=1."""
+_BREAK = re.compile(r"[\x00-\x1f\"<>]|  +")
+"""What is between names in a text: tags, quotation marks, and the spaces that fill the columns of a table."""
 
-_MOST = 1 << 20  # characters of a text in which names are looked for
+_EDGE = re.compile(r"\s|['()\[\]{}|,;:?&=]|/vsi\w+/|//")
+"""Where names of files may begin or end in addresses of GDAL, as in vrt://in.tif?bands=1; names may also hold these."""
+
+_MOST_EDGES = 64  # in a piece; longer ones are lists of numbers
+_MOST = 1 << 20  # bytes of a text in which names are looked for
+_ESCAPED = re.compile(r"\\(?:u([0-9a-fA-F]{4})|/)")  # characters in JSON
+_TEXT_COLUMNS = """SELECT m.name, c.name FROM sqlite_master AS m, pragma_table_info(m.name) AS c
+WHERE m.type = 'table' AND (c.type LIKE '%TEXT%' OR c.type LIKE '%CHAR%')"""
 
 
 def files_read(path: str) -> list[Path]:
@@ -32,26 +42,55 @@ def files_read(path: str) -> list[Path]:
             with suppress(FileNotFoundError, ValueError), open_raster(one) as file:  # reported when the file is read
                 waiting += file.files
             waiting += _list_named(text, Path(one).parent)
+        if one.lower().endswith(".shp"):
+            waiting += [f"{one[:-4]}{suffix}" for suffix in (".dbf", ".DBF")]
     return [Path(one) for one in found.values()]
 
 
 def _read_text(path: Path) -> str:
-    """Read the beginning of a file that is a text; "" for other files, which have a zero in their first bytes."""
+    """Read the beginning of a file that is a text or a table of texts; "" for other files, which begin with zeros."""
     with suppress(OSError):
         if path.is_file():  # reading a pipe may never end
             with path.open("rb") as file:
-                first = file.read(1024)
-                return "" if b"\0" in first else unescape(os.fsdecode(first + file.read(_MOST)))
+                content = file.read(1024)
+                if content.startswith(b"SQLite format 3"):
+                    return _read_database(path)
+                if b"\0" in content and path.suffix.lower() != ".dbf":
+                    return ""
+                text = unescape(os.fsdecode(content + file.read(_MOST)))
+                return _ESCAPED.sub(lambda match: chr(int(match[1] or "2f", 16)), text)
     return ""
+
+
+def _read_database(path: Path) -> str:
+    """Read the texts in all tables of an SQLite file, such as an index of tiles in a GeoPackage."""
+    texts = []
+    address = f"{path.absolute().as_uri()}?mode=ro&immutable=1"  # so that no journal appears next to it
+    with suppress(sqlite3.Error), closing(sqlite3.connect(address, uri=True)) as database:
+        for table, column in database.execute(_TEXT_COLUMNS).fetchall():
+            names = (name.replace('"', '""') for name in (column, table))
+            texts += database.execute('SELECT "{}" FROM "{}"'.format(*names)).fetchall()
+    return "\n".join(text for (text,) in texts if isinstance(text, str))
 
 
 def _list_named(text: str, folder: Path) -> list[str]:
     """Return the existing files that a text names, relative to a folder or to the current one."""
-    names = {name for name in _BETWEEN.split(text) if not name.replace(".", "").replace("-", "").isdecimal()}
+    names = {name for piece in _BREAK.split(text) for name in _names_in(piece)}
     found = []
-    for place in dict.fromkeys((folder, Path())):
-        for name in filter(None, names):
-            with suppress(OSError):  # it may be too long for a name
+    for place in (folder, Path()):
+        for name in names:
+            with suppress(OSError, ValueError):  # it may be too long for a name
                 if (place / name).is_file():
                     found.append(str(place / name))
-    return sorted(found)
+    return sorted(set(found))
+
+
+def _names_in(piece: str) -> Iterator[str]:
+    """Yield each part of a text that may be the name of a file: from one edge to another, and not a number."""
+    edges = [match.span() for match in _EDGE.finditer(piece)]
+    starts = sorted({0, *chain.from_iterable(edges)})
+    ends = sorted({*chain.from_iterable(edges), *(match.start() for match in re.finditer("/", piece)), len(piece)})
+    if len(edges) <= _MOST_EDGES:
+        for start, end in product(starts, ends):
+            if start < end and not piece[start:end].replace(".", "").replace("-", "").isdecimal():
+                yield piece[start:end]

@@ -2,24 +2,23 @@
 
 import re
 import warnings
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import rasterio
 import xarray as xr
 from affine import Affine
 from rasterio.enums import ColorInterp
-from rasterio.errors import NotGeoreferencedWarning, RasterioError, RasterioIOError
 from rasterio.windows import Window
 from rioxarray.exceptions import MissingSpatialDimensionError
 
-from warpsample.city.arc_grid import check_arc_grid
 from warpsample.city.rasters.sources.coding import Coding
+from warpsample.city.rasters.sources.damage import check_undamaged
+from warpsample.city.rasters.sources.netcdf import check_coordinates, coding_of
+from warpsample.city.rasters.sources.opening import WANTS, open_raster
 from warpsample.city.rasters.sources.reader import RasterReader
 from warpsample.city.rasters.sources.reference import (
     REPROJECT,
@@ -43,7 +42,6 @@ from warpsample.host.arrays import as_real
 from warpsample.host.neighbours import describe_type
 
 _HEIGHT_UNIT = re.compile(rb"^Zunits\s+(\w+)", re.IGNORECASE | re.MULTILINE)
-_WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
 
 
 def reader_of(source: Any) -> RasterReader:
@@ -67,7 +65,7 @@ def reader_of(source: Any) -> RasterReader:
         return _data_array_reader(source)
     if isinstance(source, tuple) and len(source) == 3:
         return _array_reader(*source)
-    raise TypeError(f"source: got {describe_type(source)}, want {_WANTS}")
+    raise TypeError(f"source: got {describe_type(source)}, want {WANTS}")
 
 
 def ground_of(source: Any) -> RasterReader:
@@ -102,11 +100,13 @@ def _file_reader(path: str) -> RasterReader:
                 "with gdal_translate -b 1"
             )
         check_place(file.transform, repr(path))
-        if file.driver == "AAIGrid" and Path(path).is_file():
-            check_arc_grid(path, file.shape)
+        check_undamaged(path, file)
         band = bands[0]
         check_upward(file.tags() | file.tags(band))
-        read = partial(_band, path, band, Coding.of_file(path, file, band))
+        if file.driver == "netCDF":
+            check_coordinates(file)
+        coding = coding_of(file, band) if file.driver == "netCDF" else Coding.of_file(path, file, band)
+        read = partial(_band, path, band, coding)
         return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or _read_prj_unit(path), read)
 
 
@@ -206,28 +206,3 @@ def _reader(
         )
     coordinates = coordinates_of(transform, shape) if coordinates is None else coordinates
     return RasterReader(shape, transform, found, metres, dims, coordinates, height_metres / metres, heights)
-
-
-@contextmanager
-def open_raster(path: str) -> Iterator[Any]:
-    """Open a raster file with rasterio within a `with` statement.
-
-    Raises:
-        FileNotFoundError: The file does not exist.
-        ValueError: The file is not a raster, or is damaged.
-    """
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", NotGeoreferencedWarning)
-            with rasterio.open(path) as file:
-                yield file
-    except UnicodeEncodeError as error:
-        raise ValueError(
-            f"source: got {path!r}, whose name is not in UTF-8, as GDAL needs; rename the file or folder"
-        ) from error
-    except RasterioError as error:
-        if isinstance(error, RasterioIOError) and "://" not in path and ":" not in path[2:] and not Path(path).exists():
-            raise FileNotFoundError(f"source: got {path!r}, which is missing, want {_WANTS}") from error
-        told = error.__cause__ or error  # GDAL's own words; without them rasterio tells to look at the cause
-        reason = (str(told).strip().splitlines() or [type(error).__name__])[0]
-        raise ValueError(f"source: got {path!r}, which cannot be read as a raster: {reason}") from error

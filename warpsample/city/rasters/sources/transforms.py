@@ -118,17 +118,22 @@ def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
     steps, starts = [], []
     for name in dims:
         centres = array.coords[name].to_numpy()
-        if centres.dtype.kind not in "fiu":
-            raise TypeError(f"source: got coordinates {name!r} of dtype {centres.dtype}, want real numbers")
-        step = (float(centres[-1]) - float(centres[0])) / (len(centres) - 1)
-        off = np.abs(centres - (centres[0] + step * np.arange(len(centres)))).max()
-        if not off <= 0.1 * abs(step):  # coordinates may be float32
-            raise ValueError(f"source: got coordinates {name!r} that are not evenly spaced, want cells of one size")
-        steps.append(step)
+        steps.append(step := step_of(centres, name))
         starts.append(float(centres[0]) - 0.5 * step)
     transform = Affine(steps[1], 0.0, starts[1], 0.0, steps[0], starts[0])
     check_place(transform, "an xarray.DataArray")  # rioxarray gives these coordinates to a file without a transform
     return transform
+
+
+def step_of(centres: np.ndarray, name: str) -> float:
+    """Return the step of coordinates of cell centres; raise an error if they are not numbers or not evenly spaced."""
+    if centres.dtype.kind not in "fiu":
+        raise TypeError(f"source: got coordinates {name!r} of dtype {centres.dtype}, want real numbers")
+    step = (float(centres[-1]) - float(centres[0])) / (len(centres) - 1)
+    off = np.abs(centres - (centres[0] + step * np.arange(len(centres)))).max()
+    if not off <= 0.1 * abs(step):  # coordinates may be float32
+        raise ValueError(f"source: got coordinates {name!r} that are not evenly spaced, want cells of one size")
+    return step
 
 
 def coordinates_of(transform: Affine, shape: tuple[int, int]) -> dict[str, np.ndarray]:

@@ -19,24 +19,31 @@ _LENGTHS = (b"cellsize", b"dx", b"dy")
 _PLACES = ({b"xllcorner", b"yllcorner"}, {b"xllcenter", b"yllcenter"})
 
 _SPECIAL = rb"(?i:[+]?nan|[+-]?inf(?:inity)?)|-?1[.]#QNAN|-1[.]#IND|[+-]?1[.]#INF"  # as GDAL reads them; it reads -nan as 0
-_DAMAGED = re.compile(rb"(?<=[\x00-\x20])(?!(?:" + _DECIMAL + rb"|" + _SPECIAL + rb")[\x00-\x20])[^\x00-\x20]+")
+_DAMAGED, _NOT_DECIMAL = (
+    re.compile(rb"(?<=[\t-\r ])(?!(?:" + number + rb")[\t-\r ])[^\t-\r ]+")
+    for number in (_DECIMAL + b"|" + _SPECIAL, _DECIMAL)
+)
 _LONE_WORD = re.compile(rb"[ \t]*[A-Za-z]\S*[ \t]*[\r\n]")
 
 
-def check_arc_grid(path: str, shape: tuple[int, int]) -> None:
+def check_arc_grid(path: str, shape: tuple[int, int], is_integer: bool) -> None:
     """Raise a ValueError for an Arc ASCII grid with a wrong count of heights, or with a text that is not a number.
 
     Args:
         path: Path of the file.
         shape: Numbers of rows and columns from its header.
+        is_integer: Whether GDAL reads the heights as integers; it reads NaN and infinite heights among integers as 0.
     """
     header, count = _read_header(path), 0
     _check_header(path, header)
     for chunk in _chunks(path, len(header)):
-        if damaged := _DAMAGED.search(chunk):
+        if damaged := (_NOT_DECIMAL if is_integer else _DAMAGED).search(chunk):
             text = damaged[0][:40].decode("ascii", "replace")
-            raise ValueError(f"source: got {path!r} with {text!r} among its heights, want numbers: the file is damaged")
-        is_space = np.frombuffer(chunk, np.uint8) <= ord(" ")
+            is_special = not _DAMAGED.search(b" " + damaged[0] + b" ")
+            want = "integers, as the others are, and -9999 for no data" if is_special else "numbers"
+            raise ValueError(f"source: got {path!r} with {text!r} among its heights, want {want}: the file is damaged")
+        codes = np.frombuffer(chunk, np.uint8)
+        is_space = (codes == ord(" ")) | ((codes >= ord("\t")) & (codes <= ord("\r")))
         count += np.count_nonzero(is_space[:-1] & ~is_space[1:])
     rows, columns = shape
     if count != rows * columns:

@@ -1,0 +1,124 @@
+"""A raster file without its end is refused, warned of by its format, or read rightly: GDAL reads some as heights of 0."""
+
+import warnings
+
+import numpy as np
+import pytest
+from raster_cases import SLOVENIA, write_tif
+
+pytest.importorskip("rasterio")
+
+import rasterio
+import rasterio.shutil
+from rasterio._err import CPLE_BaseError
+
+from warpsample.city.rasters.sources import reading
+
+ALL = slice(None)
+HEIGHTS = {kind: (np.random.default_rng(0).random((40, 50)) * 50 + 100).astype(kind) for kind in ("float32", "int16")}
+SUFFIXES = {"AAIGrid": "asc", "EHdr": "bil", "ENVI": "img", "HFA": "img", "XYZ": "xyz", "PCRaster": "map", "netCDF": "nc"}
+SUFFIXES |= {"GSAG": "grd", "ERS": "ers", "JP2OpenJPEG": "jp2", "ROI_PAC": "dem", "ISCE": "isce", "HF2": "hf2"}
+WARNED = "format; where parts of it are missing or damaged, GDAL may read heights of 0"
+
+
+def written(folder, driver, kind="float32", **options):
+    """A raster in a format of GDAL, or None if GDAL cannot write this kind of numbers in it."""
+    source = write_tif(folder / "source.tif", HEIGHTS[kind], transform=SLOVENIA)
+    path = folder / f"dsm.{SUFFIXES.get(driver, driver.lower())}"
+    try:
+        rasterio.shutil.copy(source, path, driver=driver, **options)
+    except (rasterio.errors.RasterioError, CPLE_BaseError):
+        return None
+    return path if path.is_file() else None
+
+
+def outcome(path):
+    """How a raster is read: its heights, or the message of an error; and whether its format is warned of."""
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        try:
+            found = reading.reader_of(str(path)).read(ALL, ALL)
+        except ValueError as error:
+            found = str(error)
+    return found, any(WARNED in str(one.message) for one in heard)
+
+
+def is_right(found, heights, driver):
+    """Whether heights were read as written, or at no cell at all."""
+    error = {"JP2OpenJPEG": 4.0, "HF2": 0.0101, "SIGDEM": 1e-5, "GRIB": 1e-3}.get(driver, 0.0)  # of lossy formats
+    return found.shape == heights.shape and bool(np.all((np.abs(found - heights) <= error) | np.isnan(found)))
+
+
+def silent_formats(folder, kind):
+    """The formats that GDAL can write, and those of them whose damaged files are read wrong without a warning."""
+    with rasterio.Env() as environment:
+        drivers = sorted(environment.drivers())
+    tested, silent = set(), set()
+    for driver in drivers:
+        place = folder / driver
+        place.mkdir()
+        path = written(place, driver, kind)
+        if path is None or isinstance(outcome(path)[0], str):
+            continue
+        tested.add(driver)
+        content = path.read_bytes()
+        for share in (0.99, 0.9, 0.6, 0.3, 0.05):
+            path.write_bytes(content[: int(share * len(content))])
+            found, is_warned = outcome(path)
+            if not (is_warned or isinstance(found, str) or is_right(found, HEIGHTS[kind], driver)):
+                silent.add(driver)
+    return tested, silent
+
+
+@pytest.mark.parametrize("kind", HEIGHTS)
+def test_no_format_without_its_end_gives_wrong_heights_without_a_word(tmp_path, kind):
+    tested, silent = silent_formats(tmp_path, kind)
+    assert tested >= {"GTiff", "AAIGrid", "ENVI", "EHdr", "HFA", "netCDF", "XYZ"}
+    assert not silent
+
+
+def test_without_the_checks_some_formats_do(tmp_path, monkeypatch):
+    monkeypatch.setattr(reading, "check_undamaged", lambda *_: None)
+    assert silent_formats(tmp_path, "float32")[1] >= {"ENVI", "EHdr", "netCDF", "GPKG"}
+
+
+@pytest.mark.parametrize("address", ["{}", "vrt://{}"])
+def test_files_of_a_virtual_raster_are_checked(tmp_path, address):
+    path = written(tmp_path, "EHdr")
+    path.write_bytes(path.read_bytes()[:-100])
+    whole = write_tif(tmp_path / "whole.tif", HEIGHTS["float32"], transform=SLOVENIA)
+    rasterio.shutil.copy(whole, tmp_path / "dsm.vrt", driver="VRT")
+    virtual = tmp_path / "dsm.vrt"
+    virtual.write_text(virtual.read_text().replace(whole.name, path.name))
+    found, is_warned = outcome(address.format(virtual))
+    assert found == f"source: got {str(path)!r} of 7,900 bytes, want 8,000 or more for its cells: the file is damaged"
+    assert not is_warned
+
+
+def test_parts_of_a_virtual_raster_are_warned_of_once(tmp_path):
+    for number in range(3):
+        (tmp_path / f"{number}").mkdir()
+    parts = [written(tmp_path / f"{number}", driver) for number, driver in enumerate(("XYZ", "XYZ", "GSAG"))]
+    rasterio.shutil.copy(parts[0], tmp_path / "dsm.vrt", driver="VRT")
+    text = (tmp_path / "dsm.vrt").read_text()
+    begin, end = text.index("<SimpleSource"), text.index("</SimpleSource>") + len("</SimpleSource>")
+    sources = [text[begin:end].replace("0/dsm.xyz", f"{number}/{part.name}") for number, part in enumerate(parts)]
+    (tmp_path / "dsm.vrt").write_text(text[:begin] + "".join(sources) + text[end:])
+    with pytest.warns(UserWarning, match=r"^source: got '.*dsm.vrt' in GSAG, XYZ format; ") as heard:
+        reading.reader_of(str(tmp_path / "dsm.vrt"))
+    assert len([one for one in heard if WARNED in str(one.message)]) == 1
+
+
+@pytest.mark.parametrize(
+    ("driver", "options", "is_expected"),
+    [
+        ("XYZ", {}, True),
+        ("GSAG", {}, True),
+        *(("netCDF", {"FORMAT": name}, False) for name in ("NC", "NC2", "NC4", "NC4C")),
+    ],
+)
+def test_formats_of_text_are_warned_of_and_netcdf_files_are_not(tmp_path, driver, options, is_expected):
+    """GDAL reads a damaged number of these texts as 0."""
+    found, is_warned = outcome(written(tmp_path, driver, **options))
+    assert np.allclose(found, HEIGHTS["float32"])
+    assert is_warned is is_expected

@@ -1,0 +1,61 @@
+"""Every file that a raster is read from is an input, also one that only an address of GDAL names."""
+
+import json
+import sqlite3
+from contextlib import closing
+from xml.sax.saxutils import escape
+
+import numpy as np
+import pytest
+from raster_cases import write_tif
+
+pytest.importorskip("rasterio")
+
+import rasterio
+
+from warpsample.city.rasters.sources.inputs import files_read
+
+VRT = """<VRTDataset rasterXSize="4" rasterYSize="3"><GeoTransform>5e5, 2, 0, 5e6, 0, -2</GeoTransform>
+<VRTRasterBand dataType="Float32" band="1"><SimpleSource>
+<SourceFilename relativeToVRT="0">{}</SourceFilename><SourceBand>1</SourceBand></SimpleSource>
+</VRTRasterBand></VRTDataset>"""
+
+NAMES = "d.tif", "é.tif", "my dsm, 1.tif", "d(1).tif", "d[1]{2}.tif", "a=b;c:d|e&f.tif", "d'1.tif", "(1).tif", "5.0.tif"
+
+
+@pytest.mark.parametrize("is_relative", [True, False])
+@pytest.mark.parametrize("address", ["{}", "vrt://{}?bands=1", "GTIFF_DIR:1:{}", "GTIFF_RAW:{}", "/vsisubfile/0,{}"])
+@pytest.mark.parametrize("name", NAMES)
+def test_a_file_in_an_address_is_found(tmp_path, monkeypatch, name, address, is_relative):
+    """Relative names after :// and names with spaces or punctuation were not found."""
+    monkeypatch.chdir(tmp_path)
+    write_tif(tmp_path / name, np.ones((3, 4)))
+    address = address.format(name if is_relative else tmp_path / name)
+    (tmp_path / "dsm.vrt").write_text(VRT.format(escape(address)), "utf-8")
+    with rasterio.open("dsm.vrt") as file:
+        assert file.read(1).all()  # GDAL finds it
+    for path in (str(tmp_path / "dsm.vrt"), address):
+        assert tmp_path / name in {one.absolute() for one in files_read(path)}
+
+
+@pytest.mark.parametrize("name", ["dsm.tif", "dsm é.tif", "sub/dsm.tif"])
+def test_a_tile_of_an_index_is_found(tmp_path, monkeypatch, name):
+    """Indexes in a GeoPackage and in a shapefile are binary, and JSON escapes letters and strokes."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "sub").mkdir()
+    write_tif(tmp_path / name, np.ones((3, 4)))
+    (tmp_path / "a.geojson").write_text(json.dumps({"location": name}).replace("/", r"\/"))
+    with closing(sqlite3.connect("b.gti.gpkg")) as index, index:
+        index.execute("CREATE TABLE tiles (number INTEGER, location TEXT)")
+        index.execute("INSERT INTO tiles VALUES (1, ?)", (name,))
+    (tmp_path / "c.shp").write_bytes(b"\0\0\x27\x0a")
+    (tmp_path / "c.dbf").write_bytes(b"\x03\0\0" + name.encode().ljust(80) + b"other.tif".ljust(80))
+    for index in ("GTI:a.geojson", "GTI:b.gti.gpkg", "b.gti.gpkg", "GTI:c.shp"):
+        assert tmp_path / name in {one.absolute() for one in files_read(index)}
+    assert len(list(tmp_path.glob("b.*"))) == 1
+
+
+def test_an_archive_and_a_link_to_it_are_inputs(tmp_path):
+    archive = tmp_path / "dsm.zip"
+    archive.write_bytes(b"PK")
+    assert archive in files_read(f"/vsizip/{archive}/sub/dsm.tif")

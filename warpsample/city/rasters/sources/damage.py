@@ -1,0 +1,78 @@
+"""Checks of raster files for damage: where some files lack bytes, GDAL reads heights of 0, without an error."""
+
+import warnings
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from warpsample.city.rasters.sources.arc_grid import check_arc_grid
+from warpsample.city.rasters.sources.inputs import files_read
+from warpsample.city.rasters.sources.netcdf import check_end
+from warpsample.city.rasters.sources.opening import open_raster
+
+_REPORTED = {"GTiff", "LIBERTIFF", "COG", "HFA", "JP2OpenJPEG", "GRIB", "PNG", "HDF5Image", "Zarr"}
+_REPORTED |= {"BT", "GSBG", "HF2", "KRO", "RST", "SAGA", "SIGDEM"}
+"""Formats of which GDAL reports a missing part. Parts of a GeoTIFF or a Zarr store may be left out to mean one value."""
+
+_RAW = ("EHdr", "ENVI")
+_VIRTUAL = ("VRT", "GTI")
+_TIFF = (".tif", ".tiff")
+_GZIP = b"\x1f\x8b"
+
+
+def check_undamaged(path: str, file: Any) -> None:
+    """Raise a ValueError for a damaged raster, of those kinds of damage that GDAL does not report.
+
+    Args:
+        path: Path or GDAL's address of the raster; of a virtual one, each file that it is made of is checked.
+        file: The raster, opened with rasterio.
+
+    Warns:
+        UserWarning: The format is one of those whose damage neither GDAL nor this function finds.
+    """
+    parts = files_read(path) if file.driver in _VIRTUAL else []
+    formats = {_check(path, file), *(_check_part(str(part)) for part in parts if part.suffix.lower() not in _TIFF)}
+    if unsure := ", ".join(sorted(formats - {""})):
+        warnings.warn(
+            f"source: got {path!r} in {unsure} format; where parts of it are missing or damaged, GDAL may read heights of 0 "
+            "without an error, unlike in a GeoTIFF",
+            stacklevel=2,
+        )
+
+
+def _check_part(path: str) -> str:
+    """Check a file of a virtual raster as `_check` does, unless it is no raster itself, such as a file of statistics."""
+    with ExitStack() as stack:
+        try:
+            file = stack.enter_context(open_raster(path))
+        except (FileNotFoundError, ValueError):
+            return ""
+        return _check(path, file)
+
+
+def _check(path: str, file: Any) -> str:
+    """Raise a ValueError for a damaged file; return the name of its format if its damage may not be found, otherwise ""."""
+    is_file = Path(path).is_file()
+    if file.driver == "AAIGrid" and is_file:
+        check_arc_grid(path, file.shape, np.issubdtype(file.dtypes[0], np.integer))
+    elif file.driver in _RAW and is_file:
+        _check_size(path, file)
+    elif file.driver == "netCDF" and file.files and Path(file.files[0]).is_file():
+        return check_end(file.files[0])
+    elif file.driver not in (*_VIRTUAL, *_REPORTED):
+        return str(file.driver)
+    return ""
+
+
+def _check_size(path: str, file: Any) -> None:
+    """Raise a ValueError if a file of plain numbers is shorter than its cells need."""
+    wanted = file.count * file.height * file.width * np.dtype(file.dtypes[0]).itemsize
+    with Path(path).open("rb") as stream:
+        is_compressed = stream.read(len(_GZIP)) == _GZIP
+    size = Path(path).stat().st_size
+    if size < wanted and not is_compressed:
+        raise ValueError(
+            f"source: got {path!r} of {size:,} bytes, want {wanted:,} or more for its cells: the file is damaged"
+        )

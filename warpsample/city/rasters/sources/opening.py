@@ -1,0 +1,38 @@
+"""Opening of raster files with rasterio, with errors that name the file."""
+
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import rasterio
+from rasterio.errors import NotGeoreferencedWarning, RasterioError, RasterioIOError
+
+WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
+"""What a source of heights may be, for error messages."""
+
+
+@contextmanager
+def open_raster(path: str) -> Iterator[Any]:
+    """Open a raster file with rasterio within a `with` statement.
+
+    Raises:
+        FileNotFoundError: The file does not exist.
+        ValueError: The file is not a raster, or is damaged.
+    """
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", NotGeoreferencedWarning)
+            with rasterio.open(path) as file:
+                yield file
+    except UnicodeEncodeError as error:
+        raise ValueError(
+            f"source: got {path!r}, whose name is not in UTF-8, as GDAL needs; rename the file or folder"
+        ) from error
+    except RasterioError as error:
+        if isinstance(error, RasterioIOError) and "://" not in path and ":" not in path[2:] and not Path(path).exists():
+            raise FileNotFoundError(f"source: got {path!r}, which is missing, want {WANTS}") from error
+        told = error.__cause__ or error  # GDAL's own words; without them rasterio tells to look at the cause
+        reason = (str(told).strip().splitlines() or [type(error).__name__])[0]
+        raise ValueError(f"source: got {path!r}, which cannot be read as a raster: {reason}") from error
