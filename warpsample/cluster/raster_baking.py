@@ -23,7 +23,8 @@ from warpsample.cluster.store import check_new, check_store
 from warpsample.cluster.writing import at_work, store_of, writing
 from warpsample.estimate.estimating import collect_missed_tolerances
 from warpsample.host.files import read_arrays, write_bytes
-from warpsample.output.rasters.bake import RasterJob, Tiles, read_unchanging, summarize_tile
+from warpsample.output.rasters.bake import Tiles, summarize_tile
+from warpsample.output.rasters.job import RasterJob, read_unchanging
 from warpsample.output.rasters.tile_files import ABOUT, DIGESTS, TileFiles, read_about, write_digests, write_tile_file
 from warpsample.output.run_record import SUMMARY
 

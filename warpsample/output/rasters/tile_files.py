@@ -17,7 +17,8 @@ from warpsample.host.engine import check_space
 from warpsample.host.files import WriteError, complete_or_absent, read_arrays, write_arrays, write_bytes
 from warpsample.host.interrupts import uninterrupted
 from warpsample.host.shared_values import describe_remedy
-from warpsample.output.rasters.bake import WORK, RasterJob, Tiles, read_unchanging, summarize_tile
+from warpsample.output.rasters.bake import WORK, Tiles, summarize_tile
+from warpsample.output.rasters.job import RasterJob, read_unchanging
 
 try:
     import fcntl
