@@ -42,6 +42,9 @@ def same(found, right=HEIGHTS, gone=GONE):
         (np.nan, "float64", {}),
         (-9999, "int16", {}),
         (-32768, "int16", {}),
+        (-(2**31), "int32", {}),  # made the extent so large that rays of all cells started too high
+        (2**32 - 1, "uint32", {}),
+        (-999999999, "int32", {}),
         (LOWEST, "float32", {}),
         (-LOWEST, "float32", {}),
         (-np.inf, "float32", {"nodata": -9999.0}),

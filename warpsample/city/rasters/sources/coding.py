@@ -11,11 +11,11 @@ import xarray as xr
 
 from warpsample.host.arguments import quote
 
-_UNDECLARED = (-9999.0, -99999.0, -32767.0, -32768.0)
+_UNDECLARED = (*(1.0 - 10.0**digits for digits in range(4, 10)), -32767.0, -32768.0)
 """Nodata values that are recognized without a tag: many programs write these numbers, and no place on Earth is as low."""
 
-_LARGEST = 1e30
-"""Larger numbers count as nodata, such as the largest float32 in a raster whose nodata tag is a rounded float64."""
+_LARGEST = 2.0**31 - 1
+"""From here on, numbers count as nodata, such as the limits of int32, uint32 and float32 without a tag, or with a rounded one."""
 
 _SCALING = {"scale_factor": 1.0, "add_offset": 0.0}
 _ATTRIBUTES = ("_FillValue", "missing_value", "fill_value", "nodata", *_SCALING)

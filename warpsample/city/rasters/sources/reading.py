@@ -50,7 +50,8 @@ def reader_of(source: Any) -> RasterReader:
     Args:
         source: Path of a raster with one band that GDAL reads; an xarray.DataArray (NumPy or Dask) of two dimensions, or
             with one entry in each other dimension; or (array, affine.Affine or its six numbers, a CRS or None). Cells
-            without data are masked, NaN, infinite, beyond 1e30, the raster's nodata value, or -9999, -99999, -32767, -32768.
+            without data are masked, NaN, infinite, beyond 2147483646 or its negative, the raster's nodata value, -32767,
+            -32768, or -9999, -99999 and so on to -999999999.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: Another object, several bands, degrees, depths, or no place on a map.
