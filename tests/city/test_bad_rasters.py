@@ -63,7 +63,7 @@ def array_of(values=HEIGHTS, **coordinates):
         ),
         ((HEIGHTS, UTM, "EPSG:32633+5715"), ValueError, "source: got depths .CRS WGS 84 / UTM zone 33N [+] MSL depth"),
         ((HEIGHTS, UTM, "nothing"), ValueError, "source: got 'nothing' for its CRS, want a CRS that pyproj knows"),
-        ("text.vrt", ValueError, r"source: got 'text\.vrt' with the nodata value 'x', want a number$"),
+        ("text.vrt", ValueError, r"source: got 'text\.vrt' with the NoDataValue 'x', want a number$"),
         ("latin.vrt", ValueError, r"source: got 'latin\.vrt', which is not in UTF-8 .*; write its file names in UTF-8$"),
         ("h\udcf6he.tif", ValueError, r"source: got 'h\\udcf6he\.tif', whose name is not in UTF-8, as GDAL needs; rename"),
         ((HEIGHTS[0], UTM, None), ValueError, r"source: got an array of shape \(4,\), want \(rows, columns\)"),

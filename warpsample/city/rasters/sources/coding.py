@@ -1,9 +1,7 @@
 """Conversion of a raster's stored numbers to heights: nodata values, scale and offset."""
 
-import re
 from dataclasses import dataclass
 from math import inf, isfinite
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,11 +13,10 @@ _UNDECLARED = (*(1.0 - 10.0**digits for digits in range(4, 10)), -32767.0, -3276
 """Nodata values that are recognized without a tag: many programs write these numbers, and no place on Earth is as low."""
 
 _LARGEST = 2.0**31 - 1
-"""From here on, numbers count as nodata, such as the limits of int32, uint32 and float32 without a tag, or with a rounded one."""
+"""From here on, numbers count as nodata: the limits of int32, uint32 and float32 often have no tag, or a rounded one."""
 
 _SCALING = {"scale_factor": 1.0, "add_offset": 0.0}
 _ATTRIBUTES = ("_FillValue", "missing_value", "fill_value", "nodata", *_SCALING)
-_DECLARED = re.compile(rb"<NoDataValue[^>/]*>([^<]+)<")  # in the text of a VRT
 
 
 @dataclass(frozen=True)
@@ -48,23 +45,8 @@ class Coding:
             )
 
     @classmethod
-    def of_file(cls, path: str, file: Any, band: int) -> "Coding":
-        """Read nodata value, scale and offset of one band of an open raster file.
-
-        Raises:
-            ValueError: A VRT whose nodata value is a text, which GDAL would read as 0, or a VRT that is not in UTF-8.
-                Rasterio loses errors about file names in other encodings, so missing files would have heights of 0.
-        """
-        content = Path(path).read_bytes() if file.driver == "VRT" and Path(path).is_file() else b""
-        try:
-            content.decode()
-        except UnicodeDecodeError as error:
-            raise ValueError(
-                f"source: got {path!r}, which is not in UTF-8 ({error.reason}); write its file names in UTF-8"
-            ) from error
-        for text in _DECLARED.findall(content):
-            if not _is_number(text):
-                raise ValueError(f"source: got {path!r} with the nodata value {text.decode()!r}, want a number")
+    def of_file(cls, file: Any, band: int) -> "Coding":
+        """Read nodata value, scale and offset of one band of an open raster file."""
         return cls(file.nodatavals[band - 1], file.scales[band - 1], file.offsets[band - 1])
 
     @classmethod
@@ -100,12 +82,3 @@ class Coding:
         heights = heights * self.scale + self.offset
         heights[none] = np.nan
         return heights
-
-
-def _is_number(text: bytes) -> bool:
-    """Return True if the text is a number to GDAL, too, which does not read 1_0 as 10."""
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return b"_" not in text

@@ -11,6 +11,7 @@ from warpsample.city.rasters.sources.arc_grid import check_arc_grid
 from warpsample.city.rasters.sources.inputs import files_read
 from warpsample.city.rasters.sources.netcdf import check_end
 from warpsample.city.rasters.sources.opening import open_raster
+from warpsample.city.rasters.sources.side_files import check_texts, list_side_files
 
 _REPORTED = {"GTiff", "LIBERTIFF", "COG", "HFA", "JP2OpenJPEG", "GRIB", "PNG", "HDF5Image", "Zarr"}
 _REPORTED |= {"BT", "GSBG", "HF2", "KRO", "RST", "SAGA", "SIGDEM"}
@@ -33,7 +34,7 @@ def check_undamaged(path: str, file: Any) -> None:
         UserWarning: The format is one of those whose damage neither GDAL nor this function finds.
     """
     parts = files_read(path) if file.driver in _VIRTUAL else []
-    formats = {_check(path, file), *(_check_part(str(part)) for part in parts if part.suffix.lower() not in _TIFF)}
+    formats = {_check(path, file), *(_check_part(str(part)) for part in parts)}
     if unsure := ", ".join(sorted(formats - {""})):
         warnings.warn(
             f"source: got {path!r} in {unsure} format; where parts of it are missing or damaged, GDAL may read heights of 0 "
@@ -44,6 +45,8 @@ def check_undamaged(path: str, file: Any) -> None:
 
 def _check_part(path: str) -> str:
     """Check a file of a virtual raster as `_check` does, unless it is no raster itself, such as a file of statistics."""
+    if path.lower().endswith(_TIFF) and not any(list_side_files(path)):
+        return ""  # GDAL reports its damage when it is read, and opening many files takes time
     with ExitStack() as stack:
         try:
             file = stack.enter_context(open_raster(path))
@@ -55,6 +58,7 @@ def _check_part(path: str) -> str:
 def _check(path: str, file: Any) -> str:
     """Raise a ValueError for a damaged file; return the name of its format if its damage may not be found, otherwise ""."""
     is_file = Path(path).is_file()
+    check_texts(path, file)
     if file.driver == "AAIGrid" and is_file:
         check_arc_grid(path, file.shape, np.issubdtype(file.dtypes[0], np.integer))
     elif file.driver in _RAW and is_file:

@@ -41,7 +41,7 @@ from warpsample.city.rasters.sources.transforms import (
 from warpsample.host.arrays import as_real
 from warpsample.host.neighbours import describe_type
 
-_HEIGHT_UNIT = re.compile(rb"^Zunits\s+(\w+)", re.IGNORECASE | re.MULTILINE)
+_HEIGHT_UNIT = re.compile(rb"^\s*Zunits\s+\"?(\w+)", re.IGNORECASE | re.MULTILINE)
 
 
 def reader_of(source: Any) -> RasterReader:
@@ -106,16 +106,18 @@ def _file_reader(path: str) -> RasterReader:
         check_upward(file.tags() | file.tags(band))
         if file.driver == "netCDF":
             check_coordinates(file)
-        coding = coding_of(file, band) if file.driver == "netCDF" else Coding.of_file(path, file, band)
+        coding = coding_of(file, band) if file.driver == "netCDF" else Coding.of_file(file, band)
         read = partial(_band, path, band, coding)
-        return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or _read_prj_unit(path), read)
+        return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or _read_prj_unit(file), read)
 
 
-def _read_prj_unit(path: str) -> str:
-    """Return the unit of heights in the .prj of an Arc raster, which GDAL does not read; "" if there is none."""
-    projection = Path(path).with_suffix(".prj")
-    found = _HEIGHT_UNIT.search(projection.read_bytes()) if projection.is_file() else None
-    return "" if found is None or found[1].upper() == b"NO" else found[1].decode().lower()
+def _read_prj_unit(file: Any) -> str:
+    """Return the unit of heights in the .prj of which GDAL read the rest, as for Arc rasters; "" if there is none."""
+    for projection in (Path(name) for name in file.files if name.lower().endswith(".prj")):
+        found = _HEIGHT_UNIT.search(projection.read_bytes()) if projection.is_file() else None
+        if found and found[1].upper() != b"NO":
+            return found[1].decode().lower()
+    return ""
 
 
 def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> np.ndarray:
