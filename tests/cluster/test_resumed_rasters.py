@@ -217,9 +217,18 @@ def test_what_is_not_our_working_folder_stays(dsm, folder, computed_tiles):
     with pytest.raises(ValueError, match="sky.tif.tiles' of seed 0, want tiles of seed 1"):
         bake(dsm, folder / "sky.tif", resume=True, seed=1)
     counted.most = -1
-    (hidden / "thesis.txt").write_text("own")  # at the end, it was removed with the tiles
+    (folder / "other.npz").write_bytes(b"other")
+    (hidden / "tile-5.npz").symlink_to(folder / "other.npz")
+    with pytest.raises(ValueError, match="which holds links, want another output name"):
+        bake(dsm, folder / "sky.tif", resume=True)
+    assert (folder / "other.npz").read_bytes() == b"other"  # a tile replaced it
+    (hidden / "tile-5.npz").unlink()
+    (hidden / "cog").mkdir()
+    own = ["cog/thesis.txt", "thesis.txt", "tile-mine.npz"]  # at the end, they were removed with the tiles
+    for name in own:
+        (hidden / name).write_text("own")
     bake(dsm, folder / "sky.tif", resume=True)
-    assert [path.name for path in hidden.iterdir()] == ["thesis.txt"]
+    assert sorted(path.relative_to(hidden).as_posix() for path in hidden.rglob("*") if path.is_file()) == own
 
 
 def test_a_damaged_tile_file_is_computed_again_and_no_other(dsm, folder, computed_tiles):

@@ -46,7 +46,7 @@ def test_a_second_writer_is_refused_until_the_first_is_gone(path, mesh, right, c
 def test_what_killed_writers_left_goes(path, mesh, right):
     bake(path, mesh)
     assert_whole(path, right)
-    for folder in ("writing-0123abcd", "ended-0123abcd"):
+    for folder in ("writing-" + "0123abcd" * 4, "ended-" + "0123abcd" * 4):
         (path / ".run" / folder).mkdir()
         (path / ".run" / folder / "half").write_bytes(b"half")
     bake(path, mesh, resume=True)

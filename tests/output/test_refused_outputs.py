@@ -116,6 +116,29 @@ def test_libraries_of_an_obj_may_have_backslashes_and_are_no_pipes(tmp_path):
     assert {tmp_path / name for name in ("in.mtl", "pipe.mtl", "of/walls.png")} <= set(found)
 
 
+@pytest.mark.parametrize("end", ["\n", "\r", "\r\n"])
+@pytest.mark.parametrize(
+    ("library", "picture"),
+    [
+        ("mtllib in.mtl", "map_Kd of walls.png"),
+        ("mtllib in.mtl # mine", "map_Kd -s 1 1 1 of walls.png # all"),
+        ("mtllib \\{end}in.mtl", "map_Kd \\{end}  of walls.png"),
+        ('mtllib "in.mtl"', 'aniso "of walls.png"'),
+    ],
+)
+def test_every_spelling_of_a_name_in_an_obj_is_found(tmp_path, library, picture, end):
+    """Names before a comment, after a joined line, or in lines that end with a carriage return were not found."""
+    (tmp_path / "in.obj").write_text(f"v 0 0 0{end}{library.format(end=end)}{end}", newline="")
+    (tmp_path / "in.mtl").write_text(f"newmtl a{end}{picture.format(end=end)}{end}", newline="")
+    assert {tmp_path / "in.mtl", tmp_path / "of walls.png"} <= set(list_linked_files(tmp_path / "in.obj"))
+
+
+@pytest.mark.parametrize("uri", ["of%20walls.png?x=1", "of%20walls.png#f", "file:of%20walls.png"])
+def test_an_address_in_a_gltf_leads_to_its_file(tmp_path, uri):
+    (tmp_path / "in.gltf").write_text(json.dumps({"asset": {"version": "2.0"}, "images": [{"uri": uri}]}))
+    assert tmp_path / "of walls.png" in list_linked_files(tmp_path / "in.gltf")
+
+
 def test_nor_are_a_light_or_a_mesh_that_is_looked_at(call, cube, tmp_path, uncomputed, can_render, script, capsys):
     light, picture = tmp_path / "light.npy", tmp_path / "picture.png"
     np.save(light, np.ones((2, 4, 3)))

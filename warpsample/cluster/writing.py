@@ -26,7 +26,7 @@ from warpsample.host.files import WriteError
 from warpsample.host.interrupts import uninterrupted
 from warpsample.host.progress import asking
 
-_OPEN, _ENDED = "writing-", "ended-"
+_OPEN, _ENDED, _HEX = "writing-", "ended-", "[0-9a-f]" * 32
 _BEAT = 0.01  # seconds between two checks whether tasks have stopped
 _at_work: list[Path] = []
 """Folders of the tasks running in this process, one entry per task."""
@@ -58,9 +58,9 @@ def _begin(folder: Path) -> None:
     Raises:
         WriteError: if the folder cannot be created.
     """
-    for left in folder.parent.glob(f"{_OPEN}*"):
+    for left in folder.parent.glob(_OPEN + _HEX):
         _end(left)
-    for left in folder.parent.glob(f"{_ENDED}*"):
+    for left in folder.parent.glob(_ENDED + _HEX):
         shutil.rmtree(left, ignore_errors=True)
     try:
         folder.parent.mkdir(exist_ok=True)  # stores of earlier versions do not have the folder

@@ -1,6 +1,6 @@
 """Lists the files that a mesh file or CityJSON refers to: buffers, materials and pictures."""
 
-import os
+import re
 from collections.abc import Iterator
 from contextlib import suppress
 from itertools import takewhile
@@ -11,7 +11,7 @@ from warpsample.host.json_tree import Part, parsed, split_documents
 from warpsample.mesh.files.gltf_data import binary, is_embedded
 from warpsample.mesh.files.usd import list_assets
 
-_PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm")  # first words of lines with a picture in an .mtl
+_PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm", "aniso")  # first words of lines with a picture in an .mtl
 _LONGEST = 1 << 16  # bytes of a line that are read at a time
 _WORDS = 20  # largest number of words of such a line that is read
 
@@ -25,7 +25,9 @@ def list_linked_files(path: Path | None) -> list[Path]:
     with suppress(OSError, TypeError, ValueError):
         if reader is not None and path is not None and path.is_file():  # reading a pipe may never end
             names = [name for name in reader(path) if "\0" not in name]
-            return [path.parent / name for name in dict.fromkeys([*names, *(each.replace("\\", "/") for each in names)])]
+            names += [each.replace("\\", "/") for each in names]
+            names += [re.split("[?#]", re.sub("^file:(//)?", "", each))[0] for each in names]
+            return [path.parent / name for name in dict.fromkeys(names)]
     return []
 
 
@@ -79,18 +81,29 @@ def _obj(path: Path) -> Iterator[str]:
 
 
 def _names(line: str) -> list[str]:
-    """Return all possible file names in a line of an .obj: names may contain spaces and follow options.
+    """Return all possible file names in a line of an .obj: names may contain spaces, quotation marks and #.
 
-    Options precede the name, and the name may contain spaces.
+    Options precede the name, and a comment may follow it.
     """
-    words = line.split()[:_WORDS]
-    return [" ".join(words[start:]) for start in range(1, len(words))]
+    found = []
+    for text in dict.fromkeys((line, line.partition("#")[0])):
+        words = text.split()[:_WORDS]
+        found += [" ".join(words[start:]).strip('"') for start in range(1, len(words))]
+    return found
 
 
 def _lines(path: Path) -> Iterator[str]:
-    """Yield the lines of a file, without surrounding spaces; lines of more than 64 KiB in parts."""
-    with path.open("rb") as file:
-        yield from (os.fsdecode(line).strip() for line in iter(lambda: file.readline(_LONGEST), b""))
+    """Yield the lines of a text without surrounding spaces. A backslash joins lines; lines above 64 KiB are in parts."""
+    held = ""
+    with path.open(encoding="utf-8-sig", errors="surrogateescape") as file:
+        for line in iter(lambda: file.readline(_LONGEST), ""):
+            held += line.strip()
+            if not held.endswith("\\") or len(held) > _LONGEST:
+                yield held
+                held = ""
+            else:
+                held = f"{held[:-1]} "
+    yield held
 
 
 _READERS = {".obj": _obj, ".ply": _ply, ".glb": _gltf, ".gltf": _gltf, ".json": _city, ".jsonl": _city} | dict.fromkeys(

@@ -2,7 +2,6 @@
 
 import json
 import os
-import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -50,7 +49,7 @@ class TileFiles:
         """Create and lock the folder of tiles within a `with` statement; remove the folder at the end if it is empty.
 
         Raises:
-            ValueError: the folder exists and is not to be resumed, or holds other files, or a file or link has its name.
+            ValueError: the folder exists and is not to be resumed, or holds other files or links, or is a file or a link.
             WriteError: another process is writing the tiles, or the folder cannot be created.
         """
         is_link = self.path.is_symlink()
@@ -71,6 +70,8 @@ class TileFiles:
     def _check_folder(self) -> None:
         """Raise a ValueError if the folder has other files, or has tiles and `--resume` is not given."""
         files = list(self.path.iterdir())
+        if any(file.is_symlink() for file in files):  # what is written to them would replace other files
+            raise ValueError(f"--output: got {str(self.path)!r}, which holds links, want another output name")
         if files and not (self.path / ABOUT).is_file():
             raise ValueError(f"--output: got {str(self.path)!r}, which holds other files, want another output name")
         if files and not self.resume:
@@ -139,9 +140,11 @@ class TileFiles:
 
     def _remove(self) -> None:
         """Remove the files of the run, and its attributes last: without them its files would be those of a user."""
-        if (self.path / WORK).is_dir():
-            shutil.rmtree(self.path / WORK)
-        for pattern in (_TILE.format("*"), DIGESTS, ABOUT):
+        for pattern in (f"{WORK}/plain.tif*", f"{WORK}/cog.tif*"):
+            for path in list(self.path.glob(pattern)):
+                path.unlink()
+        _remove_if_empty(self.path / WORK)
+        for pattern in (_TILE.format("[0-9]*"), DIGESTS, ABOUT):
             for path in list(self.path.glob(pattern)):
                 path.unlink()
         _remove_if_empty(self.path)

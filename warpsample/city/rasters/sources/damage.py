@@ -11,9 +11,9 @@ from warpsample.city.rasters.sources.arc_grid import check_arc_grid
 from warpsample.city.rasters.sources.inputs import files_read
 from warpsample.city.rasters.sources.netcdf import check_end
 from warpsample.city.rasters.sources.opening import open_raster
-from warpsample.city.rasters.sources.side_files import check_texts, list_side_files
+from warpsample.city.rasters.sources.side_files import check_texts, header_of, list_side_files
 
-_REPORTED = {"GTiff", "LIBERTIFF", "COG", "HFA", "JP2OpenJPEG", "GRIB", "PNG", "HDF5Image", "Zarr"}
+_REPORTED = {"GTiff", "LIBERTIFF", "COG", "HFA", "JP2OpenJPEG", "GRIB", "HDF5Image", "Zarr"}
 _REPORTED |= {"BT", "GSBG", "HF2", "KRO", "RST", "SAGA", "SIGDEM"}
 """Formats of which GDAL reports a missing part. Parts of a GeoTIFF or a Zarr store may be left out to mean one value."""
 
@@ -71,12 +71,13 @@ def _check(path: str, file: Any) -> str:
 
 
 def _check_size(path: str, file: Any) -> None:
-    """Raise a ValueError if a file of plain numbers is shorter than its cells need."""
+    """Raise a ValueError if a file of plain numbers has another size than its header states."""
     wanted = file.count * file.height * file.width * np.dtype(file.dtypes[0]).itemsize
     with Path(path).open("rb") as stream:
         is_compressed = stream.read(len(_GZIP)) == _GZIP
+    header = header_of(file)
+    wanted += int(header.get("skipbytes", header.get("header offset", 0)))
     size = Path(path).stat().st_size
-    if size < wanted and not is_compressed:
-        raise ValueError(
-            f"source: got {path!r} of {size:,} bytes, want {wanted:,} or more for its cells: the file is damaged"
-        )
+    is_padded = "bandrowbytes" in header or "totalrowbytes" in header
+    if not is_compressed and (size < wanted or (size > wanted and not is_padded)):
+        raise ValueError(f"source: got {path!r} of {size:,} bytes, want {wanted:,} for the cells of its header")

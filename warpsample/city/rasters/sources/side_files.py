@@ -15,6 +15,13 @@ _SOURCE = re.compile(rb"<(Simple|Complex|Averaged|KernelFiltered|NoDataFromMask)
 _NAME = re.compile(rb"<SourceFilename\b", re.IGNORECASE)
 
 
+_HEADER = re.compile(
+    rb"^[ \t]*(nodata|nodata_value|data ignore value|skipbytes|header offset|bandrowbytes|totalrowbytes)[ \t=]+(.*?)\s*$",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""Lines of numbers in the headers of .bil, ENVI and SAGA files."""
+
+
 def check_texts(path: str, file: Any) -> None:
     """Raise a ValueError for a damaged .vrt, .aux.xml or .msk of an open raster file.
 
@@ -27,6 +34,7 @@ def check_texts(path: str, file: Any) -> None:
             raise ValueError(
                 f"source: got {path!r} with a file that is in no source, such as SimpleSource, so GDAL ignores it"
             )
+    header_of(file)
     texts, masks = list_side_files(path)
     for text in texts:
         content = text.read_bytes()
@@ -35,6 +43,23 @@ def check_texts(path: str, file: Any) -> None:
         _check_numbers(str(text), content)
     if masks and any({MaskFlags.all_valid, MaskFlags.nodata} & set(flags) for flags in file.mask_flag_enums):
         raise ValueError(f"source: got {path!r} next to {masks[0].name}, whose mask GDAL cannot use: repair or remove it")
+
+
+def header_of(file: Any) -> dict[str, float]:
+    """Return nodata values, and numbers of bytes, from the .hdr or .sgrd of an open raster file, by their lower-case names.
+
+    Raises:
+        ValueError: Another text than a number, for which GDAL reads 0.
+    """
+    found = {}
+    for header in (Path(name) for name in file.files if name.lower().endswith((".hdr", ".sgrd"))):
+        for name, text in _HEADER.findall(header.read_bytes()) if header.is_file() else []:
+            first = text.partition(b";")[0].strip()  # SAGA writes a range
+            if not _is_number(first):
+                got = f"{name.decode()} {text.decode(errors='replace')!r}"
+                raise ValueError(f"source: got {str(header)!r} with {got}, want a number")
+            found[name.decode().lower()] = float(first)
+    return found
 
 
 def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
