@@ -19,7 +19,8 @@ from warpsample.city.rasters.sources import arc_grid
         ("1 2 3\n4 5 6e\n", "with '6e' among"),
         ("1 2 3\n4 \x115 6\n", r"with '\\x115' among"),
         ("1 2 3\n4\x1a5 6\n", r"with '4\\x1a5' among"),
-        ("1 2 3\n4 nan 6\n", "with 'nan' among its heights, want integers, as the others are, and -9999 for no data"),
+        ("1 2 3\n4 nan 6\n", "with 'nan' among its heights, want integers below 2\\^31, as the others are, and -9999"),
+        ("1 2 3\n4 4294967295 6\n", "with '4294967295' among its heights, want integers below 2"),
         ("1 2 3\n4 inf 6\n", "with 'inf' among its heights, want integers"),
         ("1 2 3\n4 <NA> 6\n", "with '<NA>' among"),
         *(

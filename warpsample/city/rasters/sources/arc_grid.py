@@ -19,9 +19,10 @@ _LENGTHS = (b"cellsize", b"dx", b"dy")
 _PLACES = ({b"xllcorner", b"yllcorner"}, {b"xllcenter", b"yllcenter"})
 
 _SPECIAL = rb"(?i:[+]?nan|[+-]?inf(?:inity)?)|-?1[.]#QNAN|-1[.]#IND|[+-]?1[.]#INF"  # as GDAL reads them; it reads -nan as 0
-_DAMAGED, _NOT_DECIMAL = (
+_INTEGER = rb"[+-]?0*(?:\d{1,9}|1\d{9}|20\d{8}|214748364[78])"  # within int32, to which GDAL would reduce others
+_DAMAGED, _NO_INTEGER = (
     re.compile(rb"(?<=[\t-\r ])(?!(?:" + number + rb")[\t-\r ])[^\t-\r ]+")
-    for number in (_DECIMAL + b"|" + _SPECIAL, _DECIMAL)
+    for number in (_DECIMAL + b"|" + _SPECIAL, _INTEGER)
 )
 _LONE_WORD = re.compile(rb"[ \t]*[A-Za-z]\S*[ \t]*[\r\n]")
 
@@ -37,10 +38,10 @@ def check_arc_grid(path: str, shape: tuple[int, int], is_integer: bool) -> None:
     header, count = _read_header(path), 0
     _check_header(path, header)
     for chunk in _chunks(path, len(header)):
-        if damaged := (_NOT_DECIMAL if is_integer else _DAMAGED).search(chunk):
+        if damaged := (_NO_INTEGER if is_integer else _DAMAGED).search(chunk):
             text = damaged[0][:40].decode("ascii", "replace")
             is_special = not _DAMAGED.search(b" " + damaged[0] + b" ")
-            want = "integers, as the others are, and -9999 for no data" if is_special else "numbers"
+            want = "integers below 2^31, as the others are, and -9999 for no data" if is_special else "numbers"
             raise ValueError(f"source: got {path!r} with {text!r} among its heights, want {want}: the file is damaged")
         codes = np.frombuffer(chunk, np.uint8)
         is_space = (codes == ord(" ")) | ((codes >= ord("\t")) & (codes <= ord("\r")))
