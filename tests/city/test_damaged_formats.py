@@ -96,6 +96,17 @@ def test_files_of_a_virtual_raster_are_checked(tmp_path, address):
     assert not is_warned
 
 
+def test_a_virtual_raster_of_plain_numbers_is_read(tmp_path):
+    """Its band has the name of a file, and no source."""
+    (tmp_path / "dsm.raw").write_bytes(HEIGHTS["float32"].astype("<f4").tobytes())
+    band = '<VRTRasterBand dataType="Float32" band="1" subClass="VRTRawRasterBand">{}</VRTRasterBand>'
+    file = '<SourceFilename relativeToVRT="1">dsm.raw</SourceFilename><ByteOrder>LSB</ByteOrder>'
+    place = "<GeoTransform>5e5, 2, 0, 5e6, 0, -2</GeoTransform>"
+    text = f'<VRTDataset rasterXSize="50" rasterYSize="40">{place}{band.format(file)}</VRTDataset>'
+    (tmp_path / "dsm.vrt").write_text(text)
+    assert np.array_equal(outcome(tmp_path / "dsm.vrt")[0], HEIGHTS["float32"])
+
+
 def test_parts_of_a_virtual_raster_are_warned_of_once(tmp_path):
     for number in range(3):
         (tmp_path / f"{number}").mkdir()

@@ -265,6 +265,8 @@ def test_coordinates_of_float32_are_evenly_spaced_but_for_their_rounding():
     centres = {"x": np.float32(564000.5 + np.arange(200)), "y": np.float32(146000.5 - np.arange(50))}
     array = xr.DataArray(np.zeros((50, 200)), centres, ("y", "x")).rio.write_crs("EPSG:3794")
     assert np.allclose(rasters.surface(array).grid.transform[:6], (1.0, 0.0, 564000.0, 0.0, -1.0, 146001.0), atol=0.03)
+    fine = array.assign_coords(y=np.float32(5123000.5 - 0.3 * np.arange(50)))  # rounded to 0.5
+    assert np.allclose(rasters.surface(fine).grid.transform[4], -0.3, atol=0.01)
 
 
 def test_the_unit_of_a_band_is_read(tmp_path):

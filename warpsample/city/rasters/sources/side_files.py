@@ -11,10 +11,6 @@ _NUMBERS = re.compile(
 )
 """Elements of numbers; GDAL reads 0, or the first digits, for another text."""
 
-_SOURCE = re.compile(rb"<(Simple|Complex|Averaged|KernelFiltered|NoDataFromMask)Source\b", re.IGNORECASE)
-_NAME = re.compile(rb"<SourceFilename\b", re.IGNORECASE)
-
-
 _HEADER = re.compile(
     rb"^[ \t]*(nodata|nodata_value|data ignore value|skipbytes|header offset|bandrowbytes|totalrowbytes)[ \t=]+(.*?)\s*$",
     re.IGNORECASE | re.MULTILINE,
@@ -29,11 +25,13 @@ def check_texts(path: str, file: Any) -> None:
     """
     if file.driver == "VRT" and Path(path).is_file():
         content = Path(path).read_bytes()
-        _check_numbers(path, content)
-        if len(_NAME.findall(content)) > len(_SOURCE.findall(content)):
+        try:
+            content.decode()
+        except UnicodeDecodeError as error:
             raise ValueError(
-                f"source: got {path!r} with a file that is in no source, such as SimpleSource, so GDAL ignores it"
-            )
+                f"source: got {path!r}, which is not in UTF-8 ({error.reason}); write its file names in UTF-8"
+            ) from error
+        _check_numbers(path, content)
     header_of(file)
     texts, masks = list_side_files(path)
     for text in texts:
@@ -70,23 +68,18 @@ def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
 
 
 def _check_numbers(path: str, content: bytes) -> None:
-    """Raise a ValueError for a text that is not in UTF-8, or has another text in place of a number."""
-    try:
-        content.decode()
-    except UnicodeDecodeError as error:
-        raise ValueError(
-            f"source: got {path!r}, which is not in UTF-8 ({error.reason}); write its file names in UTF-8"
-        ) from error
+    """Raise a ValueError for another text than a number in a .vrt or .aux.xml."""
     for name, text in _NUMBERS.findall(content):
         parts = re.split(rb"[,:]", text) if name.upper() == b"LUT" else [text]
         if not all(map(_is_number, parts)):
-            raise ValueError(f"source: got {path!r} with the {name.decode()} {text.decode()!r}, want a number")
+            got = f"{name.decode()} {text.decode(errors='replace')!r}"
+            raise ValueError(f"source: got {path!r} with the {got}, want a number")
 
 
 def _is_number(text: bytes) -> bool:
-    """Return True if the text is a number to GDAL, too, which does not read 1_0 as 10."""
+    """Return True if the text is a number to GDAL, too, which does not read 1_0 as 10, but 1.#QNAN as NaN."""
     try:
         float(text)
     except ValueError:
-        return False
+        return text.strip().upper().lstrip(b"+-") in (b"1.#QNAN", b"1.#IND", b"1.#INF")
     return b"_" not in text

@@ -131,7 +131,8 @@ def step_of(centres: np.ndarray, name: str) -> float:
         raise TypeError(f"source: got coordinates {name!r} of dtype {centres.dtype}, want real numbers")
     step = (float(centres[-1]) - float(centres[0])) / (len(centres) - 1)
     off = np.abs(centres - (centres[0] + step * np.arange(len(centres)))).max()
-    if not off <= 0.1 * abs(step):  # coordinates may be float32
+    rounding = np.spacing(np.abs(centres).max()) if centres.dtype.kind == "f" else 0.0  # of float32
+    if not off <= 0.1 * abs(step) + rounding:
         raise ValueError(f"source: got coordinates {name!r} that are not evenly spaced, want cells of one size")
     return step
 
