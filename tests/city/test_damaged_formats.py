@@ -104,7 +104,9 @@ def test_a_virtual_raster_of_plain_numbers_is_read(tmp_path):
     place = "<GeoTransform>5e5, 2, 0, 5e6, 0, -2</GeoTransform>"
     text = f'<VRTDataset rasterXSize="50" rasterYSize="40">{place}{band.format(file)}</VRTDataset>'
     (tmp_path / "dsm.vrt").write_text(text)
-    assert np.array_equal(outcome(tmp_path / "dsm.vrt")[0], HEIGHTS["float32"])
+    found, is_warned = outcome(tmp_path / "dsm.vrt")
+    assert np.array_equal(found, HEIGHTS["float32"])
+    assert is_warned  # without its end, it has heights of 0
 
 
 def test_parts_of_a_virtual_raster_are_warned_of_once(tmp_path):

@@ -65,6 +65,8 @@ def _check(path: str, file: Any) -> str:
         _check_size(path, file)
     elif file.driver == "netCDF" and file.files and Path(file.files[0]).is_file():
         return check_end(file.files[0])
+    elif file.driver == "VRT" and is_file and b"VRTRawRasterBand" in Path(path).read_bytes():
+        return "raw VRT"
     elif file.driver not in (*_VIRTUAL, *_REPORTED):
         return str(file.driver)
     return ""
