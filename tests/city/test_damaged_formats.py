@@ -1,6 +1,5 @@
 """A raster file without its end is refused, warned of by its format, or read rightly: GDAL reads some as heights of 0."""
 
-import re
 import warnings
 
 import numpy as np
@@ -80,19 +79,19 @@ def test_no_format_without_its_end_gives_wrong_heights_without_a_word(tmp_path, 
 
 def test_without_the_checks_some_formats_do(tmp_path, monkeypatch):
     monkeypatch.setattr(reading, "check_undamaged", lambda *_: None)
-    assert silent_formats(tmp_path, "float32")[1] >= {"ENVI", "EHdr", "netCDF", "GPKG"}
+    assert silent_formats(tmp_path, "float32")[1] >= {"ENVI", "EHdr", "GPKG"}
 
 
 @pytest.mark.parametrize("address", ["{}", "vrt://{}"])
 def test_files_of_a_virtual_raster_are_checked(tmp_path, address):
-    path = written(tmp_path, "EHdr")
-    path.write_bytes(path.read_bytes()[:-100])
+    path = written(tmp_path, "AAIGrid")
+    path.write_text(path.read_text().replace("1", "x", 40))
     whole = write_tif(tmp_path / "whole.tif", HEIGHTS["float32"], transform=SLOVENIA)
     rasterio.shutil.copy(whole, tmp_path / "dsm.vrt", driver="VRT")
     virtual = tmp_path / "dsm.vrt"
     virtual.write_text(virtual.read_text().replace(whole.name, path.name))
     found, is_warned = outcome(address.format(virtual))
-    assert found == f"source: got {str(path)!r} of 7,900 bytes, want 8,000 for the cells of its header"
+    assert found.startswith(f"source: got {str(path)!r} with ")
     assert not is_warned
 
 
@@ -136,37 +135,3 @@ def test_formats_of_text_are_warned_of_and_netcdf_files_are_not(tmp_path, driver
     found, is_warned = outcome(written(tmp_path, driver, **options))
     assert np.allclose(found, HEIGHTS["float32"])
     assert is_warned is is_expected
-
-
-@pytest.mark.parametrize("driver", ["EHdr", "ENVI"])
-@pytest.mark.parametrize(("columns", "wanted"), [(49, "7,840"), (51, "8,160")])
-def test_a_header_of_other_columns_is_refused(tmp_path, driver, columns, wanted):
-    """GDAL read rows that begin in the rows above or below."""
-    path = written(tmp_path, driver)
-    header = path.with_suffix(".hdr")
-    text = re.sub(r"(?i)(ncols +|samples = )50", rf"\g<1>{columns}", header.read_text())
-    header.write_text("\n".join(line for line in text.splitlines() if "ROWBYTES" not in line) + "\n")
-    assert outcome(path)[0] == f"source: got {str(path)!r} of 8,000 bytes, want {wanted} for the cells of its header"
-
-
-@pytest.mark.parametrize(("driver", "suffix", "name"), [("EHdr", "hdr", "NODATA"), ("ENVI", "hdr", "data ignore value =")])
-@pytest.mark.parametrize(("text", "is_right"), [("none", False), ("5,5", False), ("0x10", False), ("-55.0", True)])
-def test_a_nodata_value_of_a_header_is_a_number(tmp_path, driver, suffix, name, text, is_right):
-    path = written(tmp_path, driver)
-    header = path.with_suffix(f".{suffix}")
-    header.write_text(f"{header.read_text()}{name} {text}\n")
-    found = outcome(path)[0]
-    if is_right:
-        assert np.array_equal(found, HEIGHTS["float32"])
-    else:
-        assert found == f"source: got {str(header)!r} with {name.rstrip(' =')} {text!r}, want a number"
-
-
-@pytest.mark.parametrize("driver", ["EHdr", "ENVI"])
-def test_a_file_may_begin_with_other_bytes(tmp_path, driver):
-    path = written(tmp_path, driver)
-    header = path.with_suffix(".hdr")
-    text = re.sub("header offset = 0", "header offset = 7", header.read_text())
-    header.write_text(text + ("SKIPBYTES 7\n" if driver == "EHdr" else ""))
-    path.write_bytes(b"-" * 7 + path.read_bytes())
-    assert np.array_equal(outcome(path)[0], HEIGHTS["float32"])

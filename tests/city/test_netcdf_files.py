@@ -1,6 +1,7 @@
 """A netCDF file by its path gives the same heights as xarray, or an error: GDAL ignores units, gaps and nodata values."""
 
 import re
+from contextlib import suppress
 
 import numpy as np
 import pytest
@@ -23,8 +24,8 @@ def array(x=X, y=Y, unit="m", names=("y", "x"), **attributes):
     return xr.DataArray(HEIGHTS, dims=names, coords=coordinates, name="z", attrs=attributes).rio.write_crs("EPSG:3794")
 
 
-def heights_of(path, content, **encoding):
-    content.to_netcdf(path, engine="scipy", encoding={"z": encoding} if encoding else None)
+def heights_of(path, content, engine="scipy", **encoding):
+    content.to_netcdf(path, engine=engine, encoding={"z": encoding} if encoding else None)
     return reader_of(str(path)).read(ALL, ALL)
 
 
@@ -35,18 +36,23 @@ def moved(centres, start):
 @pytest.mark.parametrize(
     ("content", "got"),
     [
-        (array(X / 1000.0, Y / 1000.0, "km"), "coordinates 'x' in 'km', want the unit of the CRS (1 m)"),
-        (array(unit="ft"), "coordinates 'x' in 'ft', want the unit of the CRS"),
+        (array(X / 1000.0, Y / 1000.0, "km"), "coordinates 'y' in 'km', want the unit of the CRS (1 m)"),
+        (array(unit="ft"), "coordinates 'y' in 'ft', want the unit of the CRS"),
         (array(moved(X, 25)), "coordinates 'x' that are not evenly spaced, want cells of one size"),
         (array(y=moved(Y, 12)), "coordinates 'y' that are not evenly spaced"),
+        (array(valid_min="none"), "attributes {'valid_min': 'none'}, want numbers"),
+        (array(missing_value="none"), "'{path}' of attributes {{'_FillValue': np.float32(nan), 'missing_value': 'none'"),
         (array(y=moved(Y[::-1], 12), names=("north", "east")), "coordinates 'north' that are not evenly spaced"),
     ],
 )
 def test_coordinates_that_gdal_misreads_are_refused(tmp_path, content, got):
-    with pytest.raises(ValueError, match="^source: got " + re.escape(got)):
+    with pytest.raises(
+        ValueError, match="^source: got " + re.escape(got.format(path=tmp_path / "dsm.nc") if "{path}" in got else got)
+    ):
         heights_of(tmp_path / "dsm.nc", content)
 
 
+@pytest.mark.parametrize("engine", ["scipy", "h5netcdf"])
 @pytest.mark.parametrize(
     ("content", "encoding", "is_none"),
     [
@@ -56,13 +62,60 @@ def test_coordinates_that_gdal_misreads_are_refused(tmp_path, content, got):
         (array(missing_value=np.array([101.0, 103.0], np.float32)), {}, np.isin(HEIGHTS, [101.0, 103.0])),
         (array(valid_min=np.float32(103)), {}, HEIGHTS < 103.0),
         (array(valid_max=np.float32(390)), {}, HEIGHTS > 390.0),
-        (array(valid_min="none"), {}, HEIGHTS < 0.0),
+        (array(valid_range=np.array([103, 390], np.float32)), {}, (HEIGHTS < 103.0) | (HEIGHTS > 390.0)),
     ],
 )
-def test_every_nodata_value_is_one(tmp_path, content, encoding, is_none):
-    found = heights_of(tmp_path / "dsm.nc", content, **encoding)
+def test_every_nodata_value_is_one(tmp_path, engine, content, encoding, is_none):
+    found = heights_of(tmp_path / "dsm.nc", content, engine, **encoding)
     assert np.array_equal(found, np.where(is_none, np.nan, HEIGHTS), equal_nan=True)
 
 
 def test_rows_from_south_to_north_are_read_as_such(tmp_path):
     assert np.array_equal(heights_of(tmp_path / "dsm.nc", array(y=Y[::-1])), HEIGHTS[::-1])
+
+
+@pytest.mark.parametrize("dimensions", [("y", "x"), ("x", "y")])
+def test_a_stale_transform_and_the_order_of_dimensions_change_no_place(tmp_path, dimensions):
+    """GDAL takes the transform that rioxarray keeps in spatial_ref rather than the coordinates, and x for y."""
+    place = {"crs_wkt": array().rio.crs.to_wkt(), "GeoTransform": "500000 9 0 5000000 0 -9"}
+    content = array().transpose(*dimensions)[::2, ::2].assign_coords(spatial_ref=((), 0, place))
+    assert np.array_equal(heights_of(tmp_path / "dsm.nc", content), HEIGHTS[::2, ::2])
+    transform = reader_of(str(tmp_path / "dsm.nc")).transform
+    assert transform[:6] == (4.0, 0.0, 499998.0, 0.0, -4.0, 5000002.0)
+
+
+@pytest.mark.parametrize("engine", ["scipy", "h5netcdf"])
+def test_packed_and_unsigned_numbers_are_unpacked(tmp_path, engine):
+    stored = (np.arange(1200) % 250).astype(np.uint8).reshape(30, 40)
+    packed = array(scale_factor=0.5, add_offset=100.0).copy(data=stored.view(np.int8))
+    for name, right in (("false", stored.view(np.int8)), ("true", stored)):
+        found = heights_of(tmp_path / "dsm.nc", packed.assign_attrs(_Unsigned=name), engine)
+        assert np.array_equal(found, 0.5 * right + 100.0)
+
+
+@pytest.mark.parametrize("engine", ["scipy", "h5netcdf"])
+def test_a_damaged_file_is_refused_or_read_rightly(tmp_path, engine):
+    """GDAL read missing heights as 0, and crashed on some damaged headers."""
+    path, rng = tmp_path / "dsm.nc", np.random.default_rng(0)
+    heights_of(path, array(), engine)
+    content = path.read_bytes()
+    cut = [content[: int(share * len(content))] for share in (0.1, 0.5, 0.9, 0.999)]
+    for damaged in cut:
+        path.write_bytes(damaged)
+        with pytest.raises(ValueError, match=r"^source: got '.*dsm.nc', (which cannot be read as|whose end is missing)"):
+            reader_of(str(path)).read(ALL, ALL)
+    for _ in range(100):
+        changed = bytearray(content)
+        changed[rng.integers(4, 2000)] = rng.integers(256)
+        path.write_bytes(changed)
+        with suppress(ValueError, TypeError):
+            reader_of(str(path)).read(ALL, ALL)
+
+
+def test_several_variables_are_refused_by_name(tmp_path):
+    both = xr.Dataset({"z": array(), "trees": array()})
+    both.to_netcdf(tmp_path / "dsm.nc", engine="scipy")
+    with pytest.raises(
+        ValueError, match=r"dsm.nc' with z, trees, want one variable with y and x; pass xarray.open_dataset\("
+    ):
+        reader_of(str(tmp_path / "dsm.nc"))

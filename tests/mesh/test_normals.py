@@ -68,6 +68,13 @@ def test_each_format_has_the_same_normals(tmp_path, suffix):
     assert found / np.linalg.norm(found, axis=2, keepdims=True) == pytest.approx(CORNERS, abs=1e-6)
 
 
+def test_lines_of_an_obj_may_end_with_carriage_returns(tmp_path):
+    """Its normals were ignored, and its faces were not."""
+    path = obj(tmp_path / "roof.obj")
+    path.write_bytes(path.read_bytes().replace(b"\n", b"\r"))
+    assert read_normals(path) == pytest.approx(read_normals(obj(tmp_path / "same.obj")))
+
+
 @pytest.mark.parametrize(
     ("how", "name", "values"),
     [("faceVarying", "primvars:normals", CORNERS.reshape(-1, 3)), ("vertex", "normals", np.tile((0, 0, 1), (6, 1)))],

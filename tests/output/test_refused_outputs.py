@@ -124,6 +124,8 @@ def test_libraries_of_an_obj_may_have_backslashes_and_are_no_pipes(tmp_path):
         ("mtllib in.mtl # mine", "map_Kd -s 1 1 1 of walls.png # all"),
         ("mtllib \\{end}in.mtl", "map_Kd \\{end}  of walls.png"),
         ('mtllib "in.mtl"', 'aniso "of walls.png"'),
+        ("mtllib a.mtl in.mtl b.mtl", "map_Kd of walls.png -s 1 1 1"),
+        ("# of C:\\{end}mtllib in.mtl", "newmtl C:\\x\\{end}map_Kd of walls.png"),
     ],
 )
 def test_every_spelling_of_a_name_in_an_obj_is_found(tmp_path, library, picture, end):
@@ -131,6 +133,14 @@ def test_every_spelling_of_a_name_in_an_obj_is_found(tmp_path, library, picture,
     (tmp_path / "in.obj").write_text(f"v 0 0 0{end}{library.format(end=end)}{end}", newline="")
     (tmp_path / "in.mtl").write_text(f"newmtl a{end}{picture.format(end=end)}{end}", newline="")
     assert {tmp_path / "in.mtl", tmp_path / "of walls.png"} <= set(list_linked_files(tmp_path / "in.obj"))
+
+
+def test_a_name_in_a_comment_is_none(tmp_path):
+    (tmp_path / "in.obj").write_text("mtllib in.mtl")
+    (tmp_path / "in.mtl").write_text("map_Kd b.png # instead of a.png")
+    found = list_linked_files(tmp_path / "in.obj")
+    assert tmp_path / "b.png" in found
+    assert tmp_path / "a.png" not in found
 
 
 @pytest.mark.parametrize("uri", ["of%20walls.png?x=1", "of%20walls.png#f", "file:of%20walls.png"])

@@ -7,7 +7,7 @@ EXTRAS: dict[str, tuple[str, ...]] = {
     "viz": ("pyvista", "matplotlib", "pxr", "trame", "nest_asyncio2", "ipywidgets"),
     "radiation": ("pvlib", "pyradiance"),
     "cluster": ("dask", "distributed", "zarr", "xarray"),
-    "city": ("rasterio", "rioxarray", "pyproj", "affine"),
+    "city": ("rasterio", "rioxarray", "pyproj", "affine", "h5netcdf"),
     "texture": ("xatlas", "PIL", "OpenEXR"),
     "test": ("trimesh",),
 }

@@ -13,7 +13,7 @@ from warpsample.mesh.files.usd import list_assets
 
 _PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm", "aniso")  # first words of lines with a picture in an .mtl
 _LONGEST = 1 << 16  # bytes of a line that are read at a time
-_WORDS = 20  # largest number of words of such a line that is read
+_WORDS = 30  # largest number of words of such a line that is read
 
 
 def list_linked_files(path: Path | None) -> list[Path]:
@@ -81,29 +81,28 @@ def _obj(path: Path) -> Iterator[str]:
 
 
 def _names(line: str) -> list[str]:
-    """Return all possible file names in a line of an .obj: names may contain spaces, quotation marks and #.
+    """Return all possible file names in a line of an .obj or .mtl: names may contain spaces, quotation marks and #.
 
-    Options precede the name, and a comment may follow it.
+    Options and other names may be on both sides of a name. None begins within a comment.
     """
-    found = []
-    for text in dict.fromkeys((line, line.partition("#")[0])):
-        words = text.split()[:_WORDS]
-        found += [" ".join(words[start:]).strip('"') for start in range(1, len(words))]
-    return found
+    words, before = line.split(), len(line.partition("#")[0].split())
+    ends = [(start, end) for start in range(1, min(before, _WORDS)) for end in range(start + 1, min(len(words), _WORDS) + 1)]
+    return [" ".join(words[start:end]).strip('"') for start, end in ends]
 
 
 def _lines(path: Path) -> Iterator[str]:
-    """Yield the lines of a text without surrounding spaces. A backslash joins lines; lines above 64 KiB are in parts."""
+    """Yield the lines of a text without surrounding spaces, and also lines that a backslash joins, as one.
+
+    Lines above 64 KiB are in parts.
+    """
     held = ""
     with path.open(encoding="utf-8-sig", errors="surrogateescape") as file:
         for line in iter(lambda: file.readline(_LONGEST), ""):
-            held += line.strip()
-            if not held.endswith("\\") or len(held) > _LONGEST:
-                yield held
-                held = ""
-            else:
-                held = f"{held[:-1]} "
-    yield held
+            text = line.strip()
+            yield text
+            if held:
+                yield held + text
+            held = f"{held}{text[:-1]} " if text.endswith("\\") and len(held) < _LONGEST else ""
 
 
 _READERS = {".obj": _obj, ".ply": _ply, ".glb": _gltf, ".gltf": _gltf, ".json": _city, ".jsonl": _city} | dict.fromkeys(

@@ -78,8 +78,8 @@ def read_obj_normals(path: Path) -> np.ndarray | None:
 
 def has_obj_lines(path: Path, keyword: str) -> bool:
     """Return whether an .obj file has lines with a keyword such as "vt", whatever their values."""
-    with path.open("rb") as file:
-        return any(line.split(None, 1)[:1] == [keyword.encode()] for line in file)
+    with path.open(encoding="utf-8-sig", errors="replace") as file:  # all ends of lines
+        return any(line.split(None, 1)[:1] == [keyword] for line in file)
 
 
 class _CornerData(NamedTuple):

@@ -1,6 +1,7 @@
 """Conversion of a raster's stored numbers to heights: nodata values, scale and offset."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from math import inf, isfinite
 from typing import Any
 
@@ -16,7 +17,8 @@ _LARGEST = 2.0**31 - 1
 """From here on, numbers count as nodata: the limits of int32, uint32 and float32 often have no tag, or a rounded one."""
 
 _SCALING = {"scale_factor": 1.0, "add_offset": 0.0}
-_ATTRIBUTES = ("_FillValue", "missing_value", "fill_value", "nodata", *_SCALING)
+_NODATA = ("_FillValue", "missing_value", "fill_value", "nodata")
+_ATTRIBUTES = (*_NODATA, *_SCALING)
 
 
 @dataclass(frozen=True)
@@ -50,19 +52,30 @@ class Coding:
         return cls(file.nodatavals[band - 1], file.scales[band - 1], file.offsets[band - 1])
 
     @classmethod
-    def of_array(cls, array: xr.DataArray) -> "Coding":
-        """Read nodata value, scale and offset from the attributes of an xarray.DataArray.
+    def of_array(cls, array: xr.DataArray, got: str) -> "Coding":
+        """Read nodata values, scale and offset from the attributes of an xarray.DataArray.
 
         Raises:
-            ValueError: An attribute is not a number.
+            ValueError: An attribute is not a number; the message describes the array as in `got`.
         """
         given = {name: array.attrs[name] for name in _ATTRIBUTES if name in array.attrs}
         try:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
-            nodata = array.rio.nodata
+            others = np.concatenate([np.ravel(given.get(name, [])) for name in _NODATA]).astype(np.float64)
+            nodata = array.rio.nodata if len(others) < 2 else None
         except (TypeError, ValueError, OverflowError):
-            raise ValueError(f"source: got an xarray.DataArray of attributes {quote(given)}, want numbers") from None
-        return cls(nodata, scale, offset)
+            raise ValueError(f"source: got {got} of attributes {quote(given)}, want numbers") from None
+        return cls(nodata, scale, offset, tuple(others.tolist()))
+
+    def within(self, attributes: Mapping[str, Any]) -> "Coding":
+        """Return a copy in which numbers outside the valid range of netCDF attributes mark cells without data."""
+        try:
+            low, high = np.ravel(attributes.get("valid_range", [-inf, inf])).astype(np.float64)
+            low, high = (float(attributes.get(name, limit)) for name, limit in (("valid_min", low), ("valid_max", high)))
+        except (TypeError, ValueError):
+            given = {name: value for name, value in attributes.items() if str(name).startswith("valid_")}
+            raise ValueError(f"source: got attributes {quote(given)}, want numbers") from None
+        return replace(self, valid=(low, high))
 
     def heights(self, values: np.ndarray) -> np.ndarray:
         """Convert stored numbers of a raster to heights, as a float64 copy with NaN in cells without data.

@@ -9,18 +9,14 @@ import numpy as np
 
 from warpsample.city.rasters.sources.arc_grid import check_arc_grid
 from warpsample.city.rasters.sources.inputs import files_read
-from warpsample.city.rasters.sources.netcdf import check_end
 from warpsample.city.rasters.sources.opening import open_raster
-from warpsample.city.rasters.sources.side_files import check_texts, header_of, list_side_files
+from warpsample.city.rasters.sources.side_files import check_texts, list_side_files
 
-_REPORTED = {"GTiff", "LIBERTIFF", "COG", "HFA", "JP2OpenJPEG", "GRIB", "HDF5Image", "Zarr"}
-_REPORTED |= {"BT", "GSBG", "HF2", "KRO", "RST", "SAGA", "SIGDEM"}
+_REPORTED = {"GTiff", "LIBERTIFF", "COG", "HFA", "JP2OpenJPEG", "GRIB", "Zarr", "BT", "GSBG", "HF2", "SIGDEM"}
 """Formats of which GDAL reports a missing part. Parts of a GeoTIFF or a Zarr store may be left out to mean one value."""
 
-_RAW = ("EHdr", "ENVI")
 _VIRTUAL = ("VRT", "GTI")
 _TIFF = (".tif", ".tiff")
-_GZIP = b"\x1f\x8b"
 
 
 def check_undamaged(path: str, file: Any) -> None:
@@ -61,25 +57,8 @@ def _check(path: str, file: Any) -> str:
     check_texts(path, file)
     if file.driver == "AAIGrid" and is_file:
         check_arc_grid(path, file.shape, np.issubdtype(file.dtypes[0], np.integer))
-    elif file.driver in _RAW and is_file:
-        _check_size(path, file)
-    elif file.driver == "netCDF" and file.files and Path(file.files[0]).is_file():
-        return check_end(file.files[0])
     elif file.driver == "VRT" and is_file and b"VRTRawRasterBand" in Path(path).read_bytes():
         return "raw VRT"
     elif file.driver not in (*_VIRTUAL, *_REPORTED):
         return str(file.driver)
     return ""
-
-
-def _check_size(path: str, file: Any) -> None:
-    """Raise a ValueError if a file of plain numbers has another size than its header states."""
-    wanted = file.count * file.height * file.width * np.dtype(file.dtypes[0]).itemsize
-    with Path(path).open("rb") as stream:
-        is_compressed = stream.read(len(_GZIP)) == _GZIP
-    header = header_of(file)
-    wanted += int(header.get("skipbytes", header.get("header offset", 0)))
-    size = Path(path).stat().st_size
-    is_padded = "bandrowbytes" in header or "totalrowbytes" in header
-    if not is_compressed and (size < wanted or (size > wanted and not is_padded)):
-        raise ValueError(f"source: got {path!r} of {size:,} bytes, want {wanted:,} for the cells of its header")

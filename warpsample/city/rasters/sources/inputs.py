@@ -9,6 +9,7 @@ from html import unescape
 from itertools import chain, product
 from pathlib import Path
 
+from warpsample.city.rasters.sources.netcdf import is_netcdf
 from warpsample.city.rasters.sources.opening import open_raster
 
 _BREAK = re.compile(r"[\x00-\x1f\"<>]|  +")
@@ -38,7 +39,7 @@ def files_read(path: str) -> list[Path]:
             continue
         found[os.path.realpath(one)] = one
         text = _read_text(Path(one))
-        if one == path or text:
+        if (one == path or text) and not is_netcdf(one):  # GDAL may crash on damaged ones
             with suppress(FileNotFoundError, ValueError), open_raster(one) as file:  # reported when the file is read
                 waiting += file.files
             waiting += _list_named(text, Path(one).parent)

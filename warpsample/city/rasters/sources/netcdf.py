@@ -1,70 +1,104 @@
-"""Checks of netCDF files that GDAL reads without a word: a missing end, uneven coordinates, units, and nodata values."""
+"""Opening of netCDF files with xarray: GDAL ignores units, gaps and the order of coordinates, and some nodata values."""
 
-import re
+import warnings
 from collections.abc import Iterator
-from contextlib import suppress
-from math import inf
+from contextlib import contextmanager
+from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
-import numpy as np
+import xarray as xr
+from rioxarray.exceptions import RioXarrayError
 
-from warpsample.city.rasters.sources.coding import Coding
-from warpsample.city.rasters.sources.opening import open_raster
-from warpsample.city.rasters.sources.reference import check_unit, crs_of
-from warpsample.city.rasters.sources.transforms import step_of
+from warpsample.host.extras import missing
 
-_NUMBER = re.compile(r"[-+]?(?:nan|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)", re.IGNORECASE)
-_LIMITS = "missing_value", "valid_min", "valid_max"
-_USUAL = {"x", "y", "easting", "northing"}  # names of coordinates, which have no attributes in some files
+_CLASSIC, _HDF5 = (b"CDF\1", b"CDF\2"), b"\x89HDF"
+_SUPERBLOCK, _SIZE_AT = 52, {0: 40, 1: 44, 2: 28, 3: 28}  # bytes of it, and place of the file's size in it by its version
+_SUFFIXES = (".nc", ".nc4", ".cdf", ".grd")  # of netCDF-4 files, which begin like all HDF5 files
 
 
-def check_end(path: str) -> str:
-    """Raise a ValueError for a classic netCDF file without its end; return the format if it is of 64-bit data (CDF-5)."""
-    from scipy.io import netcdf_file
+DAMAGED = (ValueError, TypeError, LookupError, OSError, RuntimeError, AttributeError, MemoryError)
+"""Errors of SciPy, h5py and xarray for damaged files."""
 
+
+def is_netcdf(path: str) -> bool:
+    """Return whether a file is a netCDF file that xarray can open: of the classic format, or netCDF-4 by its suffix."""
+    start = _read_start(path)
+    return start[:4] in _CLASSIC or (start[:4] == _HDF5 and Path(path).suffix.lower() in _SUFFIXES)
+
+
+def _read_start(path: str) -> bytes:
+    """Return the first bytes of a file; none of what is no file."""
+    if not Path(path).is_file():  # reading a pipe may never end
+        return b""
     with Path(path).open("rb") as stream:
-        signature = stream.read(4)
-    if signature in (b"CDF\1", b"CDF\2"):
-        try:
-            with netcdf_file(path, mmap=True):
-                pass
-        except (ValueError, TypeError, LookupError, OSError) as error:
-            raise ValueError(f"source: got {path!r}, whose end is missing: the file is damaged") from error
-    return "CDF-5" if signature == b"CDF\5" else ""
+        return stream.read(_SUPERBLOCK)
 
 
-def check_coordinates(file: Any) -> None:
-    """Raise a ValueError if coordinates of an open netCDF raster are uneven or in another unit than that of the CRS.
+def _stored_size(start: bytes) -> int:
+    """Return the size of an HDF5 file that its superblock states, or 0 in unknown versions.
 
-    GDAL looks at the first, the middle and the last step of coordinates, and at no unit.
+    HDF5 reads missing bytes as 0.
     """
-    a, b, c, d, e, f = file.transform[:6]
-    if b or d or not file.files:
-        return
-    axes = (c + 0.5 * a, a, file.width), (f + 0.5 * e, e, file.height)
-    for name, centres, unit in _list_coordinates(file):
-        for first, step, count in axes:
-            ends = np.array([first, first + (count - 1) * step])
-            if len(centres) == count > 1 and np.allclose(np.sort(centres[[0, -1]]), np.sort(ends), 0.0, abs(step)):
-                step_of(centres, name)
-                check_unit(unit, crs_of(file.crs), f"coordinates {name!r}")
+    at = _SIZE_AT.get(start[8] if len(start) == _SUPERBLOCK else -1)
+    return 0 if at is None else int.from_bytes(start[at : at + 8], "little")
 
 
-def _list_coordinates(file: Any) -> Iterator[tuple[str, np.ndarray, str]]:
-    """Yield the name, the values, and the unit or standard name of each variable of one dimension in a netCDF file."""
-    for name in sorted({key.partition("#")[0] for key in file.tags() if "#" in key} | _USUAL):
-        address = f'netCDF:"{file.files[0]}":{name}'
-        with suppress(FileNotFoundError, ValueError), open_raster(address) as variable:  # else it has no such numbers
-            about = variable.tags(1)
-            if variable.height == 1 and variable.count == 1 and about.get("NETCDF_VARNAME") == name:
-                yield name, variable.read(1)[0], about.get("units") or about.get("standard_name", "")
+@contextmanager
+def open_netcdf(path: str) -> Iterator[xr.DataArray]:
+    """Open the one variable of a netCDF file that has places on a map, with its stored numbers, within a `with` statement.
+
+    Rows are from north to south, as in most rasters, if the file has coordinates.
+
+    Raises:
+        ValueError: The file is damaged, or it has no such variable, or several.
+        ModuleNotFoundError: A netCDF-4 file, and h5netcdf is not installed.
+    """
+    with _open_dataset(path) as dataset:
+        placed = [name for name in dataset.data_vars if _is_placed(dataset[name])]
+        if len(placed) != 1:
+            names = ", ".join(map(str, placed or dataset.data_vars)) or "nothing"
+            raise ValueError(
+                f"source: got {path!r} with {names}, want one variable with y and x; pass xarray.open_dataset(path)[NAME]"
+            )
+        array = dataset[placed[0]]
+        north = array.coords.get(array.rio.y_dim)
+        if north is not None and north.ndim == 1 and north.size > 1 and north[0] < north[-1]:
+            array = array.isel({north.name: slice(None, None, -1)})
+        if str(array.attrs.get("_Unsigned", "")).lower() == "true" and array.dtype.kind == "i":
+            array = array.astype(f"u{array.dtype.itemsize}")
+        yield array
 
 
-def coding_of(file: Any, band: int) -> Coding:
-    """Return how a netCDF file stores heights, with all its nodata values and its range, of which GDAL ignores some."""
-    about = file.tags(band)
-    numbers = {name: [float(text) for text in _NUMBER.findall(about.get(name, ""))] for name in _LIMITS}
-    lowest, highest = (next(iter(numbers[name]), limit) for name, limit in (("valid_min", -inf), ("valid_max", inf)))
-    scaling = file.scales[band - 1], file.offsets[band - 1]
-    return Coding(file.nodatavals[band - 1], *scaling, tuple(numbers["missing_value"]), (lowest, highest))
+def _open_dataset(path: str) -> xr.Dataset:
+    """Open a netCDF file with its stored numbers."""
+    start = _read_start(path)
+    is_classic = start[:4] in _CLASSIC
+    if not is_classic and Path(path).stat().st_size < _stored_size(start):
+        raise ValueError(f"source: got {path!r}, whose end is missing: the file is damaged")
+    if not is_classic and find_spec("h5netcdf") is None:
+        raise missing(f"source: got {path!r}, which needs h5netcdf", "h5netcdf")
+    how = {"decode_times": False, "mask_and_scale": False, "decode_coords": "all", "cache": False}
+    try:
+        if not is_classic:
+            with import_module("h5py").File(path, "r") as file:  # h5netcdf would print tracebacks, of damaged objects, too
+                file.visititems(lambda *_: None)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # about attributes of variables other than the heights
+            return xr.open_dataset(path, engine="scipy" if is_classic else "h5netcdf", **how)
+    except DAMAGED as error:
+        raise explain_damage(path, error) from error
+
+
+def explain_damage(path: str, error: Exception) -> ValueError:
+    """Return the error for a damaged netCDF file, with the reason of the library that reads it."""
+    reason = (str(error).strip().splitlines() or [type(error).__name__])[0]
+    return ValueError(f"source: got {path!r}, which cannot be read as netCDF: {reason}")
+
+
+def _is_placed(array: xr.DataArray) -> bool:
+    """Return whether an array has the dimensions y and x."""
+    try:
+        return {array.rio.y_dim, array.rio.x_dim} <= set(array.dims)
+    except RioXarrayError:
+        return False

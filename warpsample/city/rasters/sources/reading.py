@@ -2,7 +2,8 @@
 
 import re
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
@@ -17,7 +18,7 @@ from rioxarray.exceptions import MissingSpatialDimensionError
 
 from warpsample.city.rasters.sources.coding import Coding
 from warpsample.city.rasters.sources.damage import check_undamaged
-from warpsample.city.rasters.sources.netcdf import check_coordinates, coding_of
+from warpsample.city.rasters.sources.netcdf import explain_damage, is_netcdf, open_netcdf
 from warpsample.city.rasters.sources.opening import WANTS, open_raster
 from warpsample.city.rasters.sources.reader import RasterReader
 from warpsample.city.rasters.sources.reference import (
@@ -41,6 +42,7 @@ from warpsample.city.rasters.sources.transforms import (
 from warpsample.host.arrays import as_real
 from warpsample.host.neighbours import describe_type
 
+_ARRAY = "an xarray.DataArray"
 _HEIGHT_UNIT = re.compile(rb"^\s*Zunits\s+\"?(\w+)", re.IGNORECASE | re.MULTILINE)
 
 
@@ -61,7 +63,8 @@ def reader_of(source: Any) -> RasterReader:
             which distances differ from the ground by 5 % or more, such as Web Mercator.
     """
     if isinstance(source, str | PathLike):
-        return _file_reader(fspath(source))
+        path = fspath(source)
+        return _netcdf_reader(path) if is_netcdf(path) else _file_reader(path)
     if isinstance(source, xr.DataArray):
         return _data_array_reader(source)
     if isinstance(source, tuple) and len(source) == 3:
@@ -82,7 +85,7 @@ def ground_of(source: Any) -> RasterReader:
     if reader.crs is None:
         check_lengths(reader.transform, reader.shape, reader.read)
         if not isinstance(source, tuple):
-            got = repr(fspath(source)) if isinstance(source, str | PathLike) else "an xarray.DataArray"
+            got = repr(fspath(source)) if isinstance(source, str | PathLike) else _ARRAY
             warnings.warn(
                 f"source: got {got} without a CRS; its coordinates are taken as metres, and the map's y axis as true north; "
                 "pass (array, affine, None) to state that the raster has no CRS",
@@ -104,10 +107,7 @@ def _file_reader(path: str) -> RasterReader:
         check_undamaged(path, file)
         band = bands[0]
         check_upward(file.tags() | file.tags(band))
-        if file.driver == "netCDF":
-            check_coordinates(file)
-        coding = coding_of(file, band) if file.driver == "netCDF" else Coding.of_file(file, band)
-        read = partial(_band, path, band, coding)
+        read = partial(_band, path, band, Coding.of_file(file, band))
         return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or _read_prj_unit(file), read)
 
 
@@ -129,35 +129,66 @@ def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> 
         return heights
 
 
-def _data_array_reader(array: xr.DataArray) -> RasterReader:
-    """Check an xarray.DataArray of heights, and return a reader of the heights."""
-    try:
-        dims = array.rio.y_dim, array.rio.x_dim
-    except MissingSpatialDimensionError:
-        raise ValueError(
-            f"source: got an xarray.DataArray of dimensions {array.dims}, want y and x; da.rio.set_spatial_dims selects "
-            "other dimensions"
-        ) from None
-    others = {name: size for name, size in array.sizes.items() if name not in dims}
-    if any(size != 1 for size in others.values()):
-        raise ValueError(
-            f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want y and x alone; select one band"
-        )
-    array = array.isel(dict.fromkeys(others, 0)).transpose(*dims)
-    check_upward(array.attrs)
-    coding, unit = Coding.of_array(array), str(array.attrs.get("units") or array.attrs.get("unit") or "")
-    coordinates = {name: array.coords[name].variable for name in dims if name in array.coords}
-    if not array.size:
-        raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want at least one cell")
+def _netcdf_reader(path: str) -> RasterReader:
+    """Return a reader of the heights of a netCDF file, which xarray opens and closes each time."""
 
     def heights(rows: slice, columns: slice) -> np.ndarray:
-        return coding.heights(array.isel(dict(zip(dims, (rows, columns), strict=True))).to_numpy())
+        with open_netcdf(path) as array, _explaining(path):
+            return coding.heights(_to_map(array, repr(path))[rows, columns].to_numpy())
+
+    with open_netcdf(path) as array, _explaining(path):
+        coding = Coding.of_array(array, repr(path)).within(array.attrs)
+        return _data_array_reader(array, heights, repr(path))
+
+
+@contextmanager
+def _explaining(path: str) -> Iterator[None]:
+    """Context manager that converts errors of libraries, such as for a damaged CRS or damaged numbers, to a ValueError."""
+    try:
+        yield
+    except (RuntimeError, LookupError, AttributeError, OSError) as error:
+        raise explain_damage(path, error) from error
+
+
+def _data_array_reader(
+    array: xr.DataArray, heights: Callable[[slice, slice], np.ndarray] | None = None, got: str = _ARRAY
+) -> RasterReader:
+    """Check an xarray.DataArray of heights, and return a reader of the heights.
+
+    Args:
+        array: Array.
+        heights: Function that reads the heights in some rows and columns. Default: those of the array.
+        got: Description of the array for messages.
+    """
+    array = _to_map(array, got)
+    check_upward(array.attrs)
+    coding, unit = Coding.of_array(array, got), str(array.attrs.get("units") or array.attrs.get("unit") or "")
+    coordinates = {name: array.coords[name].variable for name in array.dims if name in array.coords}
+    if not array.size:
+        raise ValueError(f"source: got {got} of sizes {dict(array.sizes)}, want at least one cell")
+
+    def own_heights(rows: slice, columns: slice) -> np.ndarray:
+        return coding.heights(array[rows, columns].to_numpy())
 
     for name, coordinate in coordinates.items():
         stated = coordinate.attrs.get("units") or coordinate.attrs.get("standard_name", "")
         check_unit(str(stated), crs_of(array.rio.crs), f"coordinates {name!r}")
-    where = transform_of(array, dims), array.rio.crs, unit
-    return _reader(array.shape, *where, heights, dims=dims, coordinates=coordinates)
+    where = transform_of(array, array.dims, got), array.rio.crs, unit
+    return _reader(array.shape, *where, heights or own_heights, dims=array.dims, coordinates=coordinates)
+
+
+def _to_map(array: xr.DataArray, got: str) -> xr.DataArray:
+    """Return an array of the dimensions y and x alone, in this order; raise a ValueError if it has others, or not these."""
+    try:
+        dims = array.rio.y_dim, array.rio.x_dim
+    except MissingSpatialDimensionError:
+        raise ValueError(
+            f"source: got {got} of dimensions {array.dims}, want y and x; da.rio.set_spatial_dims selects other dimensions"
+        ) from None
+    others = {name: size for name, size in array.sizes.items() if name not in dims}
+    if any(size != 1 for size in others.values()):
+        raise ValueError(f"source: got {got} of sizes {dict(array.sizes)}, want y and x alone; select one band")
+    return array.isel(dict.fromkeys(others, 0)).transpose(*dims)
 
 
 def _array_reader(array: Any, transform: Any, crs: Any) -> RasterReader:

@@ -11,11 +11,7 @@ _NUMBERS = re.compile(
 )
 """Elements of numbers; GDAL reads 0, or the first digits, for another text."""
 
-_HEADER = re.compile(
-    rb"^[ \t]*(nodata|nodata_value|data ignore value|skipbytes|header offset|bandrowbytes|totalrowbytes)[ \t=]+(.*?)\s*$",
-    re.IGNORECASE | re.MULTILINE,
-)
-"""Lines of numbers in the headers of .bil, ENVI and SAGA files."""
+_COMMENT, _END = re.compile(rb"<!--.*?-->", re.DOTALL), re.compile(rb"</PAMDataset>|<PAMDataset\s*/>")
 
 
 def check_texts(path: str, file: Any) -> None:
@@ -32,32 +28,14 @@ def check_texts(path: str, file: Any) -> None:
                 f"source: got {path!r}, which is not in UTF-8 ({error.reason}); write its file names in UTF-8"
             ) from error
         _check_numbers(path, content)
-    header_of(file)
     texts, masks = list_side_files(path)
     for text in texts:
         content = text.read_bytes()
-        if b"</PAMDataset>" not in content:
+        if not _END.search(content):
             raise ValueError(f"source: got {path!r} next to {text.name}, whose end is missing: repair or remove it")
         _check_numbers(str(text), content)
     if masks and any({MaskFlags.all_valid, MaskFlags.nodata} & set(flags) for flags in file.mask_flag_enums):
         raise ValueError(f"source: got {path!r} next to {masks[0].name}, whose mask GDAL cannot use: repair or remove it")
-
-
-def header_of(file: Any) -> dict[str, float]:
-    """Return nodata values, and numbers of bytes, from the .hdr or .sgrd of an open raster file, by their lower-case names.
-
-    Raises:
-        ValueError: Another text than a number, for which GDAL reads 0.
-    """
-    found = {}
-    for header in (Path(name) for name in file.files if name.lower().endswith((".hdr", ".sgrd"))):
-        for name, text in _HEADER.findall(header.read_bytes()) if header.is_file() else []:
-            first = text.partition(b";")[0].strip()  # SAGA writes a range
-            if not _is_number(first):
-                got = f"{name.decode()} {text.decode(errors='replace')!r}"
-                raise ValueError(f"source: got {str(header)!r} with {got}, want a number")
-            found[name.decode().lower()] = float(first)
-    return found
 
 
 def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
@@ -69,7 +47,7 @@ def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
 
 def _check_numbers(path: str, content: bytes) -> None:
     """Raise a ValueError for another text than a number in a .vrt or .aux.xml."""
-    for name, text in _NUMBERS.findall(content):
+    for name, text in _NUMBERS.findall(_COMMENT.sub(b"", content)):
         parts = re.split(rb"[,:]", text) if name.upper() == b"LUT" else [text]
         if not all(map(_is_number, parts)):
             got = f"{name.decode()} {text.decode(errors='replace')!r}"

@@ -106,14 +106,14 @@ def _relief(heights: np.ndarray) -> float:
     return float(np.subtract(*np.percentile(known, _KEPT[::-1]))) if known.size else 0.0
 
 
-def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
+def transform_of(array: xr.DataArray, dims: tuple[str, str], got: str) -> Affine:
     """Return the transform of an array from its coordinates, or from the stored transform if coordinates are missing.
 
     Coordinates have precedence, because the stored transform may belong to a larger array of which this one is a part.
     """
     if not all(name in array.coords and array.coords[name].ndim == 1 and array.sizes[name] > 1 for name in dims):
         transform = array.rio.transform()
-        check_place(transform, "an xarray.DataArray")
+        check_place(transform, got)
         return transform
     steps, starts = [], []
     for name in dims:
@@ -121,7 +121,7 @@ def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
         steps.append(step := step_of(centres, name))
         starts.append(float(centres[0]) - 0.5 * step)
     transform = Affine(steps[1], 0.0, starts[1], 0.0, steps[0], starts[0])
-    check_place(transform, "an xarray.DataArray")  # rioxarray gives these coordinates to a file without a transform
+    check_place(transform, got)  # rioxarray gives these coordinates to a file without a transform
     return transform
 
 
