@@ -13,6 +13,7 @@ pytest.importorskip("rasterio")
 
 import rasterio
 
+from warpsample.city.rasters.sources import inputs
 from warpsample.city.rasters.sources.inputs import files_read
 
 VRT = """<VRTDataset rasterXSize="4" rasterYSize="3"><GeoTransform>5e5, 2, 0, 5e6, 0, -2</GeoTransform>
@@ -59,3 +60,18 @@ def test_an_archive_and_a_link_to_it_are_inputs(tmp_path):
     archive = tmp_path / "dsm.zip"
     archive.write_bytes(b"PK")
     assert archive in files_read(f"/vsizip/{archive}/sub/dsm.tif")
+
+
+def test_heights_and_places_in_a_text_are_no_names(tmp_path, monkeypatch):
+    """Each part of such a line was looked for on the disk, which took minutes."""
+    looked, is_file = [], inputs.Path.is_file
+    monkeypatch.setattr(inputs.Path, "is_file", lambda self: looked.append(self) or is_file(self))
+    (tmp_path / "dsm.asc").write_text("1.5 2e3 -7\n" * 1000)
+    place = {"coordinates": [[[5e5 + k, 5e6] for k in range(9)]]}
+    (tmp_path / "index.geojson").write_text(json.dumps([{"geometry": place, "location": f"{k}.tif"} for k in range(9000)]))
+    (tmp_path / "8999.tif").write_bytes(b"\0")
+    assert tmp_path / "8999.tif" in files_read(f"GTI:{tmp_path}/index.geojson")  # behind the first million bytes
+    assert len(looked) < 20_000
+    looked.clear()
+    files_read(str(tmp_path / "dsm.asc"))
+    assert len(looked) < 20

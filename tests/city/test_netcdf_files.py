@@ -8,7 +8,10 @@ import pytest
 
 pytest.importorskip("rasterio")
 
+import rasterio.shutil
 import xarray as xr
+from affine import Affine
+from raster_cases import write_tif
 
 from warpsample.city.rasters.sources.reading import reader_of
 
@@ -85,12 +88,30 @@ def test_a_stale_transform_and_the_order_of_dimensions_change_no_place(tmp_path,
 
 
 @pytest.mark.parametrize("engine", ["scipy", "h5netcdf"])
-def test_packed_and_unsigned_numbers_are_unpacked(tmp_path, engine):
-    stored = (np.arange(1200) % 250).astype(np.uint8).reshape(30, 40)
-    packed = array(scale_factor=0.5, add_offset=100.0).copy(data=stored.view(np.int8))
-    for name, right in (("false", stored.view(np.int8)), ("true", stored)):
-        found = heights_of(tmp_path / "dsm.nc", packed.assign_attrs(_Unsigned=name), engine)
-        assert np.array_equal(found, 0.5 * right + 100.0)
+def test_packed_numbers_are_unpacked(tmp_path, engine):
+    stored = (np.arange(1200) % 250).astype(np.int16).reshape(30, 40)
+    packed = array(scale_factor=0.5, add_offset=100.0).copy(data=stored)
+    assert np.array_equal(heights_of(tmp_path / "dsm.nc", packed, engine), 0.5 * stored + 100.0)
+    with pytest.raises(ValueError, match=r"with the attribute _Unsigned; pass xarray.open_dataset\(path\)\['z'\]$"):
+        heights_of(tmp_path / "dsm.nc", packed.assign_attrs(_Unsigned="true"), engine)
+
+
+TURNED = Affine(0.8, 0.6, 500000.0, 0.6, -0.8, 5000000.0)
+
+
+@pytest.mark.parametrize("transform", [TURNED, Affine(2.0, 0.0, 500000.0, 0.0, 2.0, 5000000.0)])
+def test_a_file_without_coordinates_has_the_transform_that_it_states(tmp_path, transform):
+    content = array().drop_vars(["x", "y"]).rio.write_transform(transform)
+    assert np.array_equal(heights_of(tmp_path / "dsm.nc", content), HEIGHTS)
+    assert reader_of(str(tmp_path / "dsm.nc")).transform == transform
+
+
+def test_a_turned_file_with_coordinates_is_refused(tmp_path):
+    """So GDAL writes it, with coordinates of the raster as it were without the turn."""
+    source = write_tif(tmp_path / "dsm.tif", HEIGHTS, transform=TURNED)
+    rasterio.shutil.copy(source, tmp_path / "dsm.nc", driver="netCDF")
+    with pytest.raises(ValueError, match=r"dsm.nc', which is turned and has coordinates without the turn; write it as a Ge"):
+        reader_of(str(tmp_path / "dsm.nc"))
 
 
 @pytest.mark.parametrize("engine", ["scipy", "h5netcdf"])

@@ -68,8 +68,10 @@ def test_cells_without_a_height_are_known_by_whatever_stands_for_none(tmp_path, 
     same(heights_of((np.ma.masked_array(values, GONE), UTM, "EPSG:3794")))
 
 
-def test_a_band_of_transparency_is_no_band_of_heights(tmp_path):
-    bands = np.stack([HEIGHTS, np.where(GONE, 0.0, 255.0)]).astype(np.uint8)
+@pytest.mark.parametrize("dtype", ["uint8", "int16", "float32"])
+def test_a_band_of_transparency_is_no_band_of_heights(tmp_path, dtype):
+    """GDAL makes a mask of an alpha of uint8 or uint16 alone; cells without ground had heights of 0."""
+    bands = np.stack([HEIGHTS, np.where(GONE, 0.0, 255.0)]).astype(dtype)
     path = write_tif(tmp_path / "dsm.tif", bands, alpha="YES")
     same(heights_of(path))
 

@@ -135,6 +135,21 @@ def test_every_spelling_of_a_name_in_an_obj_is_found(tmp_path, library, picture,
     assert {tmp_path / "in.mtl", tmp_path / "of walls.png"} <= set(list_linked_files(tmp_path / "in.obj"))
 
 
+@pytest.mark.parametrize("name", ["my  walls.png", "of\u3000walls.png", "caf\xe9.png"])
+def test_blanks_of_a_name_in_an_mtl_stay(tmp_path, name):
+    (tmp_path / "in.obj").write_text("mtllib in.mtl")
+    for encoding in ("utf-8", "latin-1"):
+        (tmp_path / "in.mtl").write_bytes(f"map_Kd -bm 1 {name}".encode(encoding, "ignore"))
+        if "\u3000" not in name or encoding == "utf-8":
+            assert tmp_path / name in list_linked_files(tmp_path / "in.obj")
+
+
+def test_a_damaged_item_of_a_gltf_hides_no_other(tmp_path):
+    images = [{"uri": None}, None, 7, {"uri": "walls.png"}, {"uri": "t.png%3Fx"}]
+    (tmp_path / "in.gltf").write_text(json.dumps({"asset": {"version": "2.0"}, "images": images}))
+    assert list_linked_files(tmp_path / "in.gltf") == [tmp_path / "walls.png", tmp_path / "t.png?x"]
+
+
 def test_a_name_in_a_comment_is_none(tmp_path):
     (tmp_path / "in.obj").write_text("mtllib in.mtl")
     (tmp_path / "in.mtl").write_text("map_Kd b.png # instead of a.png")

@@ -120,6 +120,8 @@ def write_cog(
     """
     with _convert_write_errors(path):
         folder.mkdir(exist_ok=True)
+        for name in ("plain.tif", "cog.tif"):  # they may be links to other files
+            (folder / name).unlink(missing_ok=True)
         _write_plain(folder / "plain.tif", run, about, tiles())
         rasterio.shutil.copy(folder / "plain.tif", folder / "cog.tif", driver="COG", predictor="FLOATING_POINT", **_HOW)
         _check_written(folder / "cog.tif", run, tiles())

@@ -13,6 +13,7 @@ from warpsample.mesh.files.usd import list_assets
 
 _PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm", "aniso")  # first words of lines with a picture in an .mtl
 _LONGEST = 1 << 16  # bytes of a line that are read at a time
+_FILE_URI = re.compile("^file:(//(localhost)?)?", re.IGNORECASE)
 _WORDS = 30  # largest number of words of such a line that is read
 
 
@@ -26,7 +27,8 @@ def list_linked_files(path: Path | None) -> list[Path]:
         if reader is not None and path is not None and path.is_file():  # reading a pipe may never end
             names = [name for name in reader(path) if "\0" not in name]
             names += [each.replace("\\", "/") for each in names]
-            names += [re.split("[?#]", re.sub("^file:(//)?", "", each))[0] for each in names]
+            names += [_FILE_URI.sub("", each) for each in names]
+            names += [each.encode("utf-8", "surrogateescape").decode("latin-1") for each in names if not _is_text(each)]
             return [path.parent / name for name in dict.fromkeys(names)]
     return []
 
@@ -39,8 +41,13 @@ def uris_of(tree: Part) -> Iterator[str]:
 
 
 def _gltf(path: Path) -> Iterator[str]:
-    """Yield the names of the external files that a .gltf or .glb refers to."""
-    return map(unquote, uris_of(_tree(path)))
+    """Yield the names of the external files that a .gltf or .glb refers to; items that are damaged are passed over."""
+    content = _tree(path).content
+    for items in (content.get("images"), content.get("buffers")):
+        for item in items if isinstance(items, list) else []:
+            uri = item.get("uri") if isinstance(item, dict) else None
+            if isinstance(uri, str) and not is_embedded(uri):
+                yield from {unquote(uri), unquote(re.split("[?#]", uri)[0])}
 
 
 def _tree(path: Path) -> Part:
@@ -85,9 +92,19 @@ def _names(line: str) -> list[str]:
 
     Options and other names may be on both sides of a name. None begins within a comment.
     """
-    words, before = line.split(), len(line.partition("#")[0].split())
-    ends = [(start, end) for start in range(1, min(before, _WORDS)) for end in range(start + 1, min(len(words), _WORDS) + 1)]
-    return [" ".join(words[start:end]).strip('"') for start, end in ends]
+    words = [match.span() for match in re.finditer(r"[^ \t]+", line)][:_WORDS]
+    comment = line.find("#") % (len(line) + 1)
+    starts = [start for start, _ in words[1:] if start < comment]
+    return [line[start:end].strip('"') for start in starts for _, end in words if end > start]
+
+
+def _is_text(name: str) -> bool:
+    """Return whether a name is in UTF-8."""
+    try:
+        name.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def _lines(path: Path) -> Iterator[str]:

@@ -140,13 +140,13 @@ class TileFiles:
 
     def _remove(self) -> None:
         """Remove the files of the run, and its attributes last: without them its files would be those of a user."""
-        for pattern in (f"{WORK}/plain.tif*", f"{WORK}/cog.tif*"):
+        for pattern in (f"{WORK}/plain.tif", f"{WORK}/cog.tif", f"{WORK}/*.tif.aux.xml", f"{WORK}/*.tif.*.tmp"):
             for path in list(self.path.glob(pattern)):
                 path.unlink()
         _remove_if_empty(self.path / WORK)
-        for pattern in (_TILE.format("[0-9]*"), DIGESTS, ABOUT):
-            for path in list(self.path.glob(pattern)):
-                path.unlink()
+        tiles = [path for path in self.path.glob(_TILE.format("*")) if path.stem.rpartition("-")[2].isdecimal()]
+        for path in (*tiles, self.path / DIGESTS, self.path / ABOUT):
+            path.unlink(missing_ok=True)
         _remove_if_empty(self.path)
 
 

@@ -18,8 +18,11 @@ _BREAK = re.compile(r"[\x00-\x1f\"<>]|  +")
 _EDGE = re.compile(r"\s|['()\[\]{}|,;:?&=]|/vsi\w+/|//")
 """Where names of files may begin or end in addresses of GDAL, as in vrt://in.tif?bands=1; names may also hold these."""
 
-_MOST_EDGES = 64  # in a piece; longer ones are lists of numbers
-_MOST = 1 << 20  # bytes of a text in which names are looked for
+_NUMBERS = re.compile(r"[\s\d.,;:eE+\[\](){}-]*")
+"""A part of a text that has no name, such as heights and coordinates."""
+
+_MOST_EDGES = 32  # in a piece
+_MOST = 1 << 24  # bytes of a text in which names are looked for
 _ESCAPED = re.compile(r"\\(?:u([0-9a-fA-F]{4})|/)")  # characters in JSON
 _TEXT_COLUMNS = """SELECT m.name, c.name FROM sqlite_master AS m, pragma_table_info(m.name) AS c
 WHERE m.type = 'table' AND (c.type LIKE '%TEXT%' OR c.type LIKE '%CHAR%')"""
@@ -76,7 +79,7 @@ def _read_database(path: Path) -> str:
 
 def _list_named(text: str, folder: Path) -> list[str]:
     """Return the existing files that a text names, relative to a folder or to the current one."""
-    names = {name for piece in _BREAK.split(text) for name in _names_in(piece)}
+    names = {name for piece in _BREAK.split(text) if not _NUMBERS.fullmatch(piece) for name in _names_in(piece)}
     found = []
     for place in (folder, Path()):
         for name in names:

@@ -62,12 +62,25 @@ def open_netcdf(path: str) -> Iterator[xr.DataArray]:
                 f"source: got {path!r} with {names}, want one variable with y and x; pass xarray.open_dataset(path)[NAME]"
             )
         array = dataset[placed[0]]
-        north = array.coords.get(array.rio.y_dim)
-        if north is not None and north.ndim == 1 and north.size > 1 and north[0] < north[-1]:
-            array = array.isel({north.name: slice(None, None, -1)})
-        if str(array.attrs.get("_Unsigned", "")).lower() == "true" and array.dtype.kind == "i":
-            array = array.astype(f"u{array.dtype.itemsize}")
+        _check_layout(array, path)
+        rows = array.rio.y_dim
+        if rows in array.coords and array.sizes[rows] > 1 and array[rows][0] < array[rows][-1]:
+            array = array.isel({rows: slice(None, None, -1)})
         yield array
+
+
+def _check_layout(array: xr.DataArray, path: str) -> None:
+    """Raise a ValueError for unsigned numbers stored as signed ones, and for turned rasters with coordinates."""
+    if str(array.attrs.get("_Unsigned", "")).lower() == "true":
+        raise ValueError(
+            f"source: got {path!r} with the attribute _Unsigned; pass xarray.open_dataset(path)[{array.name!r}]"
+        )
+    transform = array.rio.transform()
+    if (transform.b or transform.d) and array.rio.x_dim in array.coords:
+        raise ValueError(
+            f"source: got {path!r}, which is turned and has coordinates without the turn; write it as a GeoTIFF, or pass "
+            "(array, affine, crs)"
+        )
 
 
 def _open_dataset(path: str) -> xr.Dataset:

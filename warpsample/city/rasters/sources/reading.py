@@ -126,6 +126,8 @@ def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> 
         window = Window.from_slices(rows, columns)
         heights = coding.heights(file.read(band, window=window))
         heights[file.read_masks(band, window=window) == 0] = np.nan
+        for alpha in (n for n, colour in enumerate(file.colorinterp, 1) if colour == ColorInterp.alpha):
+            heights[file.read(alpha, window=window) == 0] = np.nan  # GDAL's mask has only an alpha of uint8 or uint16
         return heights
 
 
@@ -133,10 +135,10 @@ def _netcdf_reader(path: str) -> RasterReader:
     """Return a reader of the heights of a netCDF file, which xarray opens and closes each time."""
 
     def heights(rows: slice, columns: slice) -> np.ndarray:
-        with open_netcdf(path) as array, _explaining(path):
+        with _explaining(path), open_netcdf(path) as array:
             return coding.heights(_to_map(array, repr(path))[rows, columns].to_numpy())
 
-    with open_netcdf(path) as array, _explaining(path):
+    with _explaining(path), open_netcdf(path) as array:
         coding = Coding.of_array(array, repr(path)).within(array.attrs)
         return _data_array_reader(array, heights, repr(path))
 

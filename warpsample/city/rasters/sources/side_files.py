@@ -1,6 +1,7 @@
 """Checks of the texts of a raster (.vrt, .aux.xml) and of its mask (.msk), whose damage GDAL ignores."""
 
 import re
+from html import unescape
 from pathlib import Path
 from typing import Any
 
@@ -47,17 +48,17 @@ def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
 
 def _check_numbers(path: str, content: bytes) -> None:
     """Raise a ValueError for another text than a number in a .vrt or .aux.xml."""
-    for name, text in _NUMBERS.findall(_COMMENT.sub(b"", content)):
-        parts = re.split(rb"[,:]", text) if name.upper() == b"LUT" else [text]
+    for name, found in _NUMBERS.findall(_COMMENT.sub(b"", content)):
+        text = unescape(found.decode(errors="replace"))
+        parts = re.split("[,:]", text.rstrip(",")) if name.upper() == b"LUT" else [text]
         if not all(map(_is_number, parts)):
-            got = f"{name.decode()} {text.decode(errors='replace')!r}"
-            raise ValueError(f"source: got {path!r} with the {got}, want a number")
+            raise ValueError(f"source: got {path!r} with the {name.decode()} {text!r}, want a number")
 
 
-def _is_number(text: bytes) -> bool:
+def _is_number(text: str) -> bool:
     """Return True if the text is a number to GDAL, too, which does not read 1_0 as 10, but 1.#QNAN as NaN."""
     try:
         float(text)
     except ValueError:
-        return text.strip().upper().lstrip(b"+-") in (b"1.#QNAN", b"1.#IND", b"1.#INF")
-    return b"_" not in text
+        return text.strip().upper().lstrip("+-") in ("1.#QNAN", "1.#IND", "1.#INF")
+    return "_" not in text
