@@ -271,6 +271,13 @@ def test_coordinates_of_float32_are_evenly_spaced_but_for_their_rounding():
     assert np.allclose(rasters.surface(fine).grid.transform[4], -0.3, atol=0.01)
 
 
+@pytest.mark.parametrize("version", ["1.0", "1.1"])
+def test_the_unit_of_a_compound_crs_is_read(tmp_path, version):
+    """GDAL leaves out the CRS of heights in GeoTIFF 1.0."""
+    path = write_tif(tmp_path / "dsm.tif", HEIGHTS, transform=UTM, crs="EPSG:32633+6360", GEOTIFF_VERSION=version)
+    assert np.allclose(heights_of(path), 1200.0 / 3937.0 * HEIGHTS)
+
+
 def test_the_unit_of_a_band_is_read(tmp_path):
     path = write_tif(tmp_path / "dsm.tif", HEIGHTS, units="ft")
     assert np.allclose(heights_of(path), 0.3048 * HEIGHTS)

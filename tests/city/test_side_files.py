@@ -38,8 +38,8 @@ def heights_of(path):
         (PAM.format("<NoDataValue>5,5</NoDataValue>"), "with the NoDataValue '5,5'"),
         (PAM.format("<Scale>1,5</Scale>"), "with the Scale '1,5'"),
         (PAM.format("<Offset>x</Offset>"), "with the Offset 'x'"),
-        (PAM.format("<Scale>1.5</Scale>")[:-20], "next to dsm.tif{}, whose end is missing"),
-        ("", "next to dsm.tif{}, whose end is missing"),
+        (PAM.format("<Scale>1.5</Scale>")[:-20], "next to dsm.tif{}, which is damaged"),
+        ("", "next to dsm.tif{}, which is damaged"),
     ],
 )
 def test_a_damaged_text_next_to_a_raster_is_refused(dsm, suffix, text, got):
@@ -52,6 +52,19 @@ def test_an_undamaged_text_next_to_a_raster_counts(dsm):
     text = PAM.format("<Description>höhe</Description><NoDataValue> 105 </NoDataValue><Scale>0.5</Scale>")
     dsm.with_name("dsm.tif.aux.xml").write_text(text, "latin-1")
     assert np.array_equal(heights_of(dsm), np.where(HEIGHTS == 105.0, np.nan, 0.5 * HEIGHTS), equal_nan=True)
+
+
+@pytest.mark.parametrize("element", ["<NoDataValue>105</NoDataValue>", "<Scale>0.5</Scale>", "<Offset>2</Offset>"])
+def test_numbers_that_gdal_does_not_read_are_refused(dsm, element):
+    """GDAL ignores an .aux.xml that begins with a declaration."""
+    text = dsm.with_name("dsm.tif.aux.xml")
+    text.write_text(f'<?xml version="1.0"?>{PAM.format(element)}')
+    with pytest.raises(
+        ValueError, match=f"^source: got .* next to dsm.tif.aux.xml, whose {element[1:6]}.* GDAL does not read"
+    ):
+        heights_of(dsm)
+    text.write_text('<?xml version="1.0"?>' + PAM.format("<Scale>1</Scale><Offset>0.0</Offset>"))
+    assert np.array_equal(heights_of(dsm), HEIGHTS)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.05, 0.3, 0.9])

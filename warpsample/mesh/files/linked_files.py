@@ -75,9 +75,11 @@ def _city(path: Path) -> Iterator[str]:
 
 def _obj(path: Path) -> Iterator[str]:
     """Yield the material files that an .obj names, and the pictures that the material files name."""
+    known = set()
     for line in _lines(path):
-        if line.startswith("mtllib"):
-            for library in _names(line):
+        if line.lower().startswith("mtllib"):
+            for library in set(_names(line)) - known:
+                known.add(library)
                 yield library
                 with suppress(OSError, ValueError):
                     if not (path.parent / library).is_file():
@@ -95,7 +97,7 @@ def _names(line: str) -> list[str]:
     words = [match.span() for match in re.finditer(r"[^ \t]+", line)][:_WORDS]
     comment = line.find("#") % (len(line) + 1)
     starts = [start for start, _ in words[1:] if start < comment]
-    return [line[start:end].strip('"') for start in starts for _, end in words if end > start]
+    return [line[start:end].strip("'\"") for start in starts for _, end in words if end > start]
 
 
 def _is_text(name: str) -> bool:

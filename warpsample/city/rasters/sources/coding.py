@@ -1,7 +1,6 @@
 """Conversion of a raster's stored numbers to heights: nodata values, scale and offset."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import inf, isfinite
 from typing import Any
 
@@ -67,16 +66,6 @@ class Coding:
             raise ValueError(f"source: got {got} of attributes {quote(given)}, want numbers") from None
         return cls(nodata, scale, offset, tuple(others.tolist()))
 
-    def within(self, attributes: Mapping[str, Any]) -> "Coding":
-        """Return a copy in which numbers outside the valid range of netCDF attributes mark cells without data."""
-        try:
-            low, high = np.ravel(attributes.get("valid_range", [-inf, inf])).astype(np.float64)
-            low, high = (float(attributes.get(name, limit)) for name, limit in (("valid_min", low), ("valid_max", high)))
-        except (TypeError, ValueError):
-            given = {name: value for name, value in attributes.items() if str(name).startswith("valid_")}
-            raise ValueError(f"source: got attributes {quote(given)}, want numbers") from None
-        return replace(self, valid=(low, high))
-
     def heights(self, values: np.ndarray) -> np.ndarray:
         """Convert stored numbers of a raster to heights, as a float64 copy with NaN in cells without data.
 
@@ -87,7 +76,9 @@ class Coding:
             raise TypeError(f"source: got heights of dtype {values.dtype}, want real numbers")
         heights = values.astype(np.float64)
         none = ~(np.abs(heights) < _LARGEST) | (heights < self.valid[0]) | (heights > self.valid[1])
-        codes = (*_UNDECLARED, *self.others, *(() if self.nodata is None else (self.nodata,)))
+        declared = (*self.others, *(() if self.nodata is None else (self.nodata,)))
+        is_scaled = (self.scale, self.offset) != (1.0, 0.0)  # then the lowest integers may be heights
+        codes = declared if is_scaled and declared else (*_UNDECLARED, *declared)
         kinds = {np.float64, np.float32, values.dtype.type if values.dtype.kind == "f" else np.float64}
         with np.errstate(over="ignore"):  # numbers outside float32 count as nodata anyway
             rounded = {float(kind(code)) for code in codes for kind in kinds}  # in float16, -9999 is -10000

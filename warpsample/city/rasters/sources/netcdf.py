@@ -7,9 +7,11 @@ from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 
+import numpy as np
 import xarray as xr
 from rioxarray.exceptions import RioXarrayError
 
+from warpsample.host.arguments import quote
 from warpsample.host.extras import missing
 
 _CLASSIC, _HDF5 = (b"CDF\1", b"CDF\2"), b"\x89HDF"
@@ -46,7 +48,7 @@ def _stored_size(start: bytes) -> int:
 
 @contextmanager
 def open_netcdf(path: str) -> Iterator[xr.DataArray]:
-    """Open the one variable of a netCDF file that has places on a map, with its stored numbers, within a `with` statement.
+    """Open the one variable of a netCDF file that has places on a map, decoded by xarray, within a `with` statement.
 
     Rows are from north to south, as in most rasters, if the file has coordinates.
 
@@ -62,19 +64,15 @@ def open_netcdf(path: str) -> Iterator[xr.DataArray]:
                 f"source: got {path!r} with {names}, want one variable with y and x; pass xarray.open_dataset(path)[NAME]"
             )
         array = dataset[placed[0]]
-        _check_layout(array, path)
+        _check_turn(array, path)
         rows = array.rio.y_dim
         if rows in array.coords and array.sizes[rows] > 1 and array[rows][0] < array[rows][-1]:
             array = array.isel({rows: slice(None, None, -1)})
         yield array
 
 
-def _check_layout(array: xr.DataArray, path: str) -> None:
-    """Raise a ValueError for unsigned numbers stored as signed ones, and for turned rasters with coordinates."""
-    if str(array.attrs.get("_Unsigned", "")).lower() == "true":
-        raise ValueError(
-            f"source: got {path!r} with the attribute _Unsigned; pass xarray.open_dataset(path)[{array.name!r}]"
-        )
+def _check_turn(array: xr.DataArray, path: str) -> None:
+    """Raise a ValueError for a turned raster with coordinates, which are those of the raster without the turn."""
     transform = array.rio.transform()
     if (transform.b or transform.d) and array.rio.x_dim in array.coords:
         raise ValueError(
@@ -84,23 +82,45 @@ def _check_layout(array: xr.DataArray, path: str) -> None:
 
 
 def _open_dataset(path: str) -> xr.Dataset:
-    """Open a netCDF file with its stored numbers."""
+    """Open a netCDF file with xarray."""
     start = _read_start(path)
     is_classic = start[:4] in _CLASSIC
     if not is_classic and Path(path).stat().st_size < _stored_size(start):
         raise ValueError(f"source: got {path!r}, whose end is missing: the file is damaged")
     if not is_classic and find_spec("h5netcdf") is None:
         raise missing(f"source: got {path!r}, which needs h5netcdf", "h5netcdf")
-    how = {"decode_times": False, "mask_and_scale": False, "decode_coords": "all", "cache": False}
+    how = {"decode_times": False, "decode_coords": "all", "cache": False}
     try:
         if not is_classic:
             with import_module("h5py").File(path, "r") as file:  # h5netcdf would print tracebacks, of damaged objects, too
                 file.visititems(lambda *_: None)
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # about attributes of variables other than the heights
+            warnings.simplefilter("ignore")  # about several nodata values, and attributes of other variables
             return xr.open_dataset(path, engine="scipy" if is_classic else "h5netcdf", **how)
     except DAMAGED as error:
         raise explain_damage(path, error) from error
+
+
+def valid_range_of(array: xr.DataArray) -> tuple[float, float]:
+    """Return the range of valid heights that the attributes of a decoded netCDF variable state; infinite without any.
+
+    Limits of the stored type are packed as the numbers are; others are in the unit of the heights.
+
+    Raises:
+        ValueError: A limit is not a number.
+    """
+    about, encoding = array.attrs, array.encoding
+    try:
+        limits = np.ravel(about.get("valid_range", [-np.inf, np.inf]))
+        low, high = (np.asarray(about.get(*one)).item() for one in (("valid_min", limits[0]), ("valid_max", limits[1])))
+        stored = [np.asarray(about.get(name, limits)).dtype for name in ("valid_min", "valid_max")]
+        is_packed = [kind.newbyteorder("=") == np.dtype(encoding["dtype"]).newbyteorder("=") for kind in stored]
+        scale, offset = float(encoding.get("scale_factor", 1.0)), float(encoding.get("add_offset", 0.0))
+        ends = [scale * end + offset if packed else end for end, packed in zip((low, high), is_packed, strict=True)]
+        return tuple(float(array.dtype.type(end)) for end in ends)
+    except (TypeError, ValueError, LookupError):
+        given = {name: value for name, value in about.items() if str(name).startswith("valid_")}
+        raise ValueError(f"source: got attributes {quote(given)}, want numbers") from None
 
 
 def explain_damage(path: str, error: Exception) -> ValueError:

@@ -24,7 +24,7 @@ def open_raster(path: str) -> Iterator[Any]:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", NotGeoreferencedWarning)
-            with rasterio.open(path) as file:
+            with rasterio.Env(GTIFF_REPORT_COMPD_CS="YES"), rasterio.open(path) as file:  # with the CRS of heights
                 yield file
     except UnicodeEncodeError as error:
         raise ValueError(

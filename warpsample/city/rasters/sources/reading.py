@@ -4,6 +4,7 @@ import re
 import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
@@ -18,7 +19,7 @@ from rioxarray.exceptions import MissingSpatialDimensionError
 
 from warpsample.city.rasters.sources.coding import Coding
 from warpsample.city.rasters.sources.damage import check_undamaged
-from warpsample.city.rasters.sources.netcdf import explain_damage, is_netcdf, open_netcdf
+from warpsample.city.rasters.sources.netcdf import explain_damage, is_netcdf, open_netcdf, valid_range_of
 from warpsample.city.rasters.sources.opening import WANTS, open_raster
 from warpsample.city.rasters.sources.reader import RasterReader
 from warpsample.city.rasters.sources.reference import (
@@ -139,7 +140,7 @@ def _netcdf_reader(path: str) -> RasterReader:
             return coding.heights(_to_map(array, repr(path))[rows, columns].to_numpy())
 
     with _explaining(path), open_netcdf(path) as array:
-        coding = Coding.of_array(array, repr(path)).within(array.attrs)
+        coding = replace(Coding.of_array(array, repr(path)), valid=valid_range_of(array))
         return _data_array_reader(array, heights, repr(path))
 
 

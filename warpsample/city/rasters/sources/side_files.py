@@ -4,6 +4,7 @@ import re
 from html import unescape
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree as ET
 
 from rasterio.enums import MaskFlags
 
@@ -12,7 +13,8 @@ _NUMBERS = re.compile(
 )
 """Elements of numbers; GDAL reads 0, or the first digits, for another text."""
 
-_COMMENT, _END = re.compile(rb"<!--.*?-->", re.DOTALL), re.compile(rb"</PAMDataset>|<PAMDataset\s*/>")
+_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
+_DEFAULTS = {"NoDataValue": None, "Scale": 1.0, "Offset": 0.0}  # what GDAL says without such an element
 
 
 def check_texts(path: str, file: Any) -> None:
@@ -31,12 +33,26 @@ def check_texts(path: str, file: Any) -> None:
         _check_numbers(path, content)
     texts, masks = list_side_files(path)
     for text in texts:
-        content = text.read_bytes()
-        if not _END.search(content):
-            raise ValueError(f"source: got {path!r} next to {text.name}, whose end is missing: repair or remove it")
-        _check_numbers(str(text), content)
+        _check_statistics(path, file, text)
     if masks and any({MaskFlags.all_valid, MaskFlags.nodata} & set(flags) for flags in file.mask_flag_enums):
         raise ValueError(f"source: got {path!r} next to {masks[0].name}, whose mask GDAL cannot use: repair or remove it")
+
+
+def _check_statistics(path: str, file: Any, text: Path) -> None:
+    """Raise a ValueError for an .aux.xml that is damaged, or whose numbers GDAL does not read, as after <?xml ...?>."""
+    got = f"source: got {path!r} next to {text.name}"
+    try:
+        root = ET.fromstring(text.read_bytes().decode(errors="replace"))
+    except ET.ParseError as error:
+        raise ValueError(f"{got}, which is damaged ({error})") from error
+    read = {"NoDataValue": file.nodatavals, "Scale": file.scales, "Offset": file.offsets}
+    numbers = [*map(str, range(1, file.count + 1))]
+    for band in (one for one in root.iterfind("PAMRasterBand") if one.get("band") in numbers):
+        for one in (one for one in band if one.tag in read):
+            number, default = (one.text or "").strip(), _DEFAULTS[one.tag]
+            _check_number(str(text), one.tag, number)
+            if read[one.tag][int(band.get("band")) - 1] == default and (default is None or float(number) != default):
+                raise ValueError(f"{got}, whose {one.tag} {number} GDAL does not read; remove what is before <PAMDataset>")
 
 
 def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
@@ -47,12 +63,16 @@ def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
 
 
 def _check_numbers(path: str, content: bytes) -> None:
-    """Raise a ValueError for another text than a number in a .vrt or .aux.xml."""
+    """Raise a ValueError for another text than a number in a .vrt."""
     for name, found in _NUMBERS.findall(_COMMENT.sub(b"", content)):
-        text = unescape(found.decode(errors="replace"))
-        parts = re.split("[,:]", text.rstrip(",")) if name.upper() == b"LUT" else [text]
-        if not all(map(_is_number, parts)):
-            raise ValueError(f"source: got {path!r} with the {name.decode()} {text!r}, want a number")
+        _check_number(path, name.decode(), unescape(found.decode()))
+
+
+def _check_number(path: str, name: str, text: str) -> None:
+    """Raise a ValueError for an element that is not a number, or not a list of numbers where a list is wanted."""
+    parts = re.split("[,:]", text.rstrip(",")) if name.upper() == "LUT" else [text]
+    if not all(map(_is_number, parts)):
+        raise ValueError(f"source: got {path!r} with the {name} {text!r}, want a number")
 
 
 def _is_number(text: str) -> bool:
