@@ -56,6 +56,17 @@ def test_a_tile_of_an_index_is_found(tmp_path, monkeypatch, name):
     assert len(list(tmp_path.glob("b.*"))) == 1
 
 
+def test_a_name_in_a_long_command_is_found(tmp_path, monkeypatch):
+    """Texts with more than 32 places where a name may begin were passed over."""
+    monkeypatch.chdir(tmp_path)
+    write_tif(tmp_path / "t 0.tif", np.ones((3, 4)))
+    command = (
+        "gdal raster pipeline ! read t 0.tif ! reproject -d EPSG:3794 " + "! scale --src-min 0 --src-max 9 " * 9 + "! write"
+    )
+    (tmp_path / "dsm.gdalg.json").write_text(json.dumps({"type": "gdal_streamed_alg", "command_line": command}))
+    assert tmp_path / "t 0.tif" in {one.absolute() for one in files_read("dsm.gdalg.json")}
+
+
 def test_an_archive_and_a_link_to_it_are_inputs(tmp_path):
     archive = tmp_path / "dsm.zip"
     archive.write_bytes(b"PK")

@@ -3,10 +3,11 @@
 import os
 import re
 import sqlite3
+from bisect import bisect_right
 from collections.abc import Iterator
 from contextlib import closing, suppress
 from html import unescape
-from itertools import chain, product
+from itertools import chain
 from pathlib import Path
 
 from warpsample.city.rasters.sources.netcdf import is_netcdf
@@ -21,7 +22,7 @@ _EDGE = re.compile(r"\s|['()\[\]{}|,;:?&=]|/vsi\w+/|//")
 _NUMBERS = re.compile(r"[\s\d.,;:eE+\[\](){}-]*")
 """A part of a text that has no name, such as heights and coordinates."""
 
-_MOST_EDGES = 32  # in a piece
+_MOST_EDGES = 24  # within a name and its folders
 _MOST = 1 << 24  # bytes of a text in which names are looked for
 _ESCAPED = re.compile(r"\\(?:u([0-9a-fA-F]{4})|/)")  # characters in JSON
 _TEXT_COLUMNS = """SELECT m.name, c.name FROM sqlite_master AS m, pragma_table_info(m.name) AS c
@@ -94,7 +95,8 @@ def _names_in(piece: str) -> Iterator[str]:
     edges = [match.span() for match in _EDGE.finditer(piece)]
     starts = sorted({0, *chain.from_iterable(edges)})
     ends = sorted({*chain.from_iterable(edges), *(match.start() for match in re.finditer("/", piece)), len(piece)})
-    if len(edges) <= _MOST_EDGES:
-        for start, end in product(starts, ends):
-            if start < end and not piece[start:end].replace(".", "").replace("-", "").isdecimal():
+    for start in starts:
+        after = bisect_right(ends, start)
+        for end in ends[after : after + _MOST_EDGES]:
+            if not piece[start:end].replace(".", "").replace("-", "").isdecimal():
                 yield piece[start:end]
