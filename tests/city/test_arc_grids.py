@@ -42,7 +42,7 @@ def test_a_damaged_arc_grid_is_refused(tmp_path, text, got):
     [
         *(
             (f"NODATA_value {text}", "want a number")
-            for text in ("none", "NA", "n/a", "-99x", "null", "1d3", "0x10", "-1_0")
+            for text in ("-nan", "1.#IND", "none", "NA", "n/a", "-99x", "null", "1d3", "0x10", "-1_0")
         ),
         ("cellsize -1", "want a length above 0"),
         ("cellsize 1x", "want a number"),

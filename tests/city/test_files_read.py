@@ -50,7 +50,12 @@ def test_a_tile_of_an_index_is_found(tmp_path, monkeypatch, name):
         index.execute("CREATE TABLE tiles (number INTEGER, location TEXT)")
         index.execute("INSERT INTO tiles VALUES (1, ?)", (name,))
     (tmp_path / "c.shp").write_bytes(b"\0\0\x27\x0a")
-    (tmp_path / "c.dbf").write_bytes(b"\x03\0\0" + name.encode().ljust(80) + b"other.tif".ljust(80))
+    columns = [name.encode(), b"EPSG:3794"]  # as wide as the longest text
+    widths = b"".join(
+        f"COLUMN{k}".encode().ljust(16, b"\0") + bytes([len(text)]).ljust(16, b"\0") for k, text in enumerate(columns)
+    )
+    sizes = (32 + len(widths) + 1).to_bytes(2, "little") + (1 + len(b"".join(columns))).to_bytes(2, "little")
+    (tmp_path / "c.dbf").write_bytes((b"\x03\0\0\0\1\0\0\0" + sizes).ljust(32, b"\0") + widths + b"\r " + b"".join(columns))
     for index in ("GTI:a.geojson", "GTI:b.gti.gpkg", "b.gti.gpkg", "GTI:c.shp"):
         assert tmp_path / name in {one.absolute() for one in files_read(index)}
     assert len(list(tmp_path.glob("b.*"))) == 1

@@ -35,6 +35,7 @@ def heights_of(path):
     ("text", "got"),
     [
         (PAM.format("<NoDataValue>none</NoDataValue>"), "with the NoDataValue 'none', want a number"),
+        (PAM.format("<NoDataValue>-nan</NoDataValue>"), "with the NoDataValue '-nan', want a number"),
         (PAM.format("<NoDataValue>5,5</NoDataValue>"), "with the NoDataValue '5,5'"),
         (PAM.format("<Scale>1,5</Scale>"), "with the Scale '1,5'"),
         (PAM.format("<Offset>x</Offset>"), "with the Offset 'x'"),

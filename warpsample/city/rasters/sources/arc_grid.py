@@ -12,17 +12,18 @@ _HEADER = re.compile(rb"\s*(?:" + _KEYS + rb"[ \t]+\S+[ \t]*[\r\n]+)+", re.IGNOR
 """Lines of a header: GDAL takes an indented line, and a value on a line of its own, for heights."""
 
 _LONGEST_HEADER = 4096
+SPECIAL = rb"(?i:[+]?nan|[+-]?inf(?:inity)?)|-?1[.]#QNAN|-1[.]#IND|[+-]?1[.]#INF"
+"""Numbers that GDAL reads as not finite; it reads -nan as 0, and 1.#IND as 1."""
+
 _DECIMAL = rb"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?"
-_NUMBER = re.compile(_DECIMAL)
-_NO_NUMBER = re.compile(rb"[+-]?(nan|inf(inity)?|1[.]#(qnan|ind|inf))", re.IGNORECASE)  # nodata values that are no heights
+_NUMBER, _NOT_FINITE = re.compile(_DECIMAL), re.compile(SPECIAL)
 _LENGTHS = (b"cellsize", b"dx", b"dy")
 _PLACES = ({b"xllcorner", b"yllcorner"}, {b"xllcenter", b"yllcenter"})
 
-_SPECIAL = rb"(?i:[+]?nan|[+-]?inf(?:inity)?)|-?1[.]#QNAN|-1[.]#IND|[+-]?1[.]#INF"  # as GDAL reads them; it reads -nan as 0
 _INTEGER = rb"[+-]?0*(?:\d{1,9}|1\d{9}|20\d{8}|214748364[78])"  # within int32, to which GDAL would reduce others
 _DAMAGED, _NO_INTEGER = (
     re.compile(rb"(?<=[\t-\r ])(?!(?:" + number + rb")[\t-\r ])[^\t-\r ]+")
-    for number in (_DECIMAL + b"|" + _SPECIAL, _INTEGER)
+    for number in (_DECIMAL + b"|" + SPECIAL, _INTEGER)
 )
 _LONE_WORD = re.compile(rb"[ \t]*[A-Za-z]\S*[ \t]*[\r\n]")
 
@@ -70,7 +71,7 @@ def _check_header(path: str, header: bytes) -> None:
         raise ValueError(f"source: got {path!r} with {lines} in its header, want xllcorner and yllcorner, each once")
     for name, text in zip(words[::2], words[1::2], strict=True):
         key, got = name.lower(), f"source: got {path!r} with {name.decode()} {text.decode('ascii', 'replace')!r}"
-        if not _NUMBER.fullmatch(text) and not (key == b"nodata_value" and _NO_NUMBER.fullmatch(text)):
+        if not _NUMBER.fullmatch(text) and not (key == b"nodata_value" and _NOT_FINITE.fullmatch(text)):
             raise ValueError(f"{got}, want a number")
         if key in _LENGTHS and not float(text.replace(b",", b".")) > 0.0:
             raise ValueError(f"{got}, want a length above 0")

@@ -7,7 +7,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from contextlib import closing, suppress
 from html import unescape
-from itertools import chain
+from itertools import accumulate, chain, pairwise
 from pathlib import Path
 
 from warpsample.city.rasters.sources.netcdf import is_netcdf
@@ -62,9 +62,20 @@ def _read_text(path: Path) -> str:
                     return _read_database(path)
                 if b"\0" in content and path.suffix.lower() != ".dbf":
                     return ""
-                text = unescape(os.fsdecode(content + file.read(_MOST)))
+                content += file.read(_MOST)
+                if path.suffix.lower() == ".dbf":
+                    content = _divide_columns(content)
+                text = unescape(os.fsdecode(content))
                 return _ESCAPED.sub(lambda match: chr(int(match[1] or "2f", 16)), text)
     return ""
+
+
+def _divide_columns(table: bytes) -> bytes:
+    """Return the texts of a .dbf, each in a line of its own: they fill their columns, with nothing between them."""
+    begin, size = (int.from_bytes(table[at : at + 2], "little") for at in (8, 10))
+    ends = list(accumulate(table[48 : max(begin - 1, 48) : 32], initial=1))  # the widths of the columns, after a mark
+    rows = range(begin, len(table), size) if size else ()
+    return b"\n".join(table[row + start : row + end] for row in rows for start, end in pairwise(ends))
 
 
 def _read_database(path: Path) -> str:

@@ -64,21 +64,10 @@ def open_netcdf(path: str) -> Iterator[xr.DataArray]:
                 f"source: got {path!r} with {names}, want one variable with y and x; pass xarray.open_dataset(path)[NAME]"
             )
         array = dataset[placed[0]]
-        _check_turn(array, path)
         rows = array.rio.y_dim
         if rows in array.coords and array.sizes[rows] > 1 and array[rows][0] < array[rows][-1]:
             array = array.isel({rows: slice(None, None, -1)})
         yield array
-
-
-def _check_turn(array: xr.DataArray, path: str) -> None:
-    """Raise a ValueError for a turned raster with coordinates, which are those of the raster without the turn."""
-    transform = array.rio.transform()
-    if (transform.b or transform.d) and array.rio.x_dim in array.coords:
-        raise ValueError(
-            f"source: got {path!r}, which is turned and has coordinates without the turn; write it as a GeoTIFF, or pass "
-            "(array, affine, crs)"
-        )
 
 
 def _open_dataset(path: str) -> xr.Dataset:

@@ -8,11 +8,14 @@ from xml.etree import ElementTree as ET
 
 from rasterio.enums import MaskFlags
 
+from warpsample.city.rasters.sources.arc_grid import SPECIAL
+
 _NUMBERS = re.compile(
     rb"<(NoDataValue|NODATA|Scale|Offset|ScaleRatio|ScaleOffset|LUT)\b[^>/]*>\s*([^<]*?)\s*<", re.IGNORECASE
 )
 """Elements of numbers; GDAL reads 0, or the first digits, for another text."""
 
+_NUMBER = re.compile(rb"[+-]?(?:\d+[.]?\d*|[.]\d+)(?:[eE][+-]?\d+)?|" + SPECIAL)
 _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 _DEFAULTS = {"NoDataValue": None, "Scale": 1.0, "Offset": 0.0}  # what GDAL says without such an element
 
@@ -76,9 +79,5 @@ def _check_number(path: str, name: str, text: str) -> None:
 
 
 def _is_number(text: str) -> bool:
-    """Return True if the text is a number to GDAL, too, which does not read 1_0 as 10, but 1.#QNAN as NaN."""
-    try:
-        float(text)
-    except ValueError:
-        return text.strip().upper().lstrip("+-") in ("1.#QNAN", "1.#IND", "1.#INF")
-    return "_" not in text
+    """Return True if the text is a number to GDAL, which reads neither 1_0 nor -nan as Python does."""
+    return _NUMBER.fullmatch(text.strip().encode()) is not None

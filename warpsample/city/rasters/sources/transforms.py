@@ -120,6 +120,12 @@ def transform_of(array: xr.DataArray, dims: tuple[str, str], got: str) -> Affine
         centres = array.coords[name].to_numpy()
         steps.append(step := step_of(centres, name))
         starts.append(float(centres[0]) - 0.5 * step)
+    stored = array.rio.transform()
+    if stored.b or stored.d:
+        raise ValueError(
+            f"source: got {got}, which is turned and has coordinates without the turn; write it as a GeoTIFF, or pass "
+            "(array, affine, crs)"
+        )
     transform = Affine(steps[1], 0.0, starts[1], 0.0, steps[0], starts[0])
     check_place(transform, got)  # rioxarray gives these coordinates to a file without a transform
     return transform
