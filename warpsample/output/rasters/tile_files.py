@@ -145,8 +145,8 @@ class TileFiles:
                 path.unlink()
         _remove_if_empty(self.path / WORK)
         tiles = [path for path in self.path.glob(_TILE.format("*")) if path.stem.rpartition("-")[2].isdecimal()]
-        for path in (*tiles, self.path / DIGESTS, self.path / ABOUT):
-            path.unlink(missing_ok=True)
+        for path in (*tiles, *(one for name in (DIGESTS, ABOUT) if (one := self.path / name).exists())):
+            path.unlink()
         _remove_if_empty(self.path)
 
 
