@@ -5,6 +5,7 @@ import subprocess
 import sys
 from importlib import import_module
 from io import BytesIO
+from pathlib import Path
 from types import SimpleNamespace
 
 import city_files
@@ -13,6 +14,7 @@ import pytest
 from matplotlib.image import imread
 
 import warpsample as ws
+from warpsample.output.bake_table import RASTER, kind_of
 
 rasterio = pytest.importorskip("rasterio")
 raster_cases = pytest.importorskip("raster_cases")
@@ -199,3 +201,10 @@ def test_a_link_in_the_place_of_the_tiles_is_kept(tmp_path, target):
     with pytest.raises(ValueError, match="which is a link, want another"), store.locked():
         pass
     assert store.path.is_symlink()
+
+
+@pytest.mark.parametrize("suffix", [".nc", ".NC4", ".img", ".jp2", ".bil", ".asc", ".vrt"])
+@pytest.mark.parametrize("output", ["sky.png", "sky.zarr", "sky.tif"])
+def test_a_usual_raster_is_one_by_its_suffix(suffix, output):
+    """Some were rasters only if the output was a .tif."""
+    assert kind_of(Path(f"dsm{suffix}"), Path(output), None) == RASTER

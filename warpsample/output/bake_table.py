@@ -14,8 +14,8 @@ from warpsample.mesh.files import SUFFIXES
 MESH, CITY, RASTER, TEXTURE = SOURCES = ("meshes", "CityJSON", "rasters", "textures (--texture)")
 """Kinds of sources; `TEXTURE` is a mesh with the option `--texture`."""
 
-RASTER_SUFFIXES = (".tif", ".tiff", ".vrt", ".asc")
-"""Suffixes of rasters of heights that can be read."""
+RASTER_SUFFIXES = (".tif", ".tiff", ".vrt", ".asc", ".nc", ".nc4", ".img", ".jp2", ".bil")
+"""Suffixes of usual rasters of heights; others are known by an output that is a .tif."""
 
 STORE = ".zarr"
 _MESH_FILES = (".ply", ".vtp", ".glb", ".npz", ".csv", ".png", ".mtx")
