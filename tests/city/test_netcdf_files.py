@@ -119,6 +119,17 @@ def test_a_valid_range_is_in_stored_numbers_if_it_has_their_type(tmp_path, limit
     assert np.array_equal(np.isnan(heights_of(tmp_path / "dsm.nc", plain)), stored > 201)
 
 
+@pytest.mark.parametrize("engine", ["scipy", "h5netcdf"])
+@pytest.mark.parametrize("dtype", [np.int16, np.int32, np.float32, np.float64])
+def test_numbers_of_each_dtype_are_read(tmp_path, engine, dtype):
+    """Whole numbers without nodata value and scale stay whole, and have no infinite limits."""
+    content = array().copy(data=HEIGHTS.astype(dtype))
+    assert np.array_equal(heights_of(tmp_path / "dsm.nc", content, engine), HEIGHTS)
+    content = content.assign_attrs(valid_max=dtype(300))
+    right = np.where(HEIGHTS > 300.0, np.nan, HEIGHTS)
+    assert np.array_equal(heights_of(tmp_path / "dsm.nc", content, engine), right, equal_nan=True)
+
+
 TURNED = Affine(0.8, 0.6, 500000.0, 0.6, -0.8, 5000000.0)
 
 

@@ -106,7 +106,8 @@ def valid_range_of(array: xr.DataArray) -> tuple[float, float]:
         is_packed = [kind.newbyteorder("=") == np.dtype(encoding["dtype"]).newbyteorder("=") for kind in stored]
         scale, offset = float(encoding.get("scale_factor", 1.0)), float(encoding.get("add_offset", 0.0))
         ends = [scale * end + offset if packed else end for end, packed in zip((low, high), is_packed, strict=True)]
-        return tuple(float(array.dtype.type(end)) for end in ends)
+        kind = array.dtype.type if array.dtype.kind == "f" else float  # float32 heights equal to a limit are within
+        return float(kind(ends[0])), float(kind(ends[1]))
     except (TypeError, ValueError, LookupError):
         given = {name: value for name, value in about.items() if str(name).startswith("valid_")}
         raise ValueError(f"source: got attributes {quote(given)}, want numbers") from None
