@@ -13,6 +13,7 @@ from warpsample.mesh.files.usd import list_assets
 
 _PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm", "aniso")  # first words of lines with a picture in an .mtl
 _LONGEST = 1 << 16  # bytes of a line that are read at a time
+_SURROGATE = re.compile("[\udc80-\udcff]")  # of a byte that is not UTF-8
 _FILE_URI = re.compile("^file:(//(localhost)?)?", re.IGNORECASE)
 _WORDS = 30  # largest number of words of such a line that is read
 
@@ -28,7 +29,7 @@ def list_linked_files(path: Path | None) -> list[Path]:
             names = [name for name in reader(path) if "\0" not in name]
             names += [each.replace("\\", "/") for each in names]
             names += [_FILE_URI.sub("", each) for each in names]
-            names += [each.encode("utf-8", "surrogateescape").decode("latin-1") for each in names if not _is_text(each)]
+            names += [each.encode("utf-8", "surrogateescape").decode("latin-1") for each in names if _SURROGATE.search(each)]
             return [path.parent / name for name in dict.fromkeys(names)]
     return []
 
@@ -95,18 +96,9 @@ def _names(line: str) -> list[str]:
     Options and other names may be on both sides of a name. None begins within a comment.
     """
     words = [match.span() for match in re.finditer(r"[^ \t]+", line)][:_WORDS]
-    comment = line.find("#") % (len(line) + 1)
+    comment = len(line.partition("#")[0])
     starts = [start for start, _ in words[1:] if start < comment]
     return [line[start:end].strip("'\"") for start in starts for _, end in words if end > start]
-
-
-def _is_text(name: str) -> bool:
-    """Return whether a name is in UTF-8."""
-    try:
-        name.encode()
-    except UnicodeEncodeError:
-        return False
-    return True
 
 
 def _lines(path: Path) -> Iterator[str]:

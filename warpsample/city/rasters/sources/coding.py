@@ -25,16 +25,14 @@ class Coding:
     """Rule to convert a raster's stored numbers to heights: number * scale + offset, NaN for the nodata value.
 
     Attributes:
-        nodata: Number that marks cells without data, or None.
+        nodata: Numbers that mark cells without data.
         scale, offset: Factor and summand that convert a stored number to a height.
-        others: More numbers that mark cells without data.
         valid: Lowest and highest stored number that counts as data.
     """
 
-    nodata: float | None = None
+    nodata: tuple[float, ...] = ()
     scale: float = 1.0
     offset: float = 0.0
-    others: tuple[float, ...] = ()
     valid: tuple[float, float] = (-inf, inf)
 
     def __post_init__(self) -> None:
@@ -48,7 +46,8 @@ class Coding:
     @classmethod
     def of_file(cls, file: Any, band: int) -> "Coding":
         """Read nodata value, scale and offset of one band of an open raster file."""
-        return cls(file.nodatavals[band - 1], file.scales[band - 1], file.offsets[band - 1])
+        nodata = file.nodatavals[band - 1]
+        return cls(() if nodata is None else (nodata,), file.scales[band - 1], file.offsets[band - 1])
 
     @classmethod
     def of_array(cls, array: xr.DataArray, got: str) -> "Coding":
@@ -60,11 +59,12 @@ class Coding:
         given = {name: array.attrs[name] for name in _ATTRIBUTES if name in array.attrs}
         try:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
-            others = np.concatenate([np.ravel(given.get(name, [])) for name in _NODATA]).astype(np.float64)
-            nodata = array.rio.nodata if len(others) < 2 else None
+            nodata = np.concatenate([np.ravel(given.get(name, [])) for name in _NODATA]).astype(np.float64).tolist()
+            if len(nodata) < 2:  # rioxarray reads one alone, but also one that its set_nodata has stored
+                nodata += [] if array.rio.nodata is None else [float(array.rio.nodata)]
         except (TypeError, ValueError, OverflowError):
             raise ValueError(f"source: got {got} of attributes {quote(given)}, want numbers") from None
-        return cls(nodata, scale, offset, tuple(others.tolist()))
+        return cls(tuple(nodata), scale, offset)
 
     def heights(self, values: np.ndarray) -> np.ndarray:
         """Convert stored numbers of a raster to heights, as a float64 copy with NaN in cells without data.
@@ -76,9 +76,8 @@ class Coding:
             raise TypeError(f"source: got heights of dtype {values.dtype}, want real numbers")
         heights = values.astype(np.float64)
         none = ~(np.abs(heights) < _LARGEST) | (heights < self.valid[0]) | (heights > self.valid[1])
-        declared = (*self.others, *(() if self.nodata is None else (self.nodata,)))
         is_scaled = (self.scale, self.offset) != (1.0, 0.0)  # then the lowest integers may be heights
-        codes = declared if is_scaled and declared else (*_UNDECLARED, *declared)
+        codes = self.nodata if is_scaled and self.nodata else (*_UNDECLARED, *self.nodata)
         kinds = {np.float64, np.float32, values.dtype.type if values.dtype.kind == "f" else np.float64}
         with np.errstate(over="ignore"):  # numbers outside float32 count as nodata anyway
             rounded = {float(kind(code)) for code in codes for kind in kinds}  # in float16, -9999 is -10000

@@ -12,7 +12,7 @@ from warpsample.city.rasters.sources.inputs import files_read
 from warpsample.city.rasters.sources.opening import open_raster
 from warpsample.city.rasters.sources.side_files import check_texts, list_side_files
 
-_REPORTED = {"GTiff", "LIBERTIFF", "COG", "HFA", "JP2OpenJPEG", "GRIB", "BT", "GSBG", "HF2", "SIGDEM"}
+_REPORTED = {"GTiff", "LIBERTIFF", "HFA", "JP2OpenJPEG", "GRIB", "BT", "GSBG", "HF2", "SIGDEM"}
 """Formats of which GDAL reports a missing part. Parts of a GeoTIFF may be left out to mean one value."""
 
 _VIRTUAL = ("VRT", "GTI")

@@ -18,7 +18,6 @@ _CLASSIC, _HDF5 = (b"CDF\1", b"CDF\2"), b"\x89HDF"
 _SUPERBLOCK, _SIZE_AT = 52, {0: 40, 1: 44, 2: 28, 3: 28}  # bytes of it, and place of the file's size in it by its version
 _SUFFIXES = (".nc", ".nc4", ".cdf", ".grd")  # of netCDF-4 files, which begin like all HDF5 files
 
-
 DAMAGED = (ValueError, TypeError, LookupError, OSError, RuntimeError, AttributeError, MemoryError)
 """Errors of SciPy, h5py and xarray for damaged files."""
 
@@ -30,7 +29,7 @@ def is_netcdf(path: str) -> bool:
 
 
 def _read_start(path: str) -> bytes:
-    """Return the first bytes of a file; none of what is no file."""
+    """Return the first bytes of a file, or b"" for a pipe, a folder or a missing file."""
     if not Path(path).is_file():  # reading a pipe may never end
         return b""
     with Path(path).open("rb") as stream:
@@ -48,7 +47,7 @@ def _stored_size(start: bytes) -> int:
 
 @contextmanager
 def open_netcdf(path: str) -> Iterator[xr.DataArray]:
-    """Open the one variable of a netCDF file that has places on a map, decoded by xarray, within a `with` statement.
+    """Open the only variable of a netCDF file with dimensions y and x, decoded by xarray, within a `with` statement.
 
     Rows are from north to south, as in most rasters, if the file has coordinates.
 

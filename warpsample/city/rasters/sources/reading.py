@@ -113,7 +113,7 @@ def _file_reader(path: str) -> RasterReader:
 
 
 def _read_prj_unit(file: Any) -> str:
-    """Return the unit of heights in the .prj of which GDAL read the rest, as for Arc rasters; "" if there is none."""
+    """Return the unit of heights in the .prj from which GDAL reads the CRS, as for Arc rasters; "" if there is none."""
     for projection in (Path(name) for name in file.files if name.lower().endswith(".prj")):
         found = _HEIGHT_UNIT.search(projection.read_bytes()) if projection.is_file() else None
         if found and found[1].upper() != b"NO":
@@ -141,7 +141,7 @@ def _netcdf_reader(path: str) -> RasterReader:
 
     with _explaining(path), open_netcdf(path) as array:
         coding = replace(Coding.of_array(array, repr(path)), valid=valid_range_of(array))
-        return _data_array_reader(array, heights, repr(path))
+        return _map_reader(_to_map(array, repr(path)), heights, repr(path))
 
 
 @contextmanager
@@ -153,31 +153,31 @@ def _explaining(path: str) -> Iterator[None]:
         raise explain_damage(path, error) from error
 
 
-def _data_array_reader(
-    array: xr.DataArray, heights: Callable[[slice, slice], np.ndarray] | None = None, got: str = _ARRAY
-) -> RasterReader:
-    """Check an xarray.DataArray of heights, and return a reader of the heights.
+def _data_array_reader(array: xr.DataArray) -> RasterReader:
+    """Check an xarray.DataArray of heights, and return a reader of the heights."""
+    array = _to_map(array, _ARRAY)
+    coding = Coding.of_array(array, _ARRAY)
+    return _map_reader(array, lambda rows, columns: coding.heights(array[rows, columns].to_numpy()), _ARRAY)
+
+
+def _map_reader(array: xr.DataArray, heights: Callable[[slice, slice], np.ndarray], got: str) -> RasterReader:
+    """Check an array of the dimensions y and x, and return a reader of its heights.
 
     Args:
-        array: Array.
-        heights: Function that reads the heights in some rows and columns. Default: those of the array.
+        array: Array with its coordinates and attributes.
+        heights: Function that reads the heights in some rows and columns.
         got: Description of the array for messages.
     """
-    array = _to_map(array, got)
     check_upward(array.attrs)
-    coding, unit = Coding.of_array(array, got), str(array.attrs.get("units") or array.attrs.get("unit") or "")
+    unit = str(array.attrs.get("units") or array.attrs.get("unit") or "")
     coordinates = {name: array.coords[name].variable for name in array.dims if name in array.coords}
     if not array.size:
         raise ValueError(f"source: got {got} of sizes {dict(array.sizes)}, want at least one cell")
-
-    def own_heights(rows: slice, columns: slice) -> np.ndarray:
-        return coding.heights(array[rows, columns].to_numpy())
-
     for name, coordinate in coordinates.items():
         stated = coordinate.attrs.get("units") or coordinate.attrs.get("standard_name", "")
         check_unit(str(stated), crs_of(array.rio.crs), f"coordinates {name!r}")
     where = transform_of(array, array.dims, got), array.rio.crs, unit
-    return _reader(array.shape, *where, heights or own_heights, dims=array.dims, coordinates=coordinates)
+    return _reader(array.shape, *where, heights, dims=array.dims, coordinates=coordinates)
 
 
 def _to_map(array: xr.DataArray, got: str) -> xr.DataArray:

@@ -36,12 +36,12 @@ def check_texts(path: str, file: Any) -> None:
         _check_numbers(path, content)
     texts, masks = list_side_files(path)
     for text in texts:
-        _check_statistics(path, file, text)
+        _check_aux(path, file, text)
     if masks and any({MaskFlags.all_valid, MaskFlags.nodata} & set(flags) for flags in file.mask_flag_enums):
         raise ValueError(f"source: got {path!r} next to {masks[0].name}, whose mask GDAL cannot use: repair or remove it")
 
 
-def _check_statistics(path: str, file: Any, text: Path) -> None:
+def _check_aux(path: str, file: Any, text: Path) -> None:
     """Raise a ValueError for an .aux.xml that is damaged, or whose numbers GDAL does not read, as after <?xml ...?>."""
     got = f"source: got {path!r} next to {text.name}"
     try:
@@ -49,13 +49,14 @@ def _check_statistics(path: str, file: Any, text: Path) -> None:
     except ET.ParseError as error:
         raise ValueError(f"{got}, which is damaged ({error})") from error
     read = {"NoDataValue": file.nodatavals, "Scale": file.scales, "Offset": file.offsets}
-    numbers = [*map(str, range(1, file.count + 1))]
-    for band in (one for one in root.iterfind("PAMRasterBand") if one.get("band") in numbers):
-        for one in (one for one in band if one.tag in read):
-            number, default = (one.text or "").strip(), _DEFAULTS[one.tag]
-            _check_number(str(text), one.tag, number)
-            if read[one.tag][int(band.get("band")) - 1] == default and (default is None or float(number) != default):
-                raise ValueError(f"{got}, whose {one.tag} {number} GDAL does not read; remove what is before <PAMDataset>")
+    for place in range(file.count):
+        for element in root.findall(f"PAMRasterBand[@band='{place + 1}']/*"):
+            name, number = element.tag, (element.text or "").strip()
+            if name in read:
+                _check_number(str(text), name, number)
+                default = _DEFAULTS[name]
+                if read[name][place] == default and (default is None or float(number) != default):
+                    raise ValueError(f"{got}, whose {name} {number} GDAL does not read; remove what is before <PAMDataset>")
 
 
 def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
