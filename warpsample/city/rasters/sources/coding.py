@@ -1,5 +1,6 @@
 """Conversion of a raster's stored numbers to heights: nodata values, scale and offset."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import inf, isfinite
 from typing import Any
@@ -16,8 +17,9 @@ _LARGEST = 2.0**31 - 1
 """From here on, numbers count as nodata: the limits of int32, uint32 and float32 often have no tag, or a rounded one."""
 
 _SCALING = {"scale_factor": 1.0, "add_offset": 0.0}
-_NODATA = ("_FillValue", "missing_value", "fill_value", "nodata")
-_ATTRIBUTES = (*_NODATA, *_SCALING)
+NODATA = ("_FillValue", "missing_value", "fill_value", "nodata")
+_ATTRIBUTES = (*NODATA, *_SCALING)
+_ENDS = (-(2.0**31), 1.0 - 2.0**31, 2.0**31 - 1.0, 2.0**32 - 1.0)  # of int32 and uint32; netCDF fills with the second
 
 
 @dataclass(frozen=True)
@@ -28,12 +30,14 @@ class Coding:
         nodata: Numbers that mark cells without data.
         scale, offset: Factor and summand that convert a stored number to a height.
         valid: Lowest and highest stored number that counts as data.
+        unsigned: Whether stored integers of a signed type stand for unsigned ones.
     """
 
     nodata: tuple[float, ...] = ()
     scale: float = 1.0
     offset: float = 0.0
     valid: tuple[float, float] = (-inf, inf)
+    unsigned: bool = False
 
     def __post_init__(self) -> None:
         """Raise a ValueError for a scale or an offset that is not finite, or a scale of 0."""
@@ -59,12 +63,12 @@ class Coding:
         given = {name: array.attrs[name] for name in _ATTRIBUTES if name in array.attrs}
         try:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
-            nodata = np.concatenate([np.ravel(given.get(name, [])) for name in _NODATA]).astype(np.float64).tolist()
+            nodata = np.concatenate([np.ravel(given.get(name, [])) for name in NODATA]).astype(np.float64).tolist()
             if len(nodata) < 2:  # rioxarray reads one alone, but also one that its set_nodata has stored
                 nodata += [] if array.rio.nodata is None else [float(array.rio.nodata)]
         except (TypeError, ValueError, OverflowError):
             raise ValueError(f"source: got {got} of attributes {quote(given)}, want numbers") from None
-        return cls(tuple(nodata), scale, offset)
+        return cls((*nodata, *_unpacked_codes(array.encoding)), scale, offset)
 
     def heights(self, values: np.ndarray) -> np.ndarray:
         """Convert stored numbers of a raster to heights, as a float64 copy with NaN in cells without data.
@@ -74,6 +78,7 @@ class Coding:
         """
         if values.dtype.kind not in "fiu":
             raise TypeError(f"source: got heights of dtype {values.dtype}, want real numbers")
+        values = as_unsigned(values) if self.unsigned else values
         heights = values.astype(np.float64)
         none = ~(np.abs(heights) < _LARGEST) | (heights < self.valid[0]) | (heights > self.valid[1])
         is_scaled = (self.scale, self.offset) != (1.0, 0.0)  # then the lowest integers may be heights
@@ -85,3 +90,24 @@ class Coding:
         heights = heights * self.scale + self.offset
         heights[none] = np.nan
         return heights
+
+
+def as_unsigned(values: Any) -> np.ndarray:
+    """Return signed integers as unsigned ones of the same bits, for the netCDF attribute `_Unsigned`; others as they are."""
+    values = np.asarray(values)
+    return values.view(values.dtype.str.replace("i", "u"))[()]
+
+
+def _unpacked_codes(encoding: Mapping[str, Any]) -> list[float]:
+    """Return the heights into which xarray has converted undeclared nodata values; none without a scale and an offset.
+
+    There are none either in arrays that declare their nodata value.
+    """
+    stored = np.dtype(encoding.get("dtype", np.float32))
+    attributes = {name: encoding[name] for name in _SCALING if name in encoding}
+    if not attributes or stored.kind not in "iuf" or not encoding.keys().isdisjoint((*NODATA, "_Unsigned")):
+        return []
+    limits = np.finfo(stored) if stored.kind == "f" else np.iinfo(stored)
+    codes = [code for code in (*_UNDECLARED, *_ENDS) if limits.min <= code <= limits.max]
+    packed = xr.Variable("code", np.array(codes, stored), attributes)
+    return xr.conventions.decode_cf_variable("codes", packed).to_numpy().astype(np.float64).tolist()

@@ -1,9 +1,10 @@
 """Opening of netCDF files with xarray: GDAL ignores units, gaps and the order of coordinates, and some nodata values."""
 
+import sys
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
-from importlib import import_module
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -11,12 +12,40 @@ import numpy as np
 import xarray as xr
 from rioxarray.exceptions import RioXarrayError
 
+from warpsample.city.rasters.sources.coding import NODATA, Coding, as_unsigned
 from warpsample.host.arguments import quote
-from warpsample.host.extras import missing
+from warpsample.host.engine import check_memory
+from warpsample.host.extras import REFUSED, missing, run_program
 
 _CLASSIC, _HDF5 = (b"CDF\1", b"CDF\2"), b"\x89HDF"
 _SUPERBLOCK, _SIZE_AT = 52, {0: 40, 1: 44, 2: 28, 3: 28}  # bytes of it, and place of the file's size in it by its version
 _SUFFIXES = (".nc", ".nc4", ".cdf", ".grd")  # of netCDF-4 files, which begin like all HDF5 files
+
+_SECONDS = 30  # of a processor, after which a file counts as damaged: HDF5 follows some damaged lists without an end
+_TRY = """import sys
+sys.path[:] = {path!r}
+import h5py
+try:
+    import resource
+    resource.setrlimit(resource.RLIMIT_CPU, ({seconds}, {seconds}))
+except ImportError:  # on Windows
+    pass
+
+def read_about(name, item):
+    dict(item.attrs)
+    if isinstance(item, h5py.Dataset) and item.chunks:
+        item.id.get_num_chunks()
+
+try:
+    with h5py.File({file!r}, "r") as file:
+        read_about("", file)
+        file.visititems(read_about)
+except Exception as error:
+    print(error or type(error).__name__)
+    sys.exit({refused})
+"""
+
+_AS_STORED = {"mask_and_scale": False, "decode_times": False, "decode_coords": "all", "cache": False}
 
 DAMAGED = (ValueError, TypeError, LookupError, OSError, RuntimeError, AttributeError, MemoryError)
 """Errors of SciPy, h5py and xarray for damaged files."""
@@ -24,8 +53,13 @@ DAMAGED = (ValueError, TypeError, LookupError, OSError, RuntimeError, AttributeE
 
 def is_netcdf(path: str) -> bool:
     """Return whether a file is a netCDF file that xarray can open: of the classic format, or netCDF-4 by its suffix."""
-    start = _read_start(path)
-    return start[:4] in _CLASSIC or (start[:4] == _HDF5 and Path(path).suffix.lower() in _SUFFIXES)
+    is_hdf5 = _read_start(path)[:4] == _HDF5
+    return is_classic(path) or (is_hdf5 and Path(path).suffix.lower() in _SUFFIXES)
+
+
+def is_classic(path: str) -> bool:
+    """Return whether a file is a netCDF file of the classic format."""
+    return _read_start(path)[:4] in _CLASSIC
 
 
 def _read_start(path: str) -> bytes:
@@ -47,13 +81,12 @@ def _stored_size(start: bytes) -> int:
 
 @contextmanager
 def open_netcdf(path: str) -> Iterator[xr.DataArray]:
-    """Open the only variable of a netCDF file with dimensions y and x, decoded by xarray, within a `with` statement.
+    """Open the only variable of a netCDF file with dimensions y and x within a `with` statement, in its stored numbers.
 
     Rows are from north to south, as in most rasters, if the file has coordinates.
 
     Raises:
         ValueError: The file is damaged, or it has no such variable, or several.
-        ModuleNotFoundError: A netCDF-4 file, and h5netcdf is not installed.
     """
     with _open_dataset(path) as dataset:
         placed = [name for name in dataset.data_vars if _is_placed(dataset[name])]
@@ -64,55 +97,87 @@ def open_netcdf(path: str) -> Iterator[xr.DataArray]:
             )
         array = dataset[placed[0]]
         rows = array.rio.y_dim
+        for name in {rows, array.rio.x_dim} & array.coords.keys():
+            array = array.assign_coords({name: xr.conventions.decode_cf_variable(name, array[name].variable)})
         if rows in array.coords and array.sizes[rows] > 1 and array[rows][0] < array[rows][-1]:
             array = array.isel({rows: slice(None, None, -1)})
         yield array
 
 
-def _open_dataset(path: str) -> xr.Dataset:
-    """Open a netCDF file with xarray."""
-    start = _read_start(path)
-    is_classic = start[:4] in _CLASSIC
-    if not is_classic and Path(path).stat().st_size < _stored_size(start):
+def check_netcdf(path: str) -> None:
+    """Raise an error for a netCDF file that is damaged, or needs a package or more memory than is free.
+
+    Raises:
+        ValueError: A netCDF-4 file whose attributes or index HDF5 cannot read.
+        ModuleNotFoundError: A netCDF-4 file, and h5netcdf is not installed.
+        MemoryError: A file of the classic format, which is read as a whole, does not fit into the free memory.
+    """
+    if is_classic(path):
+        needed = 2 * Path(path).stat().st_size
+        check_memory(needed, f"the variables of {path!r}", "convert it to netCDF-4, which is read in parts")
+    else:
+        _check_hdf5(path)
+
+
+def _check_hdf5(path: str) -> None:
+    """Raise an error for a netCDF-4 file that is damaged, which a process of its own finds, or if h5netcdf is missing."""
+    if Path(path).stat().st_size < _stored_size(_read_start(path)):
         raise ValueError(f"source: got {path!r}, whose end is missing: the file is damaged")
-    if not is_classic and find_spec("h5netcdf") is None:
+    if find_spec("h5netcdf") is None:
         raise missing(f"source: got {path!r}, which needs h5netcdf", "h5netcdf")
-    how = {"decode_times": False, "decode_coords": "all", "cache": False}
+    status, found = run_program(_TRY.format(path=sys.path, file=path, seconds=_SECONDS, refused=REFUSED))
+    if status:
+        raise explain_damage(path, found.decode().strip() or f"HDF5 crashed, or found no end in {_SECONDS} s ({status})")
+
+
+def _open_dataset(path: str) -> xr.Dataset:
+    """Open a netCDF file with xarray: one of the classic format is read into memory, since a map of it may be cut short."""
+    engine = {"engine": "scipy", "mmap": False} if is_classic(path) else {"engine": "h5netcdf"}
     try:
-        if not is_classic:
-            with import_module("h5py").File(path, "r") as file:  # h5netcdf would print tracebacks, of damaged objects, too
-                file.visititems(lambda *_: None)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # about several nodata values, and attributes of other variables
-            return xr.open_dataset(path, engine="scipy" if is_classic else "h5netcdf", **how)
+            return xr.open_dataset(
+                path, mask_and_scale=False, decode_times=False, decode_coords="all", cache=False, **engine
+            )
     except DAMAGED as error:
         raise explain_damage(path, error) from error
 
 
-def valid_range_of(array: xr.DataArray) -> tuple[float, float]:
-    """Return the range of valid heights that the attributes of a decoded netCDF variable state; infinite without any.
-
-    Limits of the stored type are packed as the numbers are; others are in the unit of the heights.
+def coding_of(array: xr.DataArray, got: str) -> Coding:
+    """Read nodata values, scale, offset and valid range from the attributes of a netCDF variable of stored numbers.
 
     Raises:
-        ValueError: A limit is not a number.
+        ValueError: An attribute is not a number; the message describes the array as in `got`.
     """
-    about, encoding = array.attrs, array.encoding
+    given = {name: value for name, value in array.attrs.items() if name.startswith("valid_") or name in NODATA}
+    nothing, is_unsigned = np.empty(0, array.dtype), array.attrs.get("_Unsigned") == "true"
+    if is_unsigned:
+        nothing, given = as_unsigned(nothing), {name: as_unsigned(value) for name, value in given.items()}
+    described = xr.DataArray(nothing, attrs=array.attrs | given)
+    coding = replace(Coding.of_array(described, got), unsigned=is_unsigned)
     try:
-        limits = np.ravel(about.get("valid_range", [-np.inf, np.inf]))
-        low, high = (np.asarray(about.get(*one)).item() for one in (("valid_min", limits[0]), ("valid_max", limits[1])))
-        stored = [np.asarray(about.get(name, limits)).dtype for name in ("valid_min", "valid_max")]
-        is_packed = [kind.newbyteorder("=") == np.dtype(encoding["dtype"]).newbyteorder("=") for kind in stored]
-        scale, offset = float(encoding.get("scale_factor", 1.0)), float(encoding.get("add_offset", 0.0))
-        ends = [scale * end + offset if packed else end for end, packed in zip((low, high), is_packed, strict=True)]
-        kind = array.dtype.type if array.dtype.kind == "f" else float  # float32 heights equal to a limit are within
-        return float(kind(ends[0])), float(kind(ends[1]))
+        limits = np.ravel(given.get("valid_range", [-np.inf, np.inf]))
+        lowest, highest = (np.asarray(given.get(*one)) for one in (("valid_min", limits[0]), ("valid_max", limits[1])))
+        return replace(coding, valid=_stored_range(lowest, highest, array.dtype, coding))
     except (TypeError, ValueError, LookupError):
-        given = {name: value for name, value in about.items() if str(name).startswith("valid_")}
-        raise ValueError(f"source: got attributes {quote(given)}, want numbers") from None
+        valid = {name: value for name, value in given.items() if name not in NODATA}
+        raise ValueError(f"source: got attributes {quote(valid)} of {got}, want numbers") from None
 
 
-def explain_damage(path: str, error: Exception) -> ValueError:
+def _stored_range(lowest: np.ndarray, highest: np.ndarray, stored: np.dtype, coding: Coding) -> tuple[float, float]:
+    """Return the lowest and the highest stored number that is valid: limits of the stored type are such, others heights."""
+    low, high = -np.inf, np.inf
+    for limit, is_low in ((lowest, True), (highest, False)):
+        if (limit.dtype.kind.replace("u", "i"), limit.itemsize) == (stored.kind.replace("u", "i"), stored.itemsize):
+            number, is_lower = limit.item(), is_low
+        else:
+            number, is_lower = (limit.item() - coding.offset) / coding.scale, is_low != (coding.scale < 0.0)
+            number = float(stored.type(number)) if stored.kind == "f" else round(number, 6)  # equal ones are valid
+        low, high = (max(low, number), high) if is_lower else (low, min(high, number))
+    return low, high
+
+
+def explain_damage(path: str, error: Exception | str) -> ValueError:
     """Return the error for a damaged netCDF file, with the reason of the library that reads it."""
     reason = (str(error).strip().splitlines() or [type(error).__name__])[0]
     return ValueError(f"source: got {path!r}, which cannot be read as netCDF: {reason}")

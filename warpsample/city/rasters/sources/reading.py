@@ -4,7 +4,6 @@ import re
 import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
@@ -19,7 +18,14 @@ from rioxarray.exceptions import MissingSpatialDimensionError
 
 from warpsample.city.rasters.sources.coding import Coding
 from warpsample.city.rasters.sources.damage import check_undamaged
-from warpsample.city.rasters.sources.netcdf import explain_damage, is_netcdf, open_netcdf, valid_range_of
+from warpsample.city.rasters.sources.netcdf import (
+    check_netcdf,
+    coding_of,
+    explain_damage,
+    is_classic,
+    is_netcdf,
+    open_netcdf,
+)
 from warpsample.city.rasters.sources.opening import WANTS, open_raster
 from warpsample.city.rasters.sources.reader import RasterReader
 from warpsample.city.rasters.sources.reference import (
@@ -133,15 +139,21 @@ def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> 
 
 
 def _netcdf_reader(path: str) -> RasterReader:
-    """Return a reader of the heights of a netCDF file, which xarray opens and closes each time."""
+    """Return a reader of the heights of a netCDF file: one of netCDF-4 is opened each time, another is read once."""
+    check_netcdf(path)
+    with _explaining(path), open_netcdf(path) as found:
+        array = _to_map(found, repr(path))
+        coding = coding_of(array, repr(path))
+        kept = array.load() if is_classic(path) else None
+        return _map_reader(array, partial(_netcdf_heights, path, coding, kept), repr(path))
 
-    def heights(rows: slice, columns: slice) -> np.ndarray:
-        with _explaining(path), open_netcdf(path) as array:
-            return coding.heights(_to_map(array, repr(path))[rows, columns].to_numpy())
 
+def _netcdf_heights(path: str, coding: Coding, kept: xr.DataArray | None, rows: slice, columns: slice) -> np.ndarray:
+    """Read the heights in some rows and columns of a netCDF file, or of the array that is kept of it."""
+    if kept is not None:
+        return coding.heights(kept[rows, columns].to_numpy())
     with _explaining(path), open_netcdf(path) as array:
-        coding = replace(Coding.of_array(array, repr(path)), valid=valid_range_of(array))
-        return _map_reader(_to_map(array, repr(path)), heights, repr(path))
+        return coding.heights(_to_map(array, repr(path))[rows, columns].to_numpy())
 
 
 @contextmanager
