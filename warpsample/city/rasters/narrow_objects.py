@@ -138,7 +138,7 @@ def _open_heights(heights: np.ndarray) -> np.ndarray:
     """Return a grid of heights without objects that are up to four cells wide in all directions. -inf is no data.
 
     This is the highest of the openings by a row, a column and two diagonals of five cells, and, for cells next to missing
-    data, of that by the cells with data among 5 x 5.
+    data, of that by the cells with data among 5 x 5. An island in missing data has the height of the nearest larger area.
     """
     filters = imported("scipy.ndimage")
     lowest = filters.minimum_filter(np.where(heights > -np.inf, heights, np.inf), _LINE, mode="constant", cval=np.inf)
@@ -146,7 +146,26 @@ def _open_heights(heights: np.ndarray) -> np.ndarray:
     for line in (np.ones((1, _LINE)), np.ones((_LINE, 1)), np.eye(_LINE), np.eye(_LINE)[::-1]):
         lowest = filters.minimum_filter(heights, footprint=line, mode="constant", cval=-np.inf)
         opened = np.maximum(opened, filters.maximum_filter(lowest, footprint=line, mode="constant", cval=-np.inf))
+    islands = _find_islands(heights > -np.inf)
+    if islands.any():
+        land = (heights > -np.inf) & ~islands
+        nearest = filters.distance_transform_edt(~land, return_distances=False, return_indices=True)
+        opened[islands] = np.minimum(heights, heights[tuple(nearest)])[islands]
     return opened
+
+
+def _find_islands(has_data: np.ndarray) -> np.ndarray:
+    """Return which cells belong to an area up to four cells wide without data around it; none if there is no larger area."""
+    if has_data.all():
+        return ~has_data
+    areas, count = imported("scipy.ndimage").label(has_data, np.ones((3, 3)))
+    sizes = np.full((2, 2, count + 1), -1 - max(has_data.shape))
+    for axis, places in enumerate(np.nonzero(has_data)):
+        for side, signed in enumerate((places, -places)):
+            np.maximum.at(sizes[axis, side], areas[has_data], signed)
+    is_small = (sizes.sum(axis=1) + 1 < _LINE).all(axis=0)
+    is_small[0] = False
+    return is_small[areas] if not is_small[1:].all() else np.zeros_like(has_data)
 
 
 def _square_once(heights: np.ndarray) -> np.ndarray:
