@@ -229,3 +229,17 @@ def test_turned_places_share_a_picture(call, tmp_path, options):
     path.write_bytes(glb({"meshes": meshes, "nodes": nodes, "materials": [{}]}, arrays))
     status, out, _ = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 64, "--samples", *options)
     assert (status, out.count("the 4 places of"), out.count("share one picture")) == (0, 2, 2)
+
+
+@pytest.mark.parametrize("length", [1.0, 3e-3])
+def test_directions_of_dark_places_are_compared(length):
+    """Pictures store directions, so a level of the picture is a difference of directions, also of short vectors."""
+    rng, shape, mask = np.random.default_rng(0), (16, 16, 3), np.ones((16, 16), bool)
+
+    def image_of(x):
+        value = length * (np.array([x, 0.0, np.sqrt(1.0 - x * x)]) + 0.01 * rng.standard_normal(shape))
+        errors = np.full(shape, 0.01 * length, np.float32)
+        return comparison.Compared(value.astype(np.float32), (errors, errors), mask, mask)
+
+    assert comparison.do_pictures_differ(image_of(0.5), image_of(-0.5), 8)
+    assert not comparison.do_pictures_differ(image_of(0.5), image_of(0.5), 8)

@@ -139,8 +139,8 @@ def do_pictures_differ(known: Compared, other: Compared, depth: int) -> bool:
 
     They do if one of these is larger than standard errors and the rounding of the picture explain:
 
-    1. the difference of a texel, beyond one level of the picture. The error of a texel is uncertain itself, so the mean
-       variance of its block of 8 x 8 texels is added;
+    1. the difference of a texel, beyond one level of the picture, for vectors times their length. The error of a texel is
+       uncertain itself, so the mean variance of its block of 8 x 8 texels is added;
     2. the sum of squared differences in a block, or in the whole picture, compared with the sum of the variances;
     3. the difference of the means over a block, or over the whole picture.
 
@@ -166,8 +166,11 @@ def do_pictures_differ(known: Compared, other: Compared, depth: int) -> bool:
         """Return an image at the compared texels, (C, n) float64."""
         return np.nan_to_num(image[covered].reshape(len(block), -1).T.astype(np.float64))
 
-    level = _level_of(_find_largest(known.value), depth)
-    gap = select(other.value) - select(known.value)
+    values = select(known.value), select(other.value)
+    gap = values[1] - values[0]
+    level = np.full(len(block), _level_of(_find_largest(known.value), depth))
+    if known.value.ndim == 3:  # pictures store directions
+        level *= np.linalg.norm(values, axis=1).max(axis=0).clip(max=1.0)
     pairs = zip(known.noise, other.noise, strict=True)
     raised, unbiased = (sum(np.square(select(one)).sum(axis=0) for one in pair) for pair in pairs)
     return _do_texels_differ(np.square(gap).sum(axis=0), raised, block, level) or any(
@@ -191,14 +194,14 @@ def _level_of(largest: float | None, depth: int) -> float:
     return (2.0 if largest is None else largest) / WHITE[depth][0]
 
 
-def _do_texels_differ(squares: np.ndarray, variance: np.ndarray, block: np.ndarray, level: float) -> bool:
+def _do_texels_differ(squares: np.ndarray, variance: np.ndarray, block: np.ndarray, level: np.ndarray) -> bool:
     """Return whether a texel differs, or whether the squared differences of a block or of all texels are too large.
 
     Args:
         squares: (n,) squared differences.
         variance: (n,) variances of the differences.
         block: (n,) number of each texel's block.
-        level: difference between two levels of the picture.
+        level: (n,) differences between two levels of the picture.
     """
     count = np.bincount(block)
     pooled = _pool(np.bincount(block, variance), count, variance.mean())[block]
@@ -219,12 +222,12 @@ def _are_squares_too_large(squares: np.ndarray, variance: np.ndarray, group: np.
     return bool((np.bincount(group, squares) > np.bincount(group, variance) + spread).any())
 
 
-def _do_means_differ(gap: np.ndarray, variance: np.ndarray, block: np.ndarray, level: float) -> bool:
+def _do_means_differ(gap: np.ndarray, variance: np.ndarray, block: np.ndarray, level: np.ndarray) -> bool:
     """Return whether the means over a block, or over all texels, differ; `gap` are the differences of one component."""
     sums = np.bincount(block, gap), np.bincount(block, variance), np.bincount(block)
-    if _is_any_block_off(*sums, variance.mean(), level):
+    if _is_any_block_off(*sums, variance.mean(), np.bincount(block, level) / sums[2]):
         return True
-    return bool(abs(gap.sum()) > _SIGMAS_OF_WHOLE * np.sqrt(variance.sum()) + level * len(gap))
+    return bool(abs(gap.sum()) > _SIGMAS_OF_WHOLE * np.sqrt(variance.sum()) + level.sum())
 
 
 def _pool(variance: np.ndarray, count: np.ndarray, mean: float) -> np.ndarray:
@@ -233,11 +236,13 @@ def _pool(variance: np.ndarray, count: np.ndarray, mean: float) -> np.ndarray:
     return (variance + lacking * mean) / (count + lacking)
 
 
-def _is_any_texel_off(squares: np.ndarray, variance: np.ndarray, pooled: np.ndarray, level: float) -> bool:
+def _is_any_texel_off(squares: np.ndarray, variance: np.ndarray, pooled: np.ndarray, level: float | np.ndarray) -> bool:
     return bool((np.sqrt(squares) > _SIGMAS_OF_TEXEL * np.sqrt(variance + pooled) + level).any())
 
 
-def _is_any_block_off(gap: np.ndarray, variance: np.ndarray, count: np.ndarray, mean: float, level: float) -> bool:
+def _is_any_block_off(
+    gap: np.ndarray, variance: np.ndarray, count: np.ndarray, mean: float, level: float | np.ndarray
+) -> bool:
     """Return whether the mean of a block differs, by sums over blocks and the mean variance of all texels."""
     spread = np.sqrt((variance / count + mean) / count)
     return bool((np.abs(gap) / count > _SIGMAS_OF_BLOCK * spread + level).any())
