@@ -308,11 +308,24 @@ def test_a_raster_outside_of_its_crs_has_no_north():
         _ = far.north
 
 
-@pytest.mark.parametrize(("crs", "x", "ratios"), [("EPSG:3857", 1.65e6, ["1.33"]), ("EPSG:32633", 5e5, [])])
-def test_a_map_that_stretches_the_ground_is_warned_of(crs, x, ratios):
-    """Web Mercator by 1 / cos(latitude), here of 41 degrees."""
+@pytest.mark.parametrize(
+    ("crs", "x", "y", "ratios"),
+    [("EPSG:3857", 1.65e6, 5e6, ["1.33"]), ("EPSG:32633", 5e5, 5e6, []), ("EPSG:27572", 6e5, 2.428e6, [])],
+)
+def test_a_map_that_stretches_the_ground_is_warned_of(crs, x, y, ratios):
+    """Web Mercator by 1 / cos(latitude), here of 41 degrees; not a map in grads, of Paris."""
     with warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")
-        rasters.surface((HEIGHTS, Affine(2.5, 0.0, x, 0.0, -2.5, 5e6), crs))
+        rasters.surface((HEIGHTS, Affine(2.5, 0.0, x, 0.0, -2.5, y), crs))
     found = (re.search(r"on which distances are ([\d.]+) times as long as on the ground", str(one.message)) for one in heard)
     assert [match[1] for match in found if match] == ratios
+
+
+def test_a_map_with_an_odd_unit_of_angles_has_a_north():
+    """Its latitudes were beyond both poles, so that a length was 0."""
+    damaged = pyproj.CRS.from_epsg(25832).to_wkt("WKT1_ESRI").replace("0.0174532925199433", "0.01199433")
+    source = HEIGHTS, Affine(2.5, 0.0, 5e5, 0.0, -2.5, 5.5e6), damaged
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        assert np.isfinite(rasters.surface(source).north).all()
+    assert not heard

@@ -146,7 +146,7 @@ def _open_heights(heights: np.ndarray) -> np.ndarray:
     for line in (np.ones((1, _LINE)), np.ones((_LINE, 1)), np.eye(_LINE), np.eye(_LINE)[::-1]):
         lowest = filters.minimum_filter(heights, footprint=line, mode="constant", cval=-np.inf)
         opened = np.maximum(opened, filters.maximum_filter(lowest, footprint=line, mode="constant", cval=-np.inf))
-    islands = _find_islands(heights > -np.inf)
+    islands = _find_islands(heights)
     if islands.any():
         land = (heights > -np.inf) & ~islands
         nearest = filters.distance_transform_edt(~land, return_distances=False, return_indices=True)
@@ -154,18 +154,30 @@ def _open_heights(heights: np.ndarray) -> np.ndarray:
     return opened
 
 
-def _find_islands(has_data: np.ndarray) -> np.ndarray:
-    """Return which cells belong to an area up to four cells wide without data around it; none if there is no larger area."""
+def _find_islands(heights: np.ndarray) -> np.ndarray:
+    """Return which cells belong to an area up to four cells wide without data around it. -inf is no data.
+
+    If no area is wider, these are the areas that are higher than half of the areas.
+    """
+    has_data = heights > -np.inf
     if has_data.all():
         return ~has_data
     areas, count = imported("scipy.ndimage").label(has_data, np.ones((3, 3)))
-    sizes = np.full((2, 2, count + 1), -1 - max(has_data.shape))
-    for axis, places in enumerate(np.nonzero(has_data)):
-        for side, signed in enumerate((places, -places)):
-            np.maximum.at(sizes[axis, side], areas[has_data], signed)
-    is_small = (sizes.sum(axis=1) + 1 < _LINE).all(axis=0)
+    where = areas[has_data]
+
+    def largest(values: np.ndarray) -> np.ndarray:
+        """Return the largest value of each area."""
+        found = np.full(count + 1, -np.inf)
+        np.maximum.at(found, where, values)
+        return found
+
+    widths = [largest(places) + largest(-places) + 1.0 for places in np.nonzero(has_data)]
+    is_small = np.maximum(*widths) < _LINE
+    if is_small[1:].all():
+        tops = largest(heights[has_data])
+        is_small = tops > np.median(tops[1:])
     is_small[0] = False
-    return is_small[areas] if not is_small[1:].all() else np.zeros_like(has_data)
+    return is_small[areas]
 
 
 def _square_once(heights: np.ndarray) -> np.ndarray:

@@ -170,18 +170,24 @@ def stretch_of(crs: pyproj.CRS | None, x: float, y: float) -> float:
 
 def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray, float]:
     """Return small steps to north and east at (x, y) as map vectors, and the length in metres of the step to the north."""
+    geodetic = crs.geodetic_crs.to_2d()
+    radian = geodetic.axis_info[0].unit_conversion_factor or np.radians(1.0)
+    degree = np.radians(1.0) / radian  # in the unit of the CRS, such as 10/9 grads
+    step, pole = degree * _STEP, degree * 90.0
     try:
-        to_map = pyproj.Transformer.from_crs(crs.geodetic_crs.to_2d(), _flat(crs), always_xy=True)
+        to_map = pyproj.Transformer.from_crs(geodetic, _flat(crs), always_xy=True)
         longitude, latitude = to_map.transform(x, y, direction="INVERSE", errcheck=True)
-        south, north = np.clip([latitude - _STEP, latitude + _STEP], -90.0, 90.0)
-        around = [longitude, longitude, longitude - _STEP, longitude + _STEP], [south, north, latitude, latitude]
+        south, north = np.clip([latitude - step, latitude + step], -pole, pole)
+        around = [longitude, longitude, longitude - step, longitude + step], [south, north, latitude, latitude]
         places = np.array(to_map.transform(*around, errcheck=True))
+        metres = crs.get_geod().line_length([longitude / degree, longitude / degree], [south / degree, north / degree])
+        if not metres > 0.0:
+            raise ProjError("no step to the north")
     except ProjError as error:
         raise ValueError(
             f"source: got a raster around ({x:g}, {y:g}), which is not on Earth in {crs.name}; check the CRS and "
             "the transform"
         ) from error
-    metres = crs.get_geod().line_length([longitude, longitude], [south, north])
     return places[:, 1] - places[:, 0], places[:, 3] - places[:, 2], metres
 
 
