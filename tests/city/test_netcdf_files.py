@@ -71,6 +71,15 @@ def test_every_nodata_value_is_one(tmp_path, engine, content, encoding, is_none)
     assert np.array_equal(found, np.where(is_none, np.nan, HEIGHTS), equal_nan=True)
 
 
+@pytest.mark.parametrize("engine", ["scipy", "h5netcdf"])
+def test_integers_without_a_number_that_is_nan_are_read(tmp_path, engine):
+    content = array(missing_value=np.nan).copy(data=HEIGHTS.astype(np.int16))
+    assert np.array_equal(heights_of(tmp_path / "dsm.nc", content, engine), HEIGHTS)
+    odd = array(missing_value="none").copy(data=HEIGHTS.astype(np.int16))
+    with pytest.raises(ValueError, match="dsm.nc' of attributes {'missing_value': 'none'}, want numbers"):
+        heights_of(tmp_path / "dsm.nc", odd, engine)
+
+
 def test_rows_from_south_to_north_are_read_as_such(tmp_path):
     assert np.array_equal(heights_of(tmp_path / "dsm.nc", array(y=Y[::-1])), HEIGHTS[::-1])
 

@@ -150,10 +150,10 @@ def coding_of(array: xr.DataArray, got: str) -> Coding:
         ValueError: An attribute is not a number; the message describes the array as in `got`.
     """
     given = {name: value for name, value in array.attrs.items() if name.startswith("valid_") or name in NODATA}
-    nothing, is_unsigned = np.empty(0, array.dtype), array.attrs.get("_Unsigned") == "true"
+    is_unsigned = str(array.attrs.get("_Unsigned")).lower() == "true"
     if is_unsigned:
-        nothing, given = as_unsigned(nothing), {name: as_unsigned(value) for name, value in given.items()}
-    described = xr.DataArray(nothing, attrs=array.attrs | given)
+        given = {name: as_unsigned(value) for name, value in given.items()}
+    described = xr.DataArray(np.empty(0), attrs=array.attrs | given)
     coding = replace(Coding.of_array(described, got), unsigned=is_unsigned)
     try:
         limits = np.ravel(given.get("valid_range", [-np.inf, np.inf]))
