@@ -45,6 +45,7 @@ def moved(centres, start):
         (array(moved(X, 25)), "coordinates 'x' that are not evenly spaced, want cells of one size"),
         (array(y=moved(Y, 12)), "coordinates 'y' that are not evenly spaced"),
         (array(valid_min="none"), "attributes {'valid_min': 'none'} of '"),
+        (array(valid_range=np.float32([0, 1, 2])), "attributes {'valid_range': array([0., 1., 2.]"),
         (array(y=moved(Y[::-1], 12), names=("north", "east")), "coordinates 'north' that are not evenly spaced"),
     ],
 )
@@ -213,6 +214,18 @@ def test_damaged_lists_of_hdf5_end(tmp_path, monkeypatch):
         path.write_bytes(content[:first] + bytes(512) + content[first + 512 :])
         with suppress(ValueError):
             reader_of(str(path)).read(ALL, ALL)
+
+
+def test_numbers_in_other_files_are_refused(tmp_path):
+    """HDF5 reads 0 for those of missing files."""
+    h5py = pytest.importorskip("h5py")
+    path, layout = tmp_path / "dsm.nc", h5py.VirtualLayout((30, 40), "f4")
+    layout[:] = h5py.VirtualSource(str(tmp_path / "missing.nc"), "z", (30, 40))
+    heights_of(path, array(), "h5netcdf")
+    with h5py.File(path, "a") as file:
+        file.create_virtual_dataset("other", layout)
+    with pytest.raises(ValueError, match="dsm.nc', which cannot be read as netCDF: the numbers of 'other' are in other"):
+        reader_of(str(path))
 
 
 def test_a_classic_file_that_is_cut_later_has_the_heights_of_the_start(tmp_path):

@@ -33,8 +33,11 @@ except ImportError:  # on Windows
 
 def read_about(name, item):
     dict(item.attrs)
-    if isinstance(item, h5py.Dataset) and item.chunks:
-        item.id.get_num_chunks()
+    if isinstance(item, h5py.Dataset):
+        if item.is_virtual or item.external:  # numbers of missing files would be 0
+            raise ValueError(f"the numbers of {{name!r}} are in other files")
+        if item.chunks:
+            item.id.get_num_chunks()
 
 try:
     with h5py.File({file!r}, "r") as file:
@@ -156,10 +159,10 @@ def coding_of(array: xr.DataArray, got: str) -> Coding:
     described = xr.DataArray(np.empty(0), attrs=array.attrs | given)
     coding = replace(Coding.of_array(described, got), unsigned=is_unsigned)
     try:
-        limits = np.ravel(given.get("valid_range", [-np.inf, np.inf]))
-        lowest, highest = (np.asarray(given.get(*one)) for one in (("valid_min", limits[0]), ("valid_max", limits[1])))
+        first, last = np.ravel(given.get("valid_range", [-np.inf, np.inf]))
+        lowest, highest = (np.asarray(given.get(*one)) for one in (("valid_min", first), ("valid_max", last)))
         return replace(coding, valid=_stored_range(lowest, highest, array.dtype, coding))
-    except (TypeError, ValueError, LookupError):
+    except (TypeError, ValueError):
         valid = {name: value for name, value in given.items() if name not in NODATA}
         raise ValueError(f"source: got attributes {quote(valid)} of {got}, want numbers") from None
 
