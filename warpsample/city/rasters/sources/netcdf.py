@@ -48,8 +48,6 @@ except Exception as error:
     sys.exit({refused})
 """
 
-_AS_STORED = {"mask_and_scale": False, "decode_times": False, "decode_coords": "all", "cache": False}
-
 DAMAGED = (ValueError, TypeError, LookupError, OSError, RuntimeError, AttributeError, MemoryError)
 """Errors of SciPy, h5py and xarray for damaged files."""
 
