@@ -123,19 +123,20 @@ def test_packed_numbers_are_unpacked(tmp_path, engine):
     ("limits", "dtype", "kept"),
     [
         ([0, 100], np.int16, 10.0),
+        ([0, 100], np.int32, 10.0),
         ([0.0, 10.0], np.float64, 10.0),
         ([0.0, 20.1], np.float64, 20.1),
         ([0, 201], np.int16, 20.1),
     ],
 )
-def test_a_valid_range_is_in_stored_numbers_if_it_has_their_type(tmp_path, limits, dtype, kept):
+def test_a_valid_range_of_integers_is_in_stored_numbers(tmp_path, limits, dtype, kept):
     stored = (np.arange(1200) % 400).astype(np.int16).reshape(30, 40)
     content = array(scale_factor=0.1, valid_range=np.array(limits, dtype)).copy(data=stored)
     found = heights_of(tmp_path / "dsm.nc", content)
     assert np.array_equal(np.isnan(found), 0.1 * stored > kept + 1e-6)
     turned = array(scale_factor=-0.1, valid_range=np.array(limits, dtype)).copy(data=stored - 400)  # stored as depths
     found = heights_of(tmp_path / "dsm.nc", turned)
-    is_stored = dtype == np.int16
+    is_stored = dtype != np.float64
     right = (stored - 400 < 0) if is_stored else (-0.1 * (stored - 400) > kept + 1e-6)
     assert np.array_equal(np.isnan(found), right)
     plain = array(valid_max=20.1).copy(data=np.float32(0.1) * stored)  # which float32 rounds upwards

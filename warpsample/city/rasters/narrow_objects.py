@@ -15,6 +15,8 @@ _POINTS = 1 << 13  # whose depths are computed at a time
 _SHORTEST = 1e-30  # length of a normal, so that 0 / 0 gives 0
 _WALL = 1e-2  # area of a wall in the map, at most, as a fraction of the products of its sides; 0 but for rounding
 _LINE = 5  # cells; an object that is shorter in all directions is narrow
+_ENDS = np.array([1, 0, 0, 0, 1])
+_SQUARE = np.ones((_LINE, _LINE))
 _FEW, _MOST_OF_AZIMUTHS = 2.0, 0.4  # objects of a ring that do not add to the depth, and that add, at most; see README.md
 
 
@@ -137,47 +139,64 @@ def _look_at_rings(part: _Tops, gaps: float, reach: float) -> Iterator[_Ring]:
 def _open_heights(heights: np.ndarray) -> np.ndarray:
     """Return a grid of heights without objects that are up to four cells wide in all directions. -inf is no data.
 
-    This is the highest of the openings by a row, a column and two diagonals of five cells, and, for cells next to missing
-    data, of that by the cells with data among 5 x 5. An island in missing data has the height of the nearest larger area.
-    """
-    filters = imported("scipy.ndimage")
-    lowest = filters.minimum_filter(np.where(heights > -np.inf, heights, np.inf), _LINE, mode="constant", cval=np.inf)
-    opened = filters.maximum_filter(np.where(lowest < np.inf, lowest, -np.inf), _LINE, mode="constant", cval=-np.inf)
-    for line in (np.ones((1, _LINE)), np.ones((_LINE, 1)), np.eye(_LINE), np.eye(_LINE)[::-1]):
-        lowest = filters.minimum_filter(heights, footprint=line, mode="constant", cval=-np.inf)
-        opened = np.maximum(opened, filters.maximum_filter(lowest, footprint=line, mode="constant", cval=-np.inf))
-    islands = _find_islands(heights)
-    if islands.any():
-        land = (heights > -np.inf) & ~islands
-        nearest = filters.distance_transform_edt(~land, return_distances=False, return_indices=True)
-        opened[islands] = np.minimum(heights, heights[tuple(nearest)])[islands]
-    return opened
-
-
-def _find_islands(heights: np.ndarray) -> np.ndarray:
-    """Return which cells belong to an area up to four cells wide without data around it. -inf is no data.
-
-    If no area is wider, these are the areas that are higher than half of the areas.
+    This is the highest of the openings by a row, a column and two diagonals of five cells, whose ends have data. Cells that
+    are in no such line have the opening by squares of 5 x 5 cells with data in the first and last rows or columns. See
+    `_open_small_areas` for cells that are in no such square.
     """
     has_data = heights > -np.inf
-    if has_data.all():
-        return ~has_data
-    areas, count = imported("scipy.ndimage").label(has_data, np.ones((3, 3)))
+    filled = np.where(has_data, heights, np.inf)
+    opened = np.full(heights.shape, -np.inf)
+    for line in (np.ones((1, _LINE)), np.ones((_LINE, 1)), np.eye(_LINE), np.eye(_LINE)[::-1]):
+        ends = line * (_ENDS if len(line) == 1 else _ENDS[:, None])
+        opened = np.maximum(opened, _open_by(filled, line, imported("scipy.ndimage").binary_erosion(has_data, ends)))
+    lacking = has_data & (opened == -np.inf)
+    if not lacking.any():
+        return opened
+    return _open_small_areas(heights, np.where(lacking, _open_by(filled, _SQUARE, _find_wide(has_data)), opened))
+
+
+def _open_by(filled: np.ndarray, shape: np.ndarray, where: np.ndarray) -> np.ndarray:
+    """Return the opening of a grid by a shape around the cells of a mask, -inf in other cells. inf is no data."""
+    filters = imported("scipy.ndimage")
+    lowest = filters.minimum_filter(filled, footprint=shape, mode="constant", cval=np.inf)
+    return filters.maximum_filter(np.where(where, lowest, -np.inf), footprint=shape, mode="constant", cval=-np.inf)
+
+
+def _find_wide(has_data: np.ndarray) -> np.ndarray:
+    """Return the centres of squares of 5 x 5 cells that have data in the first and last rows, or columns."""
+    filters = imported("scipy.ndimage")
+    rows, columns = (filters.binary_dilation(has_data, line) for line in (_SQUARE[:1], _SQUARE[:, :1]))
+    return filters.binary_erosion(rows, _ENDS[:, None]) | filters.binary_erosion(columns, _ENDS[None])
+
+
+def _open_small_areas(heights: np.ndarray, opened: np.ndarray) -> np.ndarray:
+    """Return a grid of opened heights, changed in areas up to four cells wide without data around them. -inf is no data.
+
+    Such an area is an object on the nearest other area. If all areas are small, only those are objects that are higher than
+    half of the areas. The other small areas have their least heights.
+    """
+    filters, has_data = imported("scipy.ndimage"), heights > -np.inf
+    areas, count = filters.label(has_data, np.ones((3, 3)))
     where = areas[has_data]
 
-    def largest(values: np.ndarray) -> np.ndarray:
+    def find_largest(values: np.ndarray) -> np.ndarray:
         """Return the largest value of each area."""
         found = np.full(count + 1, -np.inf)
         np.maximum.at(found, where, values)
         return found
 
-    widths = [largest(places) + largest(-places) + 1.0 for places in np.nonzero(has_data)]
+    widths = [find_largest(places) + find_largest(-places) + 1.0 for places in np.nonzero(has_data)]
     is_small = np.maximum(*widths) < _LINE
-    if is_small[1:].all():
-        tops = largest(heights[has_data])
-        is_small = tops > np.median(tops[1:])
     is_small[0] = False
-    return is_small[areas]
+    tops = find_largest(heights[has_data])
+    is_object = is_small if not is_small[1:].all() else is_small & (tops > np.median(tops[1:]))
+    opened = np.where(is_small[areas], -find_largest(-heights[has_data])[areas], opened)
+    objects = is_object[areas]
+    if objects.any():
+        land = has_data & ~objects
+        nearest = filters.distance_transform_edt(~land, return_distances=False, return_indices=True)
+        opened[objects] = np.minimum(opened, opened[tuple(nearest)])[objects]
+    return opened
 
 
 def _square_once(heights: np.ndarray) -> np.ndarray:

@@ -153,7 +153,8 @@ def coding_of(array: xr.DataArray, got: str) -> Coding:
     given = {name: value for name, value in array.attrs.items() if name.startswith("valid_") or name in NODATA}
     is_unsigned = str(array.attrs.get("_Unsigned")).lower() == "true"
     if is_unsigned:
-        given = {name: as_unsigned(value) for name, value in given.items()}
+        alike = {name: value for name, value in given.items() if np.asarray(value).itemsize == array.dtype.itemsize}
+        given |= {name: as_unsigned(value) for name, value in alike.items()}
     described = xr.DataArray(np.empty(0), attrs=array.attrs | given)
     coding = replace(Coding.of_array(described, got), unsigned=is_unsigned)
     try:
@@ -166,10 +167,13 @@ def coding_of(array: xr.DataArray, got: str) -> Coding:
 
 
 def _stored_range(lowest: np.ndarray, highest: np.ndarray, stored: np.dtype, coding: Coding) -> tuple[float, float]:
-    """Return the lowest and the highest stored number that is valid: limits of the stored type are such, others heights."""
+    """Return the lowest and the highest stored number that is valid.
+
+    Limits are stored numbers if both are integers, or have the same type; others are heights.
+    """
     low, high = -np.inf, np.inf
     for limit, is_low in ((lowest, True), (highest, False)):
-        if (limit.dtype.kind.replace("u", "i"), limit.itemsize) == (stored.kind.replace("u", "i"), stored.itemsize):
+        if {limit.dtype.kind, stored.kind} <= {"i", "u"} or limit.dtype.newbyteorder("=") == stored.newbyteorder("="):
             number, is_lower = limit.item(), is_low
         else:
             number, is_lower = (limit.item() - coding.offset) / coding.scale, is_low != (coding.scale < 0.0)
