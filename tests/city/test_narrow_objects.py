@@ -146,6 +146,17 @@ def test_bars_around_a_mast_in_a_raster_of_single_cells_are_right():
         assert found[0] > 0.92, found
 
 
+def test_bars_around_the_only_roof_of_a_tin_are_right():
+    """Points every four cells, which have no triangle, around 3 x 3 cells, by 4 seeds. 2 standard errors held 0.3."""
+    heights = np.full((61, 61), np.nan)
+    heights[::4, ::4] = 0.0
+    heights[29:32, 29:32] = 30.0
+    mesh, points, _ = points_of(heights, "tin", "horizontal", np.flatnonzero(heights == 0.0))
+    right = sky_by_horizons(SKY, mesh, points, {"count": 65536, "seed": 71}).value.astype(np.float64)
+    found = np.array([shares(SKY, mesh, points, right, count, 4) for count in (64, 256)])
+    assert found[:, 0].min() > 0.92, found
+
+
 def test_bars_next_to_a_mast_in_a_raster_of_few_cells_are_right():
     """8 cells around 30 m by 50 seeds; bars know the mast's two edges only. 2 standard errors held 0.7 to 0.8."""
     heights = np.zeros((3, 3))

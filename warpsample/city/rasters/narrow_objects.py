@@ -60,7 +60,8 @@ def bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) ->
         reach: Largest distance of an object.
     """
     assert at.mesh is not None
-    parts = [(part, list(_look_at_rings(part, azimuths / np.pi, reach))) for part in _split_by_size(at.mesh)]
+    lowest = float(np.nanmin(np.asarray(at.points.position)[:, 2], initial=at.mesh.bounds[0, 2]))
+    parts = [(part, list(_look_at_rings(part, azimuths / np.pi, reach, lowest))) for part in _split_by_size(at.mesh)]
     depths = np.empty((len(at.normal), 2), np.float32)
     for start in range(0, len(depths), _POINTS):
         rows = slice(start, start + _POINTS)
@@ -97,7 +98,7 @@ def _depth_of(square: np.ndarray, up: np.ndarray, cosine: bool) -> np.ndarray:
     return (up * sine + np.sqrt(1.0 - up * up)) * sine if cosine else sine
 
 
-def _look_at_rings(part: _Tops, gaps: float, reach: float) -> Iterator[_Ring]:
+def _look_at_rings(part: _Tops, gaps: float, reach: float, lowest: float) -> Iterator[_Ring]:
     """Find the tops of narrow objects and count the objects, ring by ring around the cells of a grid.
 
     A narrow object is at most four cells of a grid wide, and terrain is the grid without narrow objects. So slopes, ridges,
@@ -111,6 +112,7 @@ def _look_at_rings(part: _Tops, gaps: float, reach: float) -> Iterator[_Ring]:
         part: Heights.
         gaps: Number of halves of a gap between two azimuths in one radian.
         reach: Largest distance of an object.
+        lowest: Least height of the terrain and the points.
 
     Yields:
         rings with narrow objects.
@@ -119,7 +121,7 @@ def _look_at_rings(part: _Tops, gaps: float, reach: float) -> Iterator[_Ring]:
     terrain = tops = part.heights
     narrow, squares, cell, level = np.zeros(tops.shape), np.zeros(tops.shape), part.cell, 0
     while max(tops.shape) > 1 and gaps * cell < 2.0 * reach:
-        opened = _open_heights(terrain)
+        opened = _open_heights(terrain, lowest)
         own = np.subtract(terrain, opened, out=np.zeros(terrain.shape), where=terrain > -np.inf)
         once = _square_once(own)
         found = np.maximum(narrow, own)
@@ -136,7 +138,7 @@ def _look_at_rings(part: _Tops, gaps: float, reach: float) -> Iterator[_Ring]:
         cell, level = 2.0 * cell, level + 1
 
 
-def _open_heights(heights: np.ndarray) -> np.ndarray:
+def _open_heights(heights: np.ndarray, lowest: float) -> np.ndarray:
     """Return a grid of heights without objects that are up to four cells wide in all directions. -inf is no data.
 
     This is the highest of the openings by a row, a column and two diagonals of five cells, whose ends have data. Cells that
@@ -152,7 +154,7 @@ def _open_heights(heights: np.ndarray) -> np.ndarray:
     lacking = has_data & (opened == -np.inf)
     if not lacking.any():
         return opened
-    return _open_small_areas(heights, np.where(lacking, _open_by(filled, _SQUARE, _find_wide(has_data)), opened))
+    return _open_small_areas(heights, np.where(lacking, _open_by(filled, _SQUARE, _find_wide(has_data)), opened), lowest)
 
 
 def _open_by(filled: np.ndarray, shape: np.ndarray, where: np.ndarray) -> np.ndarray:
@@ -169,33 +171,28 @@ def _find_wide(has_data: np.ndarray) -> np.ndarray:
     return filters.binary_erosion(rows, _ENDS[:, None]) | filters.binary_erosion(columns, _ENDS[None])
 
 
-def _open_small_areas(heights: np.ndarray, opened: np.ndarray) -> np.ndarray:
+def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float) -> np.ndarray:
     """Return a grid of opened heights, changed in areas up to four cells wide without data around them. -inf is no data.
 
-    Such an area is an object on the nearest other area. If all areas are small, only those are objects that are higher than
-    half of the areas. The other small areas have their least heights.
+    Such an area is an object on the nearest larger area, or on the least height if no area is larger.
     """
     filters, has_data = imported("scipy.ndimage"), heights > -np.inf
     areas, count = filters.label(has_data, np.ones((3, 3)))
-    where = areas[has_data]
-
-    def find_largest(values: np.ndarray) -> np.ndarray:
-        """Return the largest value of each area."""
-        found = np.full(count + 1, -np.inf)
-        np.maximum.at(found, where, values)
-        return found
-
-    widths = [find_largest(places) + find_largest(-places) + 1.0 for places in np.nonzero(has_data)]
+    where, widths = areas[has_data], []
+    for places in np.nonzero(has_data):
+        ends = np.full((2, count + 1), -np.inf)
+        np.maximum.at(ends[0], where, places)
+        np.maximum.at(ends[1], where, -places)
+        widths.append(ends.sum(axis=0) + 1.0)
     is_small = np.maximum(*widths) < _LINE
     is_small[0] = False
-    tops = find_largest(heights[has_data])
-    is_object = is_small if not is_small[1:].all() else is_small & (tops > np.median(tops[1:]))
-    opened = np.where(is_small[areas], -find_largest(-heights[has_data])[areas], opened)
-    objects = is_object[areas]
+    if is_small[1:].all():
+        return np.where(has_data, lowest, -np.inf)
+    objects = is_small[areas]
     if objects.any():
         land = has_data & ~objects
         nearest = filters.distance_transform_edt(~land, return_distances=False, return_indices=True)
-        opened[objects] = np.minimum(opened, opened[tuple(nearest)])[objects]
+        opened[objects] = np.minimum(heights, opened[tuple(nearest)])[objects]
     return opened
 
 
