@@ -43,3 +43,18 @@ def test_errors_are_as_large_as_they_say(scene):
     ):
         for ratio in spread_of_errors(call, names):
             assert 0.8 < ratio < 1.2  # of 24 runs and 8 replicates each; points share part of their errors
+
+
+@pytest.mark.parametrize("turn", [0, 1])
+def test_faces_at_the_same_place_with_different_reflectances_are_warned_of(turn):
+    """Rays meet the first of the two, whichever way it faces: a floor below had 0.26 or 2.33."""
+    square = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+    vertices = [(x, y, z) for z in (0.0, 1.0, 1.0) for x, y in square]
+    faces = np.array([(0, 1, 2), (0, 2, 3), (4, 6, 5), (4, 7, 6), *np.roll([(8, 9, 10), (8, 10, 11)], turn, axis=1)])
+    share, points = np.array([0.0, 0.0, 0.0, 0.0, 0.8, 0.8]), ws.SurfacePoints([(0.0, 0.0, 0.0)], [(0.0, 0.0, 1.0)])
+    sky = np.ones((4, 8), np.float32)
+    with pytest.warns(UserWarning, match="^mesh: 2 pairs of faces are at the same place and have different reflectances"):
+        ws.irradiance(ws.Mesh(vertices, faces, reflectance=share), points, sky, 16)
+    apart = np.array(vertices) + [(0.0, 0.0, 1e-6 * (i >= 8)) for i in range(12)]
+    for mesh in (ws.Mesh(apart, faces, reflectance=share), ws.Mesh(vertices, faces, reflectance=0.8)):
+        ws.irradiance(mesh, points, sky, 16)  # warnings are errors in tests

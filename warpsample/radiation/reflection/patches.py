@@ -1,5 +1,6 @@
 """Division of the reflecting faces of a mesh into patches with uniform radiosity, on both sides of each face."""
 
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -102,10 +103,14 @@ def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
     Raises:
         TypeError, ValueError: `refine` is not a positive length, or divides an edge into too many parts.
         MemoryError: the patches need more memory than is free.
+
+    Warns:
+        UserWarning: faces at the same place have different reflectances.
     """
     longest = None if refine is None else check_number(refine, "refine", 1e-12, inf)
     if not mesh.reflects:
         return None
+    _warn_of_layers(mesh)
     corners = mesh.vertices[mesh.faces]
     edges = np.max([lengths(corners[:, k] - corners[:, k - 1]) for k in range(3)], axis=0)
     edges = np.where((mesh.reflectance > 0.0) & (mesh.face_areas > 0.0), edges, 0.0)
@@ -125,6 +130,35 @@ def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
     rank = np.arange(total) - np.repeat(np.cumsum(2 * parts) - 2 * parts, 2 * parts)
     back = rank >= parts[face]
     return Patches(mesh, cuts, face, back, rank - back * parts[face])
+
+
+def _warn_of_layers(mesh: Mesh) -> None:
+    """Warn of faces at the same place with different reflectances, once for each mesh."""
+    if "_layers" in vars(mesh):
+        return
+    layers = _count_layers(mesh)
+    object.__setattr__(mesh, "_layers", layers)
+    if layers:
+        warnings.warn(
+            f"mesh: {layers:,} pairs of faces are at the same place and have different reflectances; rays meet one face of "
+            "each pair, from both sides: give both the same reflectance, or leave a gap",
+            stacklevel=3,
+        )
+
+
+def _count_layers(mesh: Mesh) -> int:
+    """Return the number of pairs of faces that have the same three corners and different reflectances."""
+    share = mesh.reflectance
+    if (share == share[0]).all():
+        return 0
+    corners = mesh.vertices[mesh.faces].astype(np.float64)
+    weights = np.random.default_rng(0).random((3, 3))  # the sum over sorted corners is nearly unique
+    key = (np.sort(corners, axis=1) * weights).sum(axis=(1, 2))
+    order = np.argsort(key)
+    one, other = order[:-1], order[1:]
+    alike = (key[one] == key[other]) & (share[one] != share[other])
+    one, other = corners[one[alike]], corners[other[alike]]
+    return int((one[:, :, None] == other[:, None]).all(axis=3).any(axis=2).all(axis=1).sum())
 
 
 def _count_cuts(edges: np.ndarray, longest: float) -> np.ndarray:
