@@ -206,15 +206,35 @@ def test_a_damaged_file_is_refused_or_read_rightly(tmp_path, engine):
 
 
 def test_damaged_lists_of_hdf5_end(tmp_path, monkeypatch):
-    """HDF5 follows some of them without an end, and keeps signals waiting: here, one of the first sectors set to 0."""
+    """HDF5 follows some of them without an end, and crashes on others: here, one of the first sectors set to 0."""
     monkeypatch.setattr(netcdf, "_SECONDS", 1)
     path = tmp_path / "dsm.nc"
-    heights_of(path, array(), "h5netcdf", chunksizes=(10, 10), zlib=True)
+    heights_of(path, array(), "h5netcdf", chunksizes=(10, 10), zlib=True, fletcher32=True)
     content = path.read_bytes()
-    for first in range(0, 5120, 512):
+    for first in range(0, 8192, 512):
         path.write_bytes(content[:first] + bytes(512) + content[first + 512 :])
         with suppress(ValueError):
             reader_of(str(path)).read(ALL, ALL)
+
+
+def test_damaged_and_missing_chunks_are_refused(tmp_path):
+    h5netcdf, path = pytest.importorskip("h5netcdf"), tmp_path / "dsm.nc"
+    with h5netcdf.File(path, "w") as file:
+        file.dimensions = {"y": 60, "x": 50}
+        for name, centres in (("x", np.arange(50.0)), ("y", -np.arange(60.0))):
+            file.create_variable(name, (name,), data=centres).attrs["units"] = "m"
+        numbers = (np.arange(3000) % 700).reshape(60, 50).astype(np.int16)
+        file.create_variable("z", ("y", "x"), data=numbers, chunks=(16, 16), compression="gzip", fletcher32=True)
+    content = path.read_bytes()
+    for first in range(6144, 8192, 512):
+        path.write_bytes(content[:first] + bytes(512) + content[first + 512 :])
+        with suppress(ValueError):
+            assert np.array_equal(reader_of(str(path)).read(ALL, ALL), numbers)
+    with h5netcdf.File(path, "w") as file:
+        file.dimensions = {"y": 60, "x": 50}
+        file.create_variable("z", ("y", "x"), np.int16, chunks=(16, 16))[:10] = 1
+    with pytest.raises(ValueError, match="dsm.nc', which cannot be read as netCDF: 12 chunks of 'z' are missing"):
+        reader_of(str(path))
 
 
 def test_numbers_in_other_files_are_refused(tmp_path):

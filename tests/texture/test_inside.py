@@ -277,3 +277,14 @@ def test_charts_that_are_filled_by_more_than_half_are_counted():
         assert found.any()
         assert enclosed.count_mostly_buried(found) == count
     assert enclosed.count_mostly_buried(np.zeros(len(t), bool)) == 0
+
+
+@pytest.mark.parametrize("size", [1.0, 0.7, 1.0 / 3.0])
+def test_rims_at_a_border_of_the_grid_are_inside(size):
+    """A rounding moved the lower rim of a post in a slab out of the cells of the post, so that it counted as visible."""
+    bounds = [((1, 1, 1), (2, 2, 3)), ((0, 0, 0), (4, 4, 2)), ((0, 0, 3.5), (0.5, 0.5, 4))]
+    boxes = [trimesh.creation.box(bounds=size * np.array(each)) for each in bounds]
+    mesh = floor_and(*((box.vertices, box.faces) for box in boxes))
+    rim = np.nextafter(np.float32(size), np.float32([0.0, size, 9.0]))
+    points = ws.SurfacePoints([(size, 1.5 * size, z) for z in rim], [(-1.0, 0.0, 0.0)] * 3, [2, 2, 2])
+    assert inside(mesh, points).all()

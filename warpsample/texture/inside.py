@@ -16,6 +16,7 @@ from warpsample.tracing.trace_all import trace_all
 _RAYS = 3  # two rays per point, and a third one where the first two disagree
 _SEED = seed_for("inside", 0)
 _CELLS = 64  # cells of the grid along each axis: 2^18 counts
+_NEAR = 0.01  # of a cell
 _BLOCK = 1 << 13  # points whose hits are held in memory at a time: 100 bytes each, and up to thousands per point
 _FLAT = 1e-12  # of the sum of absolute parts of a volume: with less, as between the sides of a sheet, it is rounding
 _WITHIN = 1e-6  # least corner weight of a point in the interior of its face; points on an edge have a weight near 0
@@ -68,7 +69,8 @@ class Closed:
         np.minimum.at(lower, body[body >= 0], corners.min(axis=1))
         np.maximum.at(upper, body[body >= 0], corners.max(axis=1))
         origin, cells = lower.min(axis=0), _CELLS / (upper.max(axis=0) - lower.min(axis=0))
-        ends = [_locate_cells(lower, origin, cells), _locate_cells(upper, origin, cells) + 1]
+        near = _NEAR / cells  # so that rounding moves no point out of the cells of its own body
+        ends = [_locate_cells(lower - near, origin, cells), _locate_cells(upper + near, origin, cells) + 1]
         counts = np.zeros((_CELLS + 1,) * 3, np.int32)
         for sides in product((0, 1), repeat=3):  # differences at box corners, whose cumulative sums are the counts
             at = tuple(ends[side][:, axis] for axis, side in enumerate(sides))
@@ -84,7 +86,7 @@ class Closed:
         origin, cells, counts = self._grid
         place = (position - origin) * cells
         count = counts[tuple(_locate_cells(position, origin, cells).T)] - (own >= 0)
-        return np.flatnonzero(((place >= -1e-6) & (place <= _CELLS + 1e-6)).all(axis=1) & (count > 0))
+        return np.flatnonzero(((place >= -_NEAR) & (place <= _CELLS + _NEAR)).all(axis=1) & (count > 0))
 
     def count_bodies(
         self, points: SurfacePoints, face: np.ndarray, workers: int | None = None

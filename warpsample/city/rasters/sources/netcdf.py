@@ -21,7 +21,9 @@ _CLASSIC, _HDF5 = (b"CDF\1", b"CDF\2"), b"\x89HDF"
 _SUPERBLOCK, _SIZE_AT = 52, {0: 40, 1: 44, 2: 28, 3: 28}  # bytes of it, and place of the file's size in it by its version
 _SUFFIXES = (".nc", ".nc4", ".cdf", ".grd")  # of netCDF-4 files, which begin like all HDF5 files
 
-_SECONDS = 30  # of a processor, after which a file counts as damaged: HDF5 follows some damaged lists without an end
+# HDF5 follows some damaged lists without an end, and crashes on others, so a process of its own reads a file first. The file
+# counts as damaged after so many seconds of a processor, and one more for so many bytes:
+_SECONDS, _BYTES = 30, 10_000_000
 _TRY = """import sys
 sys.path[:] = {path!r}
 import h5py
@@ -36,8 +38,15 @@ def read_about(name, item):
     if isinstance(item, h5py.Dataset):
         if item.is_virtual or item.external:  # numbers of missing files would be 0
             raise ValueError(f"the numbers of {{name!r}} are in other files")
-        if item.chunks:
-            item.id.get_num_chunks()
+        missing = 0
+        for chunk in item.iter_chunks() if item.chunks and item.size else ():
+            item[chunk]
+            place = item.id.get_chunk_info_by_coord(tuple(side.start for side in chunk)).byte_offset
+            missing += place == 0 or (place is None and item.ndim > 1 and "_FillValue" not in item.attrs)
+        if missing:
+            raise ValueError(f"{{missing}} chunks of {{name!r}} are missing, whose numbers would be 0")
+        if item.dtype.hasobject:
+            item[()]
 
 try:
     with h5py.File({file!r}, "r") as file:
@@ -109,7 +118,7 @@ def check_netcdf(path: str) -> None:
     """Raise an error for a netCDF file that is damaged, or needs a package or more memory than is free.
 
     Raises:
-        ValueError: A netCDF-4 file whose attributes or index HDF5 cannot read.
+        ValueError: A netCDF-4 file that HDF5 cannot read.
         ModuleNotFoundError: A netCDF-4 file, and h5netcdf is not installed.
         MemoryError: A file of the classic format, which is read as a whole, does not fit into the free memory.
     """
@@ -122,13 +131,15 @@ def check_netcdf(path: str) -> None:
 
 def _check_hdf5(path: str) -> None:
     """Raise an error for a netCDF-4 file that is damaged, which a process of its own finds, or if h5netcdf is missing."""
-    if Path(path).stat().st_size < _stored_size(_read_start(path)):
+    size = Path(path).stat().st_size
+    if size < _stored_size(_read_start(path)):
         raise ValueError(f"source: got {path!r}, whose end is missing: the file is damaged")
     if find_spec("h5netcdf") is None:
         raise missing(f"source: got {path!r}, which needs h5netcdf", "h5netcdf")
-    status, found = run_program(_TRY.format(path=sys.path, file=path, seconds=_SECONDS, refused=REFUSED))
+    seconds = _SECONDS + size // _BYTES
+    status, found = run_program(_TRY.format(path=sys.path, file=path, seconds=seconds, refused=REFUSED))
     if status:
-        raise explain_damage(path, found.decode().strip() or f"HDF5 crashed, or found no end in {_SECONDS} s ({status})")
+        raise explain_damage(path, found.decode().strip() or f"HDF5 crashed, or found no end in {seconds} s ({status})")
 
 
 def _open_dataset(path: str) -> xr.Dataset:
