@@ -146,6 +146,17 @@ def test_bars_around_a_mast_in_a_raster_of_single_cells_are_right():
         assert found[0] > 0.92, found
 
 
+def test_bars_around_two_masts_with_missing_cells_between_them_are_right():
+    """300 cells by 8 seeds and 384 rays, as at the entrance of a harbour. 2 standard errors held 0.85; 0.91 was seen."""
+    row, column = np.mgrid[:61, :61] - 30
+    heights = np.where((row == 0) & (abs(column) == 2), 30.0, 0.0)
+    ground = (np.hypot(row, column) >= 20) | ((row == 0) & (abs(column) > 2))
+    cells = np.random.default_rng(8).choice(np.flatnonzero(ground), 300, replace=False)
+    mesh, points, cells = points_of(np.where(ground | (heights > 0.0), heights, np.nan), "block", "horizontal", cells)
+    right = exact_sky(heights, cells, 4096)[0]
+    assert shares(SKY, mesh, points, right, 384, 8)[0] > 0.88
+
+
 def test_bars_around_the_only_roof_of_a_tin_are_right():
     """Points every four cells, which have no triangle, around 3 x 3 cells, by 4 seeds. 2 standard errors held 0.3."""
     heights = np.full((61, 61), np.nan)

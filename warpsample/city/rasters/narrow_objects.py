@@ -141,16 +141,17 @@ def _look_at_rings(part: _Tops, gaps: float, reach: float, lowest: float) -> Ite
 def _open_heights(heights: np.ndarray, lowest: float) -> np.ndarray:
     """Return a grid of heights without objects that are up to four cells wide in all directions. -inf is no data.
 
-    This is the highest of the openings by a row, a column and two diagonals of five cells, whose ends have data. Cells that
-    are in no such line have the opening by squares of 5 x 5 cells with data in the first and last rows or columns. See
-    `_open_small_areas` for cells that are in no such square.
+    This is the highest of the openings by a row, a column and two diagonals of five cells, whose ends and one more cell have
+    data. Cells that are in no such line have the opening by squares of 5 x 5 cells with data in the first and last rows or
+    columns. See `_open_small_areas` for cells that are in no such square.
     """
-    has_data = heights > -np.inf
+    filters, has_data = imported("scipy.ndimage"), heights > -np.inf
     filled = np.where(has_data, heights, np.inf)
     opened = np.full(heights.shape, -np.inf)
     for line in (np.ones((1, _LINE)), np.ones((_LINE, 1)), np.eye(_LINE), np.eye(_LINE)[::-1]):
         ends = line * (_ENDS if len(line) == 1 else _ENDS[:, None])
-        opened = np.maximum(opened, _open_by(filled, line, imported("scipy.ndimage").binary_erosion(has_data, ends)))
+        is_line = filters.binary_erosion(has_data, ends) & filters.binary_dilation(has_data, line - ends)
+        opened = np.maximum(opened, _open_by(filled, line, is_line))
     lacking = has_data & (opened == -np.inf)
     if not lacking.any():
         return opened
