@@ -38,8 +38,8 @@ def read_about(name, item):
     if isinstance(item, h5py.Dataset):
         if item.is_virtual or item.external:  # numbers of missing files would be 0
             raise ValueError(f"the numbers of {{name!r}} are in other files")
-        missing = 0
-        for chunk in item.iter_chunks() if item.chunks and item.size else ():
+        missing, is_flat = 0, sum(size > 1 for size in item.shape or ()) < 3  # others are not read later
+        for chunk in item.iter_chunks() if item.chunks and item.size and is_flat else ():
             item[chunk]
             place = item.id.get_chunk_info_by_coord(tuple(side.start for side in chunk)).byte_offset
             missing += place == 0 or (place is None and item.ndim > 1 and "_FillValue" not in item.attrs)
