@@ -30,6 +30,10 @@ def open_raster(path: str) -> Iterator[Any]:
         raise ValueError(
             f"source: got {path!r}, whose name is not in UTF-8, as GDAL needs; rename the file or folder"
         ) from error
+    except UnicodeDecodeError as error:
+        raise ValueError(
+            f"source: got {path!r}, whose CRS or unit has letters that are not in UTF-8; write them in ASCII letters"
+        ) from error
     except RasterioError as error:
         if isinstance(error, RasterioIOError) and "://" not in path and ":" not in path[2:] and not Path(path).exists():
             raise FileNotFoundError(f"source: got {path!r}, which is missing, want {WANTS}") from error
