@@ -124,6 +124,7 @@ def test_libraries_of_an_obj_may_have_backslashes_and_are_no_pipes(tmp_path):
         ("mtllib in.mtl # mine", "map_Kd -s 1 1 1 of walls.png # all"),
         ("mtllib \\{end}in.mtl", "map_Kd \\{end}  of walls.png"),
         ('mtllib "in.mtl"', 'aniso "of walls.png"'),
+        ("mtllib .\\in.mtl", "map_Kd .\\of walls.png"),
         ("mtllib a.mtl in.mtl b.mtl", "map_Kd of walls.png -s 1 1 1"),
         ("# of C:\\{end}mtllib in.mtl", "newmtl C:\\x\\{end}map_Kd of walls.png"),
     ],

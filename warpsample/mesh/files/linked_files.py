@@ -98,7 +98,8 @@ def _names(line: str) -> list[str]:
     words = [match.span() for match in re.finditer(r"[^ \t]+", line)][:_WORDS]
     comment = len(line.partition("#")[0])
     starts = [start for start, _ in words[1:] if start < comment]
-    return [line[start:end].strip("'\"") for start in starts for _, end in words if end > start]
+    names = [line[start:end].strip("'\"") for start in starts for _, end in words if end > start]
+    return names + [name.replace("\\", "/") for name in names if "\\" in name]  # which some programs on Windows write
 
 
 def _lines(path: Path) -> Iterator[str]:

@@ -24,9 +24,10 @@ _SUFFIXES = (".nc", ".nc4", ".cdf", ".grd")  # of netCDF-4 files, which begin li
 # HDF5 follows some damaged lists without an end, and crashes on others, so a process of its own reads a file first. The file
 # counts as damaged after so many seconds of a processor, and one more for so many bytes:
 _SECONDS, _BYTES = 30, 10_000_000
-_TRY = """import sys
+_TRY = """import math, sys
 sys.path[:] = {path!r}
 import h5py
+{plugins}
 try:
     import resource
     resource.setrlimit(resource.RLIMIT_CPU, ({seconds}, {seconds}))
@@ -35,18 +36,26 @@ except ImportError:  # on Windows
 
 def read_about(name, item):
     dict(item.attrs)
-    if isinstance(item, h5py.Dataset):
-        if item.is_virtual or item.external:  # numbers of missing files would be 0
-            raise ValueError(f"the numbers of {{name!r}} are in other files")
-        missing, is_flat = 0, sum(size > 1 for size in item.shape or ()) < 3  # others are not read later
-        for chunk in item.iter_chunks() if item.chunks and item.size and is_flat else ():
-            item[chunk]
-            place = item.id.get_chunk_info_by_coord(tuple(side.start for side in chunk)).byte_offset
-            missing += place == 0 or (place is None and item.ndim > 1 and "_FillValue" not in item.attrs)
-        if missing:
-            raise ValueError(f"{{missing}} chunks of {{name!r}} are missing, whose numbers would be 0")
-        if item.dtype.hasobject:
-            item[()]
+    is_raster = isinstance(item, h5py.Dataset) and "/" not in name and sum(size > 1 for size in item.shape or ()) < 3
+    if not is_raster:  # which is not read later
+        return
+    if item.is_virtual or item.external:  # numbers of missing files would be 0
+        raise ValueError(f"the numbers of {{name!r}} are in other files")
+    if item.dtype.hasobject:
+        item[()]
+    elif item.chunks and item.size:
+        read_chunks(name, item)
+
+def read_chunks(name, item):
+    places = []
+    item.id.chunk_iter(lambda chunk: places.append(chunk.byte_offset))
+    missing = math.prod(-(-size // step) for size, step in zip(item.shape, item.chunks)) - sum(map(bool, places))
+    is_height = abs(float(item.fillvalue)) < 2**31 - 1 and float(item.fillvalue) not in (-32767, -32768)
+    if missing and (0 in places or (item.ndim > 1 and is_height and "_FillValue" not in item.attrs)):
+        raise ValueError(f"{{missing}} chunks of {{name!r}} are missing, whose numbers would be {{item.fillvalue}}")
+    axis = next((axis for axis, size in enumerate(item.shape) if size > 1), 0)
+    for first in range(0, item.shape[axis], item.chunks[axis]):
+        item[(slice(None),) * axis + (slice(first, first + item.chunks[axis]),)]
 
 try:
     with h5py.File({file!r}, "r") as file:
@@ -137,7 +146,8 @@ def _check_hdf5(path: str) -> None:
     if find_spec("h5netcdf") is None:
         raise missing(f"source: got {path!r}, which needs h5netcdf", "h5netcdf")
     seconds = _SECONDS + size // _BYTES
-    status, found = run_program(_TRY.format(path=sys.path, file=path, seconds=seconds, refused=REFUSED))
+    plugins = "import hdf5plugin" if "hdf5plugin" in sys.modules else ""  # filters of further compressions
+    status, found = run_program(_TRY.format(path=sys.path, file=path, seconds=seconds, refused=REFUSED, plugins=plugins))
     if status:
         raise explain_damage(path, found.decode().strip() or f"HDF5 crashed, or found no end in {seconds} s ({status})")
 
