@@ -136,6 +136,16 @@ def test_every_spelling_of_a_name_in_an_obj_is_found(tmp_path, library, picture,
     assert {tmp_path / "in.mtl", tmp_path / "of walls.png"} <= set(list_linked_files(tmp_path / "in.obj"))
 
 
+def test_tiles_of_a_picture_in_an_mtl_are_found(tmp_path):
+    (tmp_path / "in.obj").write_text("mtllib in.mtl")
+    (tmp_path / "in.mtl").write_text("map_Kd walls[1].<UDIM>.png")
+    for name in ("walls[1].1001.png", "walls[1].1012.png", "walls[1].old.png"):
+        (tmp_path / name).touch()
+    found = set(list_linked_files(tmp_path / "in.obj"))
+    assert {tmp_path / "walls[1].1001.png", tmp_path / "walls[1].1012.png"} <= found
+    assert tmp_path / "walls[1].old.png" not in found
+
+
 @pytest.mark.parametrize("name", ["my  walls.png", "of\u3000walls.png", "caf\xe9.png"])
 def test_blanks_of_a_name_in_an_mtl_stay(tmp_path, name):
     (tmp_path / "in.obj").write_text("mtllib in.mtl")

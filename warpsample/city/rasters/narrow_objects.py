@@ -16,6 +16,7 @@ _SHORTEST = 1e-30  # length of a normal, so that 0 / 0 gives 0
 _WALL = 1e-2  # area of a wall in the map, at most, as a fraction of the products of its sides; 0 but for rounding
 _LINE = 5  # cells; an object that is shorter in all directions is narrow
 _ENDS = np.array([1, 0, 0, 0, 1])
+_AROUND = 8  # nearest cells of other areas
 _SQUARE = np.ones((_LINE, _LINE))
 _FEW, _MOST_OF_AZIMUTHS = 2.0, 0.4  # objects of a ring that do not add to the depth, and that add, at most; see README.md
 
@@ -175,7 +176,8 @@ def _find_wide(has_data: np.ndarray) -> np.ndarray:
 def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float) -> np.ndarray:
     """Return a grid of opened heights, changed in areas up to four cells wide without data around them. -inf is no data.
 
-    Such an area is an object on the nearest larger area, or on the least height if no area is larger.
+    Such an area is an object on the nearest larger area. If most cells are in small areas, as in sparse data, it is one on
+    the lowest of the nearest cells of other areas, or on the least height if there are few, or only roofs, of lower points.
     """
     filters, has_data = imported("scipy.ndimage"), heights > -np.inf
     areas, count = filters.label(has_data, np.ones((3, 3)))
@@ -185,16 +187,28 @@ def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float) ->
         np.maximum.at(ends[0], where, places)
         np.maximum.at(ends[1], where, -places)
         widths.append(ends.sum(axis=0) + 1.0)
-    is_small = np.maximum(*widths) < _LINE
-    is_small[0] = False
-    if is_small[1:].all():
-        return np.where(has_data, lowest, -np.inf)
-    objects = is_small[areas]
-    if objects.any():
+    objects = (np.maximum(*widths) < _LINE)[areas] & has_data
+    if 2 * objects.sum() > has_data.sum():
+        opened[objects] = _find_lowest_around(heights, areas, objects, lowest)
+    elif objects.any():
         land = has_data & ~objects
         nearest = filters.distance_transform_edt(~land, return_distances=False, return_indices=True)
         opened[objects] = np.minimum(heights, opened[tuple(nearest)])[objects]
     return opened
+
+
+def _find_lowest_around(heights: np.ndarray, areas: np.ndarray, objects: np.ndarray, lowest: float) -> np.ndarray:
+    """Return the least height of the nearest cells of other areas for each cell of a mask, and of the cell itself, (N,)."""
+    has_data = areas > 0
+    values, area, own = heights[has_data], areas[has_data], areas[objects]
+    bottom = values.min()
+    if area.max() <= _AROUND or lowest < bottom - 1e-3 * (values.max() - bottom):
+        return np.full(len(own), lowest)
+    tree = imported("scipy.spatial").KDTree(np.argwhere(has_data))
+    near = tree.query(np.argwhere(objects), min(len(values), _AROUND + (_LINE - 1) ** 2))[1]
+    is_other = area[near] != own[:, None]
+    is_near = is_other & (np.cumsum(is_other, axis=1) <= _AROUND)
+    return np.minimum(heights[objects], np.where(is_near, values[near], np.inf).min(axis=1))
 
 
 def _square_once(heights: np.ndarray) -> np.ndarray:

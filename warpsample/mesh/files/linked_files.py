@@ -1,9 +1,10 @@
 """Lists the files that a mesh file or CityJSON refers to: buffers, materials and pictures."""
 
+import glob
 import re
 from collections.abc import Iterator
 from contextlib import suppress
-from itertools import takewhile
+from itertools import chain, takewhile
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -30,7 +31,10 @@ def list_linked_files(path: Path | None) -> list[Path]:
             names += [each.replace("\\", "/") for each in names]
             names += [_FILE_URI.sub("", each) for each in names]
             names += [each.encode("utf-8", "surrogateescape").decode("latin-1") for each in names if _SURROGATE.search(each)]
-            return [path.parent / name for name in dict.fromkeys(names)]
+            found = [path.parent / name for name in dict.fromkeys(names)]
+            tiled = (each for each in found if "<UDIM>" in each.name)
+            tiles = (each.parent.glob(glob.escape(each.name).replace("<UDIM>", "[0-9]" * 4)) for each in tiled)
+            return [*found, *chain.from_iterable(tiles)]
     return []
 
 
