@@ -15,8 +15,9 @@ _POINTS = 1 << 13  # whose depths are computed at a time
 _SHORTEST = 1e-30  # length of a normal, so that 0 / 0 gives 0
 _WALL = 1e-2  # area of a wall in the map, at most, as a fraction of the products of its sides; 0 but for rounding
 _LINE = 5  # cells; an object that is shorter in all directions is narrow
-_ENDS = np.array([1, 0, 0, 0, 1])
-_AROUND = 8  # nearest cells of other areas
+_ENDS = np.array([1, 0, 0, 0, 1])  # of a line
+_AROUND = 8  # cells of other areas, of which one is ground, not a mast, with a high probability
+_ROUNDING = 1e-3  # of the relief: points are at or above their cells, but for rounding
 _SQUARE = np.ones((_LINE, _LINE))
 _FEW, _MOST_OF_AZIMUTHS = 2.0, 0.4  # objects of a ring that do not add to the depth, and that add, at most; see README.md
 
@@ -176,8 +177,8 @@ def _find_wide(has_data: np.ndarray) -> np.ndarray:
 def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float) -> np.ndarray:
     """Return a grid of opened heights, changed in areas up to four cells wide without data around them. -inf is no data.
 
-    Such an area is an object on the nearest larger area. If most cells are in small areas, as in sparse data, it is one on
-    the lowest of the nearest cells of other areas, or on the least height if there are few, or only roofs, of lower points.
+    Such an area is an object that stands on the nearest larger area. In sparse data, where most cells are in such areas, see
+    `_find_lowest_around`.
     """
     filters, has_data = imported("scipy.ndimage"), heights > -np.inf
     areas, count = filters.label(has_data, np.ones((3, 3)))
@@ -198,11 +199,15 @@ def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float) ->
 
 
 def _find_lowest_around(heights: np.ndarray, areas: np.ndarray, objects: np.ndarray, lowest: float) -> np.ndarray:
-    """Return the least height of the nearest cells of other areas for each cell of a mask, and of the cell itself, (N,)."""
+    """Return the least height among each cell of a mask and the nearest cells of other areas, (N,).
+
+    This is `lowest` for few areas, and where points are below all cells: then the ground has no cells, as around roofs of a
+    tin.
+    """
     has_data = areas > 0
     values, area, own = heights[has_data], areas[has_data], areas[objects]
     bottom = values.min()
-    if area.max() <= _AROUND or lowest < bottom - 1e-3 * (values.max() - bottom):
+    if area.max() <= _AROUND or lowest < bottom - _ROUNDING * (values.max() - bottom):
         return np.full(len(own), lowest)
     tree = imported("scipy.spatial").KDTree(np.argwhere(has_data))
     near = tree.query(np.argwhere(objects), min(len(values), _AROUND + (_LINE - 1) ** 2))[1]

@@ -99,9 +99,9 @@ def as_unsigned(values: Any) -> np.ndarray:
 
 
 def _unpacked_codes(encoding: Mapping[str, Any]) -> list[float]:
-    """Return the heights into which xarray has converted undeclared nodata values; none without a scale and an offset.
+    """Return the heights into which xarray has converted the usual nodata values of scaled numbers.
 
-    There are none either in arrays that declare their nodata value.
+    There are none in arrays without a scale and an offset, and in those that declare their nodata value.
     """
     stored = np.dtype(encoding.get("dtype", np.float32))
     attributes = {name: encoding[name] for name in _SCALING if name in encoding}
