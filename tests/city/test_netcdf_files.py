@@ -223,13 +223,18 @@ def test_damaged_and_missing_chunks_are_refused(tmp_path):
         file.dimensions = {"y": 60, "x": 50}
         for name, centres in (("x", np.arange(50.0)), ("y", -np.arange(60.0))):
             file.create_variable(name, (name,), data=centres).attrs["units"] = "m"
-        numbers = (np.arange(3000) % 700).reshape(60, 50).astype(np.int16)
+        numbers = (1 + np.arange(3000) % 700).reshape(60, 50).astype(np.int16)
         file.create_variable("z", ("y", "x"), data=numbers, chunks=(16, 16), compression="gzip", fletcher32=True)
     content = path.read_bytes()
     for first in range(6144, 8192, 512):
         path.write_bytes(content[:first] + bytes(512) + content[first + 512 :])
         with suppress(ValueError):
             assert np.array_equal(reader_of(str(path)).read(ALL, ALL), numbers)
+    changed = bytearray(content)
+    changed[content.index(np.array([16, 32, 0], "<u8").tobytes()) + 1] = 1  # key of a chunk, in the index
+    path.write_bytes(changed)
+    with pytest.raises(ValueError, match=r"dsm.nc', which cannot be read as netCDF: .*chunk"):
+        reader_of(str(path)).read(ALL, ALL)
     with h5netcdf.File(path, "w") as file:
         file.dimensions = {"y": 60, "x": 50}
         file.create_variable("z", ("y", "x"), np.int16, chunks=(16, 16))[:10] = 1
@@ -245,13 +250,14 @@ def test_files_with_many_chunks_and_unwritten_parts_are_read(tmp_path):
         file.create_variable("z", ("y", "x"), np.int16, chunks=(4, 4), fillvalue=np.int16(-32767))[:900] = 1
         del file["z"].attrs["_FillValue"]
         file.create_variable("count", ("t", "y", "x"), np.int16, chunks=(1, 50, 50))[0] = 1
+        file.create_variable("name", ("y", "x"), "S1", chunks=(50, 50))[0] = b"a"
         file.create_variable("group/other", ("y", "x"), np.int16, chunks=(50, 50))[:50] = 1
         for name, centres in (("x", np.arange(800.0)), ("y", -np.arange(1000.0))):
             file.create_variable(name, (name,), data=centres).attrs["units"] = "m"
-    with pytest.raises(ValueError, match=r"dsm.nc' with z, count, want one variable"):
+    with pytest.raises(ValueError, match=r"dsm.nc' with z, count, name, want one variable"):
         reader_of(str(path))
     with h5netcdf.File(path, "a") as file:
-        del file._h5group["count"]
+        del file._h5group["count"], file._h5group["name"]
     found = reader_of(str(path)).read(ALL, ALL)
     assert np.isnan(found[900:]).all()
     assert (found[:900] == 1.0).all()

@@ -24,7 +24,7 @@ _SUFFIXES = (".nc", ".nc4", ".cdf", ".grd")  # of netCDF-4 files, which begin li
 # HDF5 follows some damaged lists without an end, and crashes on others, so a process of its own reads a file first. The file
 # counts as damaged after so many seconds of a processor, and one more for so many bytes:
 _SECONDS, _BYTES = 30, 10_000_000
-_TRY = """import math, sys
+_TRY = """import itertools, math, sys
 sys.path[:] = {path!r}
 import h5py
 {plugins}
@@ -50,9 +50,13 @@ def read_chunks(name, item):
     places = []
     item.id.chunk_iter(lambda chunk: places.append(chunk.byte_offset))
     missing = math.prod(-(-size // step) for size, step in zip(item.shape, item.chunks)) - sum(map(bool, places))
-    is_height = abs(float(item.fillvalue)) < 2**31 - 1 and float(item.fillvalue) not in (-32767, -32768)
-    if missing and (0 in places or (item.ndim > 1 and is_height and "_FillValue" not in item.attrs)):
-        raise ValueError(f"{{missing}} chunks of {{name!r}} are missing, whose numbers would be {{item.fillvalue}}")
+    fill = item.fillvalue
+    is_height = item.dtype.kind in "iuf" and abs(float(fill)) < 2**31 - 1 and float(fill) not in (-32767, -32768)
+    needs_all = item.ndim > 1 and is_height and "_FillValue" not in item.attrs
+    if missing and (0 in places or needs_all):
+        raise ValueError(f"{{missing}} chunks of {{name!r}} are missing, whose numbers would be {{fill}}")
+    for place in itertools.product(*map(range, (0,) * item.ndim, item.shape, item.chunks)) if needs_all else ():
+        item.id.read_direct_chunk(place)  # an error where a damaged index leads past a chunk
     axis = next((axis for axis, size in enumerate(item.shape) if size > 1), 0)
     for first in range(0, item.shape[axis], item.chunks[axis]):
         item[(slice(None),) * axis + (slice(first, first + item.chunks[axis]),)]
