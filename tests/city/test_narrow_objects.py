@@ -42,6 +42,21 @@ def test_bars_around_tall_objects_are_right(places, width, height):
         assert (found[:, 2] / found[:, 3]).min() > 0.1, found  # bars of at most three errors
 
 
+@pytest.mark.parametrize(
+    ("columns", "height", "known"),
+    [((28, 32), 30.0, (0.99, 0.98, 0.90, 0.96)), ((27, 30, 33), 60.0, (0.99, 0.97, 0.83, 0.95))],
+)
+def test_bars_around_a_few_masts_in_a_row_have_the_shares_of_the_readme(columns, height, known):
+    """300 cells by 4 seeds of one raster, which go together: shares differ by up to 0.05 from those of all cells."""
+    heights = np.zeros((61, 61))
+    heights[30, columns] = height
+    ground = np.random.default_rng(4).choice(np.flatnonzero(heights == 0.0), 300, replace=False)
+    mesh, points, cells = points_of(heights, "block", "horizontal", ground)
+    right = exact_sky(heights, cells, 4096)[0]
+    found = np.array([shares(SKY, mesh, points, right, count, 4)[0] for count in (16, 64, 256, 1024)])
+    assert abs(found - known).max() < 0.05, found
+
+
 @pytest.mark.parametrize(("every", "width", "count"), [(2, 1, 256), (8, 4, 64)])
 def test_bars_beside_a_row_of_equal_objects_are_right(every, width, count):
     """16 cells at 16 m from a row of 20 m by 20 seeds, where azimuths hit all of its objects or miss all.
