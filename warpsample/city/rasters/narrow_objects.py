@@ -24,11 +24,15 @@ _FEW, _MOST_OF_AZIMUTHS = 2.0, 0.4  # objects of a ring that do not add to the d
 
 @dataclass(frozen=True, eq=False)
 class _Tops:
-    """Highest faces of cells of similar size. heights: (R, C). low: (2,) least x and y. cell: width of the grid's cells."""
+    """Highest faces of cells of similar size.
+
+    heights: (R, C). low: (2,) least x and y. cell: width of the grid's cells. bottom: least height of the faces.
+    """
 
     heights: np.ndarray
     low: np.ndarray
     cell: float
+    bottom: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +66,7 @@ def bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) ->
         reach: Largest distance of an object.
     """
     assert at.mesh is not None
-    lowest = float(np.nanmin(np.asarray(at.points.position)[:, 2], initial=at.mesh.bounds[0, 2]))
+    lowest = float(np.nanmin(np.asarray(at.points.position)[:, 2], initial=np.inf))
     parts = [(part, list(_look_at_rings(part, azimuths / np.pi, reach, lowest))) for part in _split_by_size(at.mesh)]
     depths = np.empty((len(at.normal), 2), np.float32)
     for start in range(0, len(depths), _POINTS):
@@ -114,16 +118,18 @@ def _look_at_rings(part: _Tops, gaps: float, reach: float, lowest: float) -> Ite
         part: Heights.
         gaps: Number of halves of a gap between two azimuths in one radian.
         reach: Largest distance of an object.
-        lowest: Least height of the terrain and the points.
+        lowest: Least height of the points.
 
     Yields:
         rings with narrow objects.
     """
     filters = imported("scipy.ndimage")
     terrain = tops = part.heights
+    has_ground = lowest > part.bottom - _ROUNDING * (tops.max() - part.bottom)
+    lowest = min(lowest, part.bottom)
     narrow, squares, cell, level = np.zeros(tops.shape), np.zeros(tops.shape), part.cell, 0
     while max(tops.shape) > 1 and gaps * cell < 2.0 * reach:
-        opened = _open_heights(terrain, lowest)
+        opened = _open_heights(terrain, lowest, has_ground)
         own = np.subtract(terrain, opened, out=np.zeros(terrain.shape), where=terrain > -np.inf)
         once = _square_once(own)
         found = np.maximum(narrow, own)
@@ -140,7 +146,7 @@ def _look_at_rings(part: _Tops, gaps: float, reach: float, lowest: float) -> Ite
         cell, level = 2.0 * cell, level + 1
 
 
-def _open_heights(heights: np.ndarray, lowest: float) -> np.ndarray:
+def _open_heights(heights: np.ndarray, lowest: float, has_ground: bool) -> np.ndarray:
     """Return a grid of heights without objects that are up to four cells wide in all directions. -inf is no data.
 
     This is the highest of the openings by a row, a column and two diagonals of five cells, whose ends and one more cell have
@@ -157,7 +163,8 @@ def _open_heights(heights: np.ndarray, lowest: float) -> np.ndarray:
     lacking = has_data & (opened == -np.inf)
     if not lacking.any():
         return opened
-    return _open_small_areas(heights, np.where(lacking, _open_by(filled, _SQUARE, _find_wide(has_data)), opened), lowest)
+    opened = np.where(lacking, _open_by(filled, _SQUARE, _find_wide(has_data)), opened)
+    return _open_small_areas(heights, opened, lowest, has_ground)
 
 
 def _open_by(filled: np.ndarray, shape: np.ndarray, where: np.ndarray) -> np.ndarray:
@@ -174,11 +181,12 @@ def _find_wide(has_data: np.ndarray) -> np.ndarray:
     return filters.binary_erosion(rows, _ENDS[:, None]) | filters.binary_erosion(columns, _ENDS[None])
 
 
-def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float) -> np.ndarray:
+def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float, has_ground: bool) -> np.ndarray:
     """Return a grid of opened heights, changed in areas up to four cells wide without data around them. -inf is no data.
 
     Such an area is an object that stands on the nearest larger area. In sparse data, where most cells are in such areas, see
-    `_find_lowest_around`.
+    `_find_lowest_around`. There are too few areas for it, or the ground has no cells, as around roofs of a tin: then all
+    areas stand at `lowest`.
     """
     filters, has_data = imported("scipy.ndimage"), heights > -np.inf
     areas, count = filters.label(has_data, np.ones((3, 3)))
@@ -190,7 +198,8 @@ def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float) ->
         widths.append(ends.sum(axis=0) + 1.0)
     objects = (np.maximum(*widths) < _LINE)[areas] & has_data
     if 2 * objects.sum() > has_data.sum():
-        opened[objects] = _find_lowest_around(heights, areas, objects, lowest)
+        can_tell = has_ground and count > _AROUND
+        opened[objects] = _find_lowest_around(heights, areas, objects) if can_tell else lowest
     elif objects.any():
         land = has_data & ~objects
         nearest = filters.distance_transform_edt(~land, return_distances=False, return_indices=True)
@@ -198,17 +207,10 @@ def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float) ->
     return opened
 
 
-def _find_lowest_around(heights: np.ndarray, areas: np.ndarray, objects: np.ndarray, lowest: float) -> np.ndarray:
-    """Return the least height among each cell of a mask and the nearest cells of other areas, (N,).
-
-    This is `lowest` for few areas, and where points are below all cells: then the ground has no cells, as around roofs of a
-    tin.
-    """
+def _find_lowest_around(heights: np.ndarray, areas: np.ndarray, objects: np.ndarray) -> np.ndarray:
+    """Return the least height among each cell of a mask and the nearest cells of other areas, (N,)."""
     has_data = areas > 0
     values, area, own = heights[has_data], areas[has_data], areas[objects]
-    bottom = values.min()
-    if area.max() <= _AROUND or lowest < bottom - _ROUNDING * (values.max() - bottom):
-        return np.full(len(own), lowest)
     tree = imported("scipy.spatial").KDTree(np.argwhere(has_data))
     near = tree.query(np.argwhere(objects), min(len(values), _AROUND + (_LINE - 1) ** 2))[1]
     is_other = area[near] != own[:, None]
@@ -263,7 +265,7 @@ def _find_tops(mesh: Mesh, faces: np.ndarray, low: np.ndarray, high: np.ndarray,
     low, high: least and greatest x and y of the faces. cell: width of the grid's cells.
     """
     shape = np.ceil((high - low) / cell - 0.01).clip(1.0).astype(np.int64)
-    heights = np.full(shape.prod(), -np.inf)
+    heights, bottom = np.full(shape.prod(), -np.inf), np.inf
     places, tops = ((mesh.vertices[:, :2] - low) / cell).astype(np.float32).T.copy(), mesh.vertices[:, 2].copy()
     for start in range(0, len(faces), _FACES):
         corners = faces[start : start + _FACES].T.copy()
@@ -272,5 +274,7 @@ def _find_tops(mesh: Mesh, faces: np.ndarray, low: np.ndarray, high: np.ndarray,
         row, column = ((place.sum(axis=0) / np.float32(3.0)).astype(np.int64) for place in (x, y))
         cells = np.minimum(row, shape[0] - 1) * shape[1] + np.minimum(column, shape[1] - 1)  # a strip of 0.01 cells has none
         is_flat = np.abs(one - other) > _WALL * (np.abs(one) + np.abs(other))
-        np.maximum.at(heights, cells, np.where(is_flat, tops.take(corners).max(axis=0), -np.inf))
-    return _Tops(heights.reshape(shape), low, cell)
+        z = tops.take(corners)
+        np.maximum.at(heights, cells, np.where(is_flat, z.max(axis=0), -np.inf))
+        bottom = min(bottom, np.min(z.min(axis=0), where=is_flat, initial=np.inf))
+    return _Tops(heights.reshape(shape), low, cell, float(bottom))
