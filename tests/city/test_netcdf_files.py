@@ -112,11 +112,21 @@ def test_packed_numbers_are_unpacked(tmp_path, engine):
     found = heights_of(tmp_path / "dsm.nc", unsigned, engine)
     right = np.where(np.isin(stored, [-1, -2, -5]), np.nan, stored.view(np.uint16))
     assert np.array_equal(found, right, equal_nan=True)
+    assert np.array_equal(
+        reader_of(unsigned.drop_attrs().assign_attrs(_Unsigned="true")).read(ALL, ALL), stored.view(np.uint16)
+    )
     packed = array()
     for name in ("x", "y"):
         packed[name] = (name, np.arange(packed[name].size), packed[name].attrs | {"scale_factor": 2.0, "add_offset": 5e5})
     heights_of(tmp_path / "dsm.nc", packed, engine)
     assert reader_of(str(tmp_path / "dsm.nc")).transform[:6] == (2.0, 0.0, 499999.0, 0.0, -2.0, 500059.0)
+
+
+def test_unsigned_numbers_that_stand_for_signed_ones_are_read_as_such(tmp_path):
+    signed = (np.arange(1200) % 200 - 100).astype(np.int8).reshape(30, 40)
+    content = array(_Unsigned="false", _FillValue=np.uint8(251), valid_max=np.uint8(90)).copy(data=signed.view(np.uint8))
+    right = np.where((signed == -5) | (signed > 90), np.nan, signed)
+    assert np.array_equal(heights_of(tmp_path / "dsm.nc", content, "h5netcdf"), right, equal_nan=True)
 
 
 @pytest.mark.parametrize(
@@ -238,7 +248,7 @@ def test_damaged_and_missing_chunks_are_refused(tmp_path):
     with h5netcdf.File(path, "w") as file:
         file.dimensions = {"y": 60, "x": 50}
         file.create_variable("z", ("y", "x"), np.int16, chunks=(16, 16))[:10] = 1
-    with pytest.raises(ValueError, match="dsm.nc', which cannot be read as netCDF: 12 chunks of 'z' are missing, .* be 0"):
+    with pytest.raises(ValueError, match="dsm.nc', which cannot be read as netCDF: 12 chunks of 'z' are missing, .* of 0"):
         reader_of(str(path))
 
 
@@ -251,16 +261,36 @@ def test_files_with_many_chunks_and_unwritten_parts_are_read(tmp_path):
         del file["z"].attrs["_FillValue"]
         file.create_variable("count", ("t", "y", "x"), np.int16, chunks=(1, 50, 50))[0] = 1
         file.create_variable("name", ("y", "x"), "S1", chunks=(50, 50))[0] = b"a"
+        file.create_variable("other", ("y", "x"), np.float32, chunks=(50, 50))[:50] = 1
+        file.create_variable("table", ("t", "y"), np.float32, chunks=(1, 50))[0] = 1
         file.create_variable("group/other", ("y", "x"), np.int16, chunks=(50, 50))[:50] = 1
         for name, centres in (("x", np.arange(800.0)), ("y", -np.arange(1000.0))):
             file.create_variable(name, (name,), data=centres).attrs["units"] = "m"
-    with pytest.raises(ValueError, match=r"dsm.nc' with z, count, name, want one variable"):
+    with pytest.raises(ValueError, match=r"dsm.nc' with z, count, name, other, want one variable"):
         reader_of(str(path))
     with h5netcdf.File(path, "a") as file:
-        del file._h5group["count"], file._h5group["name"]
+        del file._h5group["count"], file._h5group["name"], file._h5group["other"]
     found = reader_of(str(path)).read(ALL, ALL)
     assert np.isnan(found[900:]).all()
     assert (found[:900] == 1.0).all()
+
+
+@pytest.mark.parametrize(("fill", "stated"), [(-9999.0, {}), (7.0, {"missing_value": 7.0}), (7.0, {})])
+def test_cells_of_unwritten_chunks_are_as_their_number_says(tmp_path, fill, stated):
+    h5netcdf, path = pytest.importorskip("h5netcdf"), tmp_path / "dsm.nc"
+    with h5netcdf.File(path, "w") as file:
+        file.dimensions = {"y": 60, "x": 50}
+        for name, centres in (("x", np.arange(50.0)), ("y", -np.arange(60.0))):
+            file.create_variable(name, (name,), data=centres).attrs["units"] = "m"
+        heights = file.create_variable("z", ("y", "x"), np.float32, chunks=(20, 50), fillvalue=np.float32(fill))
+        del heights.attrs["_FillValue"]
+        heights.attrs.update(stated)
+        heights[:20] = 1.0
+    if fill == 7.0 and not stated:
+        with pytest.raises(ValueError, match="2 chunks of 'z' are missing, whose heights would be of 7"):
+            reader_of(str(path))
+    else:
+        assert np.isnan(reader_of(str(path)).read(ALL, ALL)[20:]).all()
 
 
 def test_numbers_in_other_files_are_refused(tmp_path):

@@ -136,13 +136,17 @@ def test_every_spelling_of_a_name_in_an_obj_is_found(tmp_path, library, picture,
     assert {tmp_path / "in.mtl", tmp_path / "of walls.png"} <= set(list_linked_files(tmp_path / "in.obj"))
 
 
-def test_tiles_of_a_picture_in_an_mtl_are_found(tmp_path):
+@pytest.mark.parametrize(
+    ("tile", "names"), [("<UDIM>", ("1001", "1012")), ("<udim>", ("1001",)), ("<UVTILE>", ("u1_v1", "u10_v2"))]
+)
+def test_tiles_of_a_picture_in_an_mtl_are_found(tmp_path, tile, names):
     (tmp_path / "in.obj").write_text("mtllib in.mtl")
-    (tmp_path / "in.mtl").write_text("map_Kd walls[1].<UDIM>.png")
-    for name in ("walls[1].1001.png", "walls[1].1012.png", "walls[1].old.png"):
-        (tmp_path / name).touch()
+    (tmp_path / "in.mtl").write_text(f"map_Kd walls[1].{tile}.png")
+    paths = {tmp_path / f"walls[1].{name}.png" for name in names}
+    for path in (*paths, tmp_path / "walls[1].old.png"):
+        path.touch()
     found = set(list_linked_files(tmp_path / "in.obj"))
-    assert {tmp_path / "walls[1].1001.png", tmp_path / "walls[1].1012.png"} <= found
+    assert paths <= found
     assert tmp_path / "walls[1].old.png" not in found
 
 

@@ -1,6 +1,6 @@
 """Bounds of what masts, towers and other narrow objects hide that no azimuth of a horizon search may have hit."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,22 +17,17 @@ _WALL = 1e-2  # area of a wall in the map, at most, as a fraction of the product
 _LINE = 5  # cells; an object that is shorter in all directions is narrow
 _ENDS = np.array([1, 0, 0, 0, 1])  # of a line
 _AROUND = 8  # cells of other areas, of which one is ground, not a mast, with a high probability
-_ROUNDING = 1e-3  # of the relief: points are at or above their cells, but for rounding
 _SQUARE = np.ones((_LINE, _LINE))
 _FEW, _MOST_OF_AZIMUTHS = 2.0, 0.4  # objects of a ring that do not add to the depth, and that add, at most; see README.md
 
 
 @dataclass(frozen=True, eq=False)
 class _Tops:
-    """Highest faces of cells of similar size.
-
-    heights: (R, C). low: (2,) least x and y. cell: width of the grid's cells. bottom: least height of the faces.
-    """
+    """Highest faces of cells of similar size. heights: (R, C). low: (2,) least x and y. cell: width of the grid's cells."""
 
     heights: np.ndarray
     low: np.ndarray
     cell: float
-    bottom: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +61,7 @@ def bound_depths(at: PlacedPoints, azimuths: int, cosine: bool, reach: float) ->
         reach: Largest distance of an object.
     """
     assert at.mesh is not None
-    lowest = float(np.nanmin(np.asarray(at.points.position)[:, 2], initial=np.inf))
+    lowest = at.mesh.vertices[:, 2].min()
     parts = [(part, list(_look_at_rings(part, azimuths / np.pi, reach, lowest))) for part in _split_by_size(at.mesh)]
     depths = np.empty((len(at.normal), 2), np.float32)
     for start in range(0, len(depths), _POINTS):
@@ -118,18 +113,16 @@ def _look_at_rings(part: _Tops, gaps: float, reach: float, lowest: float) -> Ite
         part: Heights.
         gaps: Number of halves of a gap between two azimuths in one radian.
         reach: Largest distance of an object.
-        lowest: Least height of the points.
+        lowest: Least height of the terrain.
 
     Yields:
         rings with narrow objects.
     """
     filters = imported("scipy.ndimage")
     terrain = tops = part.heights
-    has_ground = lowest > part.bottom - _ROUNDING * (tops.max() - part.bottom)
-    lowest = min(lowest, part.bottom)
     narrow, squares, cell, level = np.zeros(tops.shape), np.zeros(tops.shape), part.cell, 0
     while max(tops.shape) > 1 and gaps * cell < 2.0 * reach:
-        opened = _open_heights(terrain, lowest, has_ground)
+        opened = _open_heights(terrain, lowest)
         own = np.subtract(terrain, opened, out=np.zeros(terrain.shape), where=terrain > -np.inf)
         once = _square_once(own)
         found = np.maximum(narrow, own)
@@ -146,7 +139,7 @@ def _look_at_rings(part: _Tops, gaps: float, reach: float, lowest: float) -> Ite
         cell, level = 2.0 * cell, level + 1
 
 
-def _open_heights(heights: np.ndarray, lowest: float, has_ground: bool) -> np.ndarray:
+def _open_heights(heights: np.ndarray, lowest: float) -> np.ndarray:
     """Return a grid of heights without objects that are up to four cells wide in all directions. -inf is no data.
 
     This is the highest of the openings by a row, a column and two diagonals of five cells, whose ends and one more cell have
@@ -164,7 +157,7 @@ def _open_heights(heights: np.ndarray, lowest: float, has_ground: bool) -> np.nd
     if not lacking.any():
         return opened
     opened = np.where(lacking, _open_by(filled, _SQUARE, _find_wide(has_data)), opened)
-    return _open_small_areas(heights, opened, lowest, has_ground)
+    return _open_small_areas(heights, opened, lowest)
 
 
 def _open_by(filled: np.ndarray, shape: np.ndarray, where: np.ndarray) -> np.ndarray:
@@ -181,12 +174,11 @@ def _find_wide(has_data: np.ndarray) -> np.ndarray:
     return filters.binary_erosion(rows, _ENDS[:, None]) | filters.binary_erosion(columns, _ENDS[None])
 
 
-def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float, has_ground: bool) -> np.ndarray:
+def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float) -> np.ndarray:
     """Return a grid of opened heights, changed in areas up to four cells wide without data around them. -inf is no data.
 
     Such an area is an object that stands on the nearest larger area. In sparse data, where most cells are in such areas, see
-    `_find_lowest_around`. There are too few areas for it, or the ground has no cells, as around roofs of a tin: then all
-    areas stand at `lowest`.
+    `_find_lowest_around`; a few areas stand at `lowest`.
     """
     filters, has_data = imported("scipy.ndimage"), heights > -np.inf
     areas, count = filters.label(has_data, np.ones((3, 3)))
@@ -198,8 +190,7 @@ def _open_small_areas(heights: np.ndarray, opened: np.ndarray, lowest: float, ha
         widths.append(ends.sum(axis=0) + 1.0)
     objects = (np.maximum(*widths) < _LINE)[areas] & has_data
     if 2 * objects.sum() > has_data.sum():
-        can_tell = has_ground and count > _AROUND
-        opened[objects] = _find_lowest_around(heights, areas, objects) if can_tell else lowest
+        opened[objects] = _find_lowest_around(heights, areas, objects) if count > _AROUND else lowest
     elif objects.any():
         land = has_data & ~objects
         nearest = filters.distance_transform_edt(~land, return_distances=False, return_indices=True)
@@ -243,38 +234,48 @@ def _split_by_size(mesh: Mesh) -> list[_Tops]:
     corners = mesh.vertices[mesh.faces[:4], :2]
     sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     cell, longest = float(min(sides[sides > 0.0], default=np.inf)), sides.max()
-    low, high = mesh.bounds[:, :2]
-    if (high - low).max() <= _MOST_CELLS * cell:
-        return [_find_tops(mesh, mesh.faces, low, high, cell)]
+    lone = ~mesh.used  # points of a tin without a triangle
+    ends = np.array([[limit(axis) for axis in mesh.vertices.T[:2]] for limit in (np.min, np.max)])
+    if np.ptp(ends, axis=0).max() <= _MOST_CELLS * cell:
+        return [_find_tops(mesh, mesh.faces, lone, ends, cell)]
     chunks = np.array_split(mesh.faces, len(mesh.faces) // _FACES + 1)
     wide = np.concatenate([(np.ptp(mesh.vertices[chunk, :2], axis=1) > 2.0 * longest).any(axis=1) for chunk in chunks])
     parts = []
-    for chosen, least in ((~wide, cell), (wide, 2.0 * longest)):
+    for chosen, alone, least in ((~wide, lone, cell), (wide, np.zeros_like(lone), 2.0 * longest)):
         if chosen.any():
-            used = np.zeros(len(mesh.vertices), bool)
+            used = alone.copy()
             used[mesh.faces[chosen]] = True
-            first, last = mesh.vertices[used, :2].min(axis=0), mesh.vertices[used, :2].max(axis=0)
-            width = max(least, (last - first).max() / _MOST_CELLS)
-            parts.append(_find_tops(mesh, mesh.faces[chosen], first, last, width))
+            ends = np.array([limit(mesh.vertices[used, :2], axis=0) for limit in (np.min, np.max)])
+            width = max(least, np.ptp(ends, axis=0).max() / _MOST_CELLS)
+            parts.append(_find_tops(mesh, mesh.faces[chosen], alone, ends, width))
     return parts
 
 
-def _find_tops(mesh: Mesh, faces: np.ndarray, low: np.ndarray, high: np.ndarray, cell: float) -> _Tops:
-    """Put the highest corners of faces other than walls into a grid, by the middles of the faces.
+def _find_tops(mesh: Mesh, faces: np.ndarray, alone: np.ndarray, ends: np.ndarray, cell: float) -> _Tops:
+    """Put the highest corners of faces other than walls into a grid, by the middles of the faces, and some vertices.
 
-    low, high: least and greatest x and y of the faces. cell: width of the grid's cells.
+    Args:
+        mesh: Field of heights.
+        faces: Faces of it.
+        alone: Mask of the vertices that count as cells.
+        ends: (2, 2) least and greatest x and y.
+        cell: Width of the grid's cells.
     """
-    shape = np.ceil((high - low) / cell - 0.01).clip(1.0).astype(np.int64)
-    heights, bottom = np.full(shape.prod(), -np.inf), np.inf
+    low, shape = ends[0], np.ceil((ends[1] - ends[0]) / cell - 0.01).clip(1.0).astype(np.int64)
+    heights = np.full(shape.prod(), -np.inf)
     places, tops = ((mesh.vertices[:, :2] - low) / cell).astype(np.float32).T.copy(), mesh.vertices[:, 2].copy()
     for start in range(0, len(faces), _FACES):
         corners = faces[start : start + _FACES].T.copy()
         x, y = (place.take(corners) for place in places)
         one, other = (x[1] - x[0]) * (y[2] - y[0]), (x[2] - x[0]) * (y[1] - y[0])
         row, column = ((place.sum(axis=0) / np.float32(3.0)).astype(np.int64) for place in (x, y))
-        cells = np.minimum(row, shape[0] - 1) * shape[1] + np.minimum(column, shape[1] - 1)  # a strip of 0.01 cells has none
         is_flat = np.abs(one - other) > _WALL * (np.abs(one) + np.abs(other))
-        z = tops.take(corners)
-        np.maximum.at(heights, cells, np.where(is_flat, z.max(axis=0), -np.inf))
-        bottom = min(bottom, np.min(z.min(axis=0), where=is_flat, initial=np.inf))
-    return _Tops(heights.reshape(shape), low, cell, float(bottom))
+        _raise_cells(heights, shape, (row, column), np.where(is_flat, tops.take(corners).max(axis=0), -np.inf))
+    _raise_cells(heights, shape, places[:, alone].astype(np.int64), tops[alone])
+    return _Tops(heights.reshape(shape), low, cell)
+
+
+def _raise_cells(heights: np.ndarray, shape: np.ndarray, places: Sequence[np.ndarray], tops: np.ndarray) -> None:
+    """Raise cells of a grid to heights, in place. heights: cells of the grid. places: row and column of each height."""
+    row, column = (np.minimum(place, length - 1) for place, length in zip(places, shape, strict=True))
+    np.maximum.at(heights, row * shape[1] + column, tops)  # a strip of 0.01 cells at the edge has no cells

@@ -16,6 +16,11 @@ _PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm", "aniso")  # first 
 _LONGEST = 1 << 16  # bytes of a line that are read at a time
 _SURROGATE = re.compile("[\udc80-\udcff]")  # of a byte that is not UTF-8
 _FILE_URI = re.compile("^file:(//(localhost)?)?", re.IGNORECASE)
+_TILES = {
+    "<udim>": "[0-9]" * 4,
+    "<uvtile>": "u[0-9]*_v[0-9]*",
+}  # parts of names of a picture's tiles, and what they stand for
+_TILE = re.compile("|".join(_TILES), re.IGNORECASE)
 _WORDS = 30  # largest number of words of such a line that is read
 
 
@@ -32,10 +37,14 @@ def list_linked_files(path: Path | None) -> list[Path]:
             names += [_FILE_URI.sub("", each) for each in names]
             names += [each.encode("utf-8", "surrogateescape").decode("latin-1") for each in names if _SURROGATE.search(each)]
             found = [path.parent / name for name in dict.fromkeys(names)]
-            tiled = (each for each in found if "<UDIM>" in each.name)
-            tiles = (each.parent.glob(glob.escape(each.name).replace("<UDIM>", "[0-9]" * 4)) for each in tiled)
+            tiles = (each.parent.glob(_pattern_of(each.name)) for each in found if _TILE.search(each.name))
             return [*found, *chain.from_iterable(tiles)]
     return []
+
+
+def _pattern_of(name: str) -> str:
+    """Return the pattern of the names of all tiles of a picture."""
+    return _TILE.sub(lambda found: _TILES[found[0].lower()], glob.escape(name))
 
 
 def uris_of(tree: Part) -> Iterator[str]:

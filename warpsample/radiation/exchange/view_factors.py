@@ -118,6 +118,8 @@ def view_factors(
     del counts  # twice as many bytes as the factors
     if reciprocal:
         factors = reciprocal_factors(factors, surfaces)
+    if mesh.transmits and "absorbed" not in factors.others:  # faces that transmit everything
+        factors.others["absorbed"] = np.zeros(len(surfaces.areas)), np.zeros(len(surfaces.areas))
     found = _build_result(factors, surfaces, status, cast, casting.rays)
     return replace(found, reflectance=surfaces.means(mesh.reflectance) if mesh.reflects else None, names=names)
 

@@ -17,8 +17,9 @@ _LARGEST = 2.0**31 - 1
 """From here on, numbers count as nodata: the limits of int32, uint32 and float32 often have no tag, or a rounded one."""
 
 _SCALING = {"scale_factor": 1.0, "add_offset": 0.0}
-NODATA = ("_FillValue", "missing_value", "fill_value", "nodata")
-_ATTRIBUTES = (*NODATA, *_SCALING)
+_NODATA = ("_FillValue", "missing_value", "fill_value", "nodata")
+VALID = ("valid_min", "valid_max", "valid_range")
+_KINDS = {"true": "u", "false": "i"}  # of NumPy, by the attribute `_Unsigned`
 _ENDS = (-(2.0**31), 1.0 - 2.0**31, 2.0**31 - 1.0, 2.0**32 - 1.0)  # of int32 and uint32; netCDF fills with the second
 
 
@@ -30,14 +31,14 @@ class Coding:
         nodata: Numbers that mark cells without data.
         scale, offset: Factor and summand that convert a stored number to a height.
         valid: Lowest and highest stored number that counts as data.
-        unsigned: Whether stored integers of a signed type stand for unsigned ones.
+        kind: "u" if stored integers stand for unsigned ones of the same bits, "i" for signed ones, "" for themselves.
     """
 
     nodata: tuple[float, ...] = ()
     scale: float = 1.0
     offset: float = 0.0
     valid: tuple[float, float] = (-inf, inf)
-    unsigned: bool = False
+    kind: str = ""
 
     def __post_init__(self) -> None:
         """Raise a ValueError for a scale or an offset that is not finite, or a scale of 0."""
@@ -60,15 +61,17 @@ class Coding:
         Raises:
             ValueError: An attribute is not a number; the message describes the array as in `got`.
         """
-        given = {name: array.attrs[name] for name in _ATTRIBUTES if name in array.attrs}
+        kind, numbers = stored_attributes(array)
+        given = {name: numbers.get(name, array.attrs[name]) for name in (*_NODATA, *_SCALING) if name in array.attrs}
         try:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
-            nodata = np.concatenate([np.ravel(given.get(name, [])) for name in NODATA]).astype(np.float64).tolist()
-            if len(nodata) < 2:  # rioxarray reads one alone, but also one that its set_nodata has stored
+            nodata = np.concatenate([np.ravel(given.get(name, [])) for name in _NODATA]).astype(np.float64).tolist()
+            is_readable = len(nodata) < 2 and (array.dtype.kind == "f" or np.isfinite(nodata).all())
+            if is_readable:  # by rioxarray, which also knows the one that its set_nodata has stored
                 nodata += [] if array.rio.nodata is None else [float(array.rio.nodata)]
         except (TypeError, ValueError, OverflowError):
             raise ValueError(f"source: got {got} of attributes {quote(given)}, want numbers") from None
-        return cls((*nodata, *_unpacked_codes(array.encoding)), scale, offset)
+        return cls((*nodata, *_unpacked_codes(array.encoding)), scale, offset, kind=kind)
 
     def heights(self, values: np.ndarray) -> np.ndarray:
         """Convert stored numbers of a raster to heights, as a float64 copy with NaN in cells without data.
@@ -78,7 +81,7 @@ class Coding:
         """
         if values.dtype.kind not in "fiu":
             raise TypeError(f"source: got heights of dtype {values.dtype}, want real numbers")
-        values = as_unsigned(values) if self.unsigned else values
+        values = _as_kind(values, self.kind)
         heights = values.astype(np.float64)
         none = ~(np.abs(heights) < _LARGEST) | (heights < self.valid[0]) | (heights > self.valid[1])
         is_scaled = (self.scale, self.offset) != (1.0, 0.0)  # then the lowest integers may be heights
@@ -92,10 +95,20 @@ class Coding:
         return heights
 
 
-def as_unsigned(values: Any) -> np.ndarray:
-    """Return signed integers as unsigned ones of the same bits, for the netCDF attribute `_Unsigned`; others as they are."""
+def stored_attributes(array: xr.DataArray) -> tuple[str, dict[str, Any]]:
+    """Return the kind of stored integers, see `Coding.kind`, and the nodata values and limits as integers of this kind."""
+    kind = _KINDS.get(str(array.attrs.get("_Unsigned")).lower(), "")
+    given = {name: array.attrs[name] for name in (*_NODATA, *VALID) if name in array.attrs}
+    alike = {name: value for name, value in given.items() if np.asarray(value).itemsize == array.dtype.itemsize}
+    return kind, given | {name: _as_kind(value, kind) for name, value in alike.items()}
+
+
+def _as_kind(values: Any, kind: str) -> np.ndarray:
+    """Return integers as those of the same bits and of a kind, "i" or "u". Others, and those of "", are as they are."""
     values = np.asarray(values)
-    return values.view(values.dtype.str.replace("i", "u"))[()]
+    if not kind or values.dtype.kind not in "iu":
+        return values
+    return values.view(values.dtype.str.replace(values.dtype.kind, kind))
 
 
 def _unpacked_codes(encoding: Mapping[str, Any]) -> list[float]:
@@ -105,7 +118,7 @@ def _unpacked_codes(encoding: Mapping[str, Any]) -> list[float]:
     """
     stored = np.dtype(encoding.get("dtype", np.float32))
     attributes = {name: encoding[name] for name in _SCALING if name in encoding}
-    if not attributes or stored.kind not in "iuf" or not encoding.keys().isdisjoint((*NODATA, "_Unsigned")):
+    if not attributes or stored.kind not in "iuf" or not encoding.keys().isdisjoint((*_NODATA, "_Unsigned")):
         return []
     limits = np.finfo(stored) if stored.kind == "f" else np.iinfo(stored)
     codes = [code for code in (*_UNDECLARED, *_ENDS) if limits.min <= code <= limits.max]

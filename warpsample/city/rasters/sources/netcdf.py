@@ -1,5 +1,6 @@
 """Opening of netCDF files with xarray: GDAL ignores units, gaps and the order of coordinates, and some nodata values."""
 
+import json
 import sys
 import warnings
 from collections.abc import Iterator
@@ -12,7 +13,7 @@ import numpy as np
 import xarray as xr
 from rioxarray.exceptions import RioXarrayError
 
-from warpsample.city.rasters.sources.coding import NODATA, Coding, as_unsigned
+from warpsample.city.rasters.sources.coding import VALID, Coding, stored_attributes
 from warpsample.host.arguments import quote
 from warpsample.host.engine import check_memory
 from warpsample.host.extras import REFUSED, missing, run_program
@@ -24,7 +25,7 @@ _SUFFIXES = (".nc", ".nc4", ".cdf", ".grd")  # of netCDF-4 files, which begin li
 # HDF5 follows some damaged lists without an end, and crashes on others, so a process of its own reads a file first. The file
 # counts as damaged after so many seconds of a processor, and one more for so many bytes:
 _SECONDS, _BYTES = 30, 10_000_000
-_TRY = """import itertools, math, sys
+_TRY = """import itertools, json, math, sys
 sys.path[:] = {path!r}
 import h5py
 {plugins}
@@ -49,22 +50,23 @@ def read_about(name, item):
 def read_chunks(name, item):
     places = []
     item.id.chunk_iter(lambda chunk: places.append(chunk.byte_offset))
-    missing = math.prod(-(-size // step) for size, step in zip(item.shape, item.chunks)) - sum(map(bool, places))
-    fill = item.fillvalue
-    is_height = item.dtype.kind in "iuf" and abs(float(fill)) < 2**31 - 1 and float(fill) not in (-32767, -32768)
-    needs_all = item.ndim > 1 and is_height and "_FillValue" not in item.attrs
-    if missing and (0 in places or needs_all):
-        raise ValueError(f"{{missing}} chunks of {{name!r}} are missing, whose numbers would be {{fill}}")
-    for place in itertools.product(*map(range, (0,) * item.ndim, item.shape, item.chunks)) if needs_all else ():
+    lost = math.prod(-(-size // step) for size, step in zip(item.shape, item.chunks)) - sum(map(bool, places))
+    if 0 in places:
+        raise ValueError(f"{{lost}} chunks of {{name!r}} are missing")
+    if lost:
+        unwritten[name] = lost, item.fillvalue.item() if item.dtype.kind in "iuf" else 0.0
+    for place in itertools.product(*map(range, (0,) * item.ndim, item.shape, item.chunks)) if not lost else ():
         item.id.read_direct_chunk(place)  # an error where a damaged index leads past a chunk
     axis = next((axis for axis, size in enumerate(item.shape) if size > 1), 0)
     for first in range(0, item.shape[axis], item.chunks[axis]):
         item[(slice(None),) * axis + (slice(first, first + item.chunks[axis]),)]
 
 try:
+    unwritten = {{}}
     with h5py.File({file!r}, "r") as file:
         read_about("", file)
         file.visititems(read_about)
+    print(json.dumps(unwritten))
 except Exception as error:
     print(error or type(error).__name__)
     sys.exit({refused})
@@ -127,8 +129,11 @@ def open_netcdf(path: str) -> Iterator[xr.DataArray]:
         yield array
 
 
-def check_netcdf(path: str) -> None:
+def check_netcdf(path: str) -> dict[str, tuple[int, float]]:
     """Raise an error for a netCDF file that is damaged, or needs a package or more memory than is free.
+
+    Returns:
+        for each variable with chunks that are not written: their number, and the number that their cells have instead.
 
     Raises:
         ValueError: A netCDF-4 file that HDF5 cannot read.
@@ -138,12 +143,15 @@ def check_netcdf(path: str) -> None:
     if is_classic(path):
         needed = 2 * Path(path).stat().st_size
         check_memory(needed, f"the variables of {path!r}", "convert it to netCDF-4, which is read in parts")
-    else:
-        _check_hdf5(path)
+        return {}
+    return _check_hdf5(path)
 
 
-def _check_hdf5(path: str) -> None:
-    """Raise an error for a netCDF-4 file that is damaged, which a process of its own finds, or if h5netcdf is missing."""
+def _check_hdf5(path: str) -> dict[str, tuple[int, float]]:
+    """Raise an error for a netCDF-4 file that is damaged, which a process of its own finds, or if h5netcdf is missing.
+
+    Returns the chunks that are not written, as `check_netcdf`.
+    """
     size = Path(path).stat().st_size
     if size < _stored_size(_read_start(path)):
         raise ValueError(f"source: got {path!r}, whose end is missing: the file is damaged")
@@ -152,8 +160,10 @@ def _check_hdf5(path: str) -> None:
     seconds = _SECONDS + size // _BYTES
     plugins = "import hdf5plugin" if "hdf5plugin" in sys.modules else ""  # filters of further compressions
     status, found = run_program(_TRY.format(path=sys.path, file=path, seconds=seconds, refused=REFUSED, plugins=plugins))
+    told = found.decode().strip()
     if status:
-        raise explain_damage(path, found.decode().strip() or f"HDF5 crashed, or found no end in {seconds} s ({status})")
+        raise explain_damage(path, told or f"HDF5 crashed, or found no end in {seconds} s ({status})")
+    return json.loads(told.splitlines()[-1])
 
 
 def _open_dataset(path: str) -> xr.Dataset:
@@ -175,19 +185,13 @@ def coding_of(array: xr.DataArray, got: str) -> Coding:
     Raises:
         ValueError: An attribute is not a number; the message describes the array as in `got`.
     """
-    given = {name: value for name, value in array.attrs.items() if name.startswith("valid_") or name in NODATA}
-    is_unsigned = str(array.attrs.get("_Unsigned")).lower() == "true"
-    if is_unsigned:
-        alike = {name: value for name, value in given.items() if np.asarray(value).itemsize == array.dtype.itemsize}
-        given |= {name: as_unsigned(value) for name, value in alike.items()}
-    described = xr.DataArray(np.empty(0), attrs=array.attrs | given)
-    coding = replace(Coding.of_array(described, got), unsigned=is_unsigned)
+    coding, given = Coding.of_array(array, got), stored_attributes(array)[1]
     try:
         first, last = np.ravel(given.get("valid_range", [-np.inf, np.inf]))
         lowest, highest = (np.asarray(given.get(*one)) for one in (("valid_min", first), ("valid_max", last)))
         return replace(coding, valid=_stored_range(lowest, highest, array.dtype, coding))
     except (TypeError, ValueError):
-        valid = {name: value for name, value in given.items() if name not in NODATA}
+        valid = {name: given[name] for name in VALID if name in given}
         raise ValueError(f"source: got attributes {quote(valid)} of {got}, want numbers") from None
 
 

@@ -140,10 +140,15 @@ def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> 
 
 def _netcdf_reader(path: str) -> RasterReader:
     """Return a reader of the heights of a netCDF file: one of netCDF-4 is opened each time, another is read once."""
-    check_netcdf(path)
+    unwritten = check_netcdf(path)
     with _explaining(path), open_netcdf(path) as found:
         array = _to_map(found, repr(path))
         coding = coding_of(array, repr(path))
+        for lost, number in [unwritten[name] for name in unwritten if name == array.name]:
+            if np.isfinite(coding.heights(np.array([number], array.dtype))[0]):
+                raise explain_damage(
+                    path, f"{lost} chunks of {array.name!r} are missing, whose heights would be of {number:g}"
+                )
         kept = array.load() if is_classic(path) else None
         return _map_reader(array, partial(_netcdf_heights, path, coding, kept), repr(path))
 
