@@ -144,10 +144,11 @@ def _netcdf_reader(path: str) -> RasterReader:
     with _explaining(path), open_netcdf(path) as found:
         array = _to_map(found, repr(path))
         coding = coding_of(array, repr(path))
-        for lost, number in [unwritten[name] for name in unwritten if name == array.name]:
+        if array.name in unwritten:
+            lost, number = unwritten[array.name]
             if np.isfinite(coding.heights(np.array([number], array.dtype))[0]):
                 raise explain_damage(
-                    path, f"{lost} chunks of {array.name!r} are missing, whose heights would be of {number:g}"
+                    path, f"{lost} chunks of {array.name!r} are missing, with heights of {number:g} instead"
                 )
         kept = array.load() if is_classic(path) else None
         return _map_reader(array, partial(_netcdf_heights, path, coding, kept), repr(path))
