@@ -73,12 +73,22 @@ def test_every_nodata_value_is_one(tmp_path, engine, content, encoding, is_none)
 
 
 @pytest.mark.parametrize("engine", ["scipy", "h5netcdf"])
-def test_integers_without_a_number_that_is_nan_are_read(tmp_path, engine):
-    content = array(missing_value=np.nan).copy(data=HEIGHTS.astype(np.int16))
+@pytest.mark.parametrize("outside", [np.nan, np.float32(1e20), np.int32(-99999), -1e34])
+def test_a_nodata_value_outside_of_the_type_is_in_no_cell(tmp_path, engine, outside):
+    content = array(missing_value=outside).copy(data=HEIGHTS.astype(np.int16))
     assert np.array_equal(heights_of(tmp_path / "dsm.nc", content, engine), HEIGHTS)
+    assert np.array_equal(reader_of(content).read(ALL, ALL), HEIGHTS)
     odd = array(missing_value="none").copy(data=HEIGHTS.astype(np.int16))
     with pytest.raises(ValueError, match="dsm.nc' of attributes {'missing_value': 'none'}, want numbers"):
         heights_of(tmp_path / "dsm.nc", odd, engine)
+
+
+def test_packed_numbers_whose_nodata_value_is_outside_of_the_unpacked_type_are_read(tmp_path):
+    stored = np.where(HEIGHTS > 350.0, 2147483647, HEIGHTS.astype(np.int64)).astype(np.int32)
+    array(scale_factor=np.float32(0.5), _FillValue=np.int32(2147483647)).copy(data=stored).to_netcdf(tmp_path / "dsm.nc")
+    with xr.open_dataset(tmp_path / "dsm.nc", decode_coords="all") as dataset:
+        found = reader_of(dataset["z"]).read(ALL, ALL)
+    assert np.array_equal(found, np.where(HEIGHTS > 350.0, np.nan, HEIGHTS / 2.0), equal_nan=True)
 
 
 def test_rows_from_south_to_north_are_read_as_such(tmp_path):

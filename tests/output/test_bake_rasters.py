@@ -62,6 +62,16 @@ def test_a_picture_and_a_report_show_the_cells(dsm, call, can_render):
     assert f"mean {np.nanmean(value):.4f}, from {np.nanmin(value):.4g} to {np.nanmax(value):.4g}; standard error" in out
 
 
+def test_a_raster_that_is_too_large_for_one_piece_leaves_no_folder(dsm, call, monkeypatch):
+    """The folder blocked the run in tiles that the error advises, with and without --resume."""
+    monkeypatch.setattr(import_module("warpsample.city.rasters.sources.reader"), "_MOST_CELLS", 500)
+    given = ("bake", "dsm.tif", "-o", "sky.tif", "--quantity", "sky", "--samples", 16)
+    status, _, err = call(*given)
+    assert (status, "24 x 30 cells, want 1 to 500; split the raster into tiles" in err) == (2, True)
+    assert [path.name for path in dsm.parent.iterdir()] == ["dsm.tif"]
+    assert call(*given, "--tile", 8, "--margin", 4)[0] == 0
+
+
 def test_info_describes_rasters_cities_and_parts(dsm, call, monkeypatch):
     monkeypatch.setenv("COLUMNS", "120")
     status, out, err = call("info", "dsm.tif")

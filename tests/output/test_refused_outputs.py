@@ -150,6 +150,18 @@ def test_tiles_of_a_picture_in_an_mtl_are_found(tmp_path, tile, names):
     assert tmp_path / "walls[1].old.png" not in found
 
 
+def test_a_folder_of_tiles_that_cannot_be_read_hides_no_other_picture(tmp_path, monkeypatch):
+    """Up to Python 3.12, looking into a folder of another user is an error."""
+
+    def glob(folder, pattern):
+        raise PermissionError(folder, pattern)
+
+    monkeypatch.setattr(Path, "glob", glob)
+    (tmp_path / "in.obj").write_text("mtllib in.mtl")
+    (tmp_path / "in.mtl").write_text("map_Kd walls.<UDIM>.png\nmap_Ks other.png")
+    assert tmp_path / "other.png" in list_linked_files(tmp_path / "in.obj")
+
+
 @pytest.mark.parametrize("name", ["my  walls.png", "of\u3000walls.png", "caf\xe9.png"])
 def test_blanks_of_a_name_in_an_mtl_stay(tmp_path, name):
     (tmp_path / "in.obj").write_text("mtllib in.mtl")

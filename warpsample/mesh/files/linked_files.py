@@ -37,14 +37,16 @@ def list_linked_files(path: Path | None) -> list[Path]:
             names += [_FILE_URI.sub("", each) for each in names]
             names += [each.encode("utf-8", "surrogateescape").decode("latin-1") for each in names if _SURROGATE.search(each)]
             found = [path.parent / name for name in dict.fromkeys(names)]
-            tiles = (each.parent.glob(_pattern_of(each.name)) for each in found if _TILE.search(each.name))
-            return [*found, *chain.from_iterable(tiles)]
+            return [*found, *chain.from_iterable(_tiles_of(each) for each in found if _TILE.search(each.name))]
     return []
 
 
-def _pattern_of(name: str) -> str:
-    """Return the pattern of the names of all tiles of a picture."""
-    return _TILE.sub(lambda found: _TILES[found[0].lower()], glob.escape(name))
+def _tiles_of(picture: Path) -> list[Path]:
+    """Return the paths of all tiles of a picture; none in a folder that cannot be read."""
+    pattern = _TILE.sub(lambda found: _TILES[found[0].lower()], glob.escape(picture.name))
+    with suppress(OSError):
+        return list(picture.parent.glob(pattern))
+    return []
 
 
 def uris_of(tree: Part) -> Iterator[str]:

@@ -107,8 +107,15 @@ def _bake(run: BakeRun, job: RasterJob, store: TileStore, record: RunRecord) -> 
     whole = store.begin(raster, about)
     with _resumable(store.path), record.count(len(whole), f"{store.path} can be resumed"):
         record.skip(int(whole.sum()))
-        for summary in store.compute(job, digests, np.flatnonzero(~whole).tolist()):
-            record.add(summary, 1)
+        is_empty = not whole.any()
+        try:
+            for summary in store.compute(job, digests, np.flatnonzero(~whole).tolist()):
+                record.add(summary, 1)
+                is_empty = False
+        except (ValueError, MemoryError):  # the arguments have to change, and then the storage would be of another run
+            if is_empty:
+                store.remove()
+            raise
         check_unchanged(job, store.about(), store.path)
         notes = _finish(run, raster, about, store)
         store.remove()

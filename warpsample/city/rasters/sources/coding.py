@@ -1,6 +1,7 @@
 """Conversion of a raster's stored numbers to heights: nodata values, scale and offset."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from math import inf, isfinite
 from typing import Any
@@ -66,9 +67,7 @@ class Coding:
         try:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
             nodata = np.concatenate([np.ravel(given.get(name, [])) for name in _NODATA]).astype(np.float64).tolist()
-            is_readable = len(nodata) < 2 and (array.dtype.kind == "f" or np.isfinite(nodata).all())
-            if is_readable:  # by rioxarray, which also knows the one that its set_nodata has stored
-                nodata += [] if array.rio.nodata is None else [float(array.rio.nodata)]
+            nodata += _nodata_of_rioxarray(array) if len(nodata) < 2 else []
         except (TypeError, ValueError, OverflowError):
             raise ValueError(f"source: got {got} of attributes {quote(given)}, want numbers") from None
         return cls((*nodata, *_unpacked_codes(array.encoding)), scale, offset, kind=kind)
@@ -93,6 +92,16 @@ class Coding:
         heights = heights * self.scale + self.offset
         heights[none] = np.nan
         return heights
+
+
+def _nodata_of_rioxarray(array: xr.DataArray) -> list[float]:
+    """Return the nodata value that rioxarray reads, which also knows the one that its `set_nodata` has stored.
+
+    It refuses numbers outside of the array's type, such as NaN for integers, which are in no cell.
+    """
+    with suppress(OverflowError, ValueError):
+        return [] if array.rio.nodata is None else [float(array.rio.nodata)]
+    return []
 
 
 def stored_attributes(array: xr.DataArray) -> tuple[str, dict[str, Any]]:
