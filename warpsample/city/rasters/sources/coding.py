@@ -121,15 +121,18 @@ def _as_kind(values: Any, kind: str) -> np.ndarray:
 
 
 def _unpacked_codes(encoding: Mapping[str, Any]) -> list[float]:
-    """Return the heights into which xarray has converted the usual nodata values of scaled numbers.
+    """Return the heights into which xarray converts the nodata values of scaled numbers, if it does not find them.
 
-    There are none in arrays without a scale and an offset, and in those that declare their nodata value.
+    It converts numbers to float32 before it compares them with stated nodata values, and so misses those that float32 does
+    not hold. Without a stated one, these are the usual ones. There are none in arrays without a scale and an offset.
     """
     stored = np.dtype(encoding.get("dtype", np.float32))
     attributes = {name: encoding[name] for name in _SCALING if name in encoding}
-    if not attributes or stored.kind not in "iuf" or not encoding.keys().isdisjoint((*_NODATA, "_Unsigned")):
+    if not attributes or stored.kind not in "iuf" or "_Unsigned" in encoding:
         return []
     limits = np.finfo(stored) if stored.kind == "f" else np.iinfo(stored)
-    codes = [code for code in (*_UNDECLARED, *_ENDS) if limits.min <= code <= limits.max]
+    stated = [number for name in _NODATA if name in encoding for number in np.ravel(encoding[name]).tolist()]
+    missed = [number for number in stated if isinstance(number, int) and float(np.float32(number)) != number]
+    codes = [code for code in (missed if stated else (*_UNDECLARED, *_ENDS)) if limits.min <= code <= limits.max]
     packed = xr.Variable("code", np.array(codes, stored), attributes)
     return xr.conventions.decode_cf_variable("codes", packed).to_numpy().astype(np.float64).tolist()
