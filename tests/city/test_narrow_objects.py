@@ -208,6 +208,18 @@ def test_bars_around_single_ground_cells_between_roofs_of_a_tin_are_right():
     assert found[0] > 0.91, found
 
 
+def test_a_high_single_cell_of_a_tin_widens_no_bar():
+    """It has no triangle, so that no ray hits it. Bars were eight times as wide while it counted as a mast."""
+    row, column = np.mgrid[:61, :61]
+    heights = np.where(np.hypot(row - 30, column - 30) < 6.0, np.nan, 0.0)
+    heights[10:15, 20:25] = 3.0
+    alone = rasters.sky_view_factor((heights, NORTH_UP, None), 64, model="tin").standard_error.values
+    heights[30, 30] = 60.0
+    beside = rasters.sky_view_factor((heights, NORTH_UP, None), 64, model="tin").standard_error.values
+    others = np.isfinite(alone)
+    assert np.array_equal(alone[others], beside[others])
+
+
 def test_bars_around_two_masts_with_missing_cells_between_them_are_right():
     """300 cells by 8 seeds and 384 rays, as at the entrance of a harbour. 2 standard errors held 0.85; 0.91 was seen."""
     row, column = np.mgrid[:61, :61] - 30

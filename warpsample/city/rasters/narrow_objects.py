@@ -271,8 +271,22 @@ def _find_tops(mesh: Mesh, faces: np.ndarray, alone: np.ndarray, ends: np.ndarra
         row, column = ((place.sum(axis=0) / np.float32(3.0)).astype(np.int64) for place in (x, y))
         is_flat = np.abs(one - other) > _WALL * (np.abs(one) + np.abs(other))
         _raise_cells(heights, shape, (row, column), np.where(is_flat, tops.take(corners).max(axis=0), -np.inf))
-    _raise_cells(heights, shape, places[:, alone].astype(np.int64), tops[alone])
-    return _Tops(heights.reshape(shape), low, cell)
+    grid = heights.reshape(shape)
+    return _Tops(_add_ground(grid, places[:, alone].astype(np.int64), tops[alone]) if alone.any() else grid, low, cell)
+
+
+def _add_ground(heights: np.ndarray, places: np.ndarray, tops: np.ndarray) -> np.ndarray:
+    """Return a grid of heights with single points in its cells without data, lowered to the cells around them.
+
+    No ray can hit a point, so it is ground, and no object.
+    """
+    with_points = heights.copy()
+    _raise_cells(with_points.ravel(), heights.shape, places, tops)
+    is_point, has_data = (heights == -np.inf) & (with_points > -np.inf), with_points > -np.inf
+    tree = imported("scipy.spatial").KDTree(np.argwhere(has_data))
+    near = tree.query(np.argwhere(is_point), _AROUND + 1)[1].clip(max=int(has_data.sum()) - 1)  # the last, where too few
+    with_points[is_point] = with_points[has_data][near].min(axis=1)
+    return with_points
 
 
 def _raise_cells(heights: np.ndarray, shape: np.ndarray, places: Sequence[np.ndarray], tops: np.ndarray) -> None:

@@ -44,7 +44,7 @@ def list_linked_files(path: Path | None) -> list[Path]:
 def _tiles_of(picture: Path) -> list[Path]:
     """Return the paths of all tiles of a picture; none in a folder that cannot be read."""
     pattern = _TILE.sub(lambda found: _TILES[found[0].lower()], glob.escape(picture.name))
-    with suppress(OSError):
+    with suppress(OSError, ValueError):  # the second for a name that is no text
         return list(picture.parent.glob(pattern))
     return []
 
