@@ -83,12 +83,26 @@ def test_a_nodata_value_outside_of_the_type_is_in_no_cell(tmp_path, engine, outs
         heights_of(tmp_path / "dsm.nc", odd, engine)
 
 
-def test_packed_numbers_whose_nodata_value_is_outside_of_the_unpacked_type_are_read(tmp_path):
-    stored = np.where(HEIGHTS > 350.0, 2147483647, HEIGHTS.astype(np.int64)).astype(np.int32)
-    array(scale_factor=np.float32(0.5), _FillValue=np.int32(2147483647)).copy(data=stored).to_netcdf(tmp_path / "dsm.nc")
+@pytest.mark.parametrize(
+    ("number", "stated", "scale"),
+    [
+        (np.int32(2147483647), np.int32(2147483647), np.float32(0.5)),
+        (np.int32(2147483647), np.float32(2147483647), 0.5),
+        (np.int32(-99999999), -99999999.0, np.float32(0.5)),
+        (np.float32(-99999.9), -99999.9, None),
+        (np.float32(-99999.9), -99999.9, 0.5),
+        (np.int32(7), 7.4, None),
+    ],
+)
+def test_nodata_values_that_xarray_misses_are_found(tmp_path, number, stated, scale):
+    """It compares with a number of another type, or after a conversion to float32: cells had heights such as 1e9."""
+    attributes = {"missing_value": stated} | ({} if scale is None else {"scale_factor": scale})
+    stored = np.where(HEIGHTS > 350.0, number, HEIGHTS.astype(number.dtype))
+    array(**attributes).copy(data=stored).to_netcdf(tmp_path / "dsm.nc", engine="scipy")
     with xr.open_dataset(tmp_path / "dsm.nc", decode_coords="all") as dataset:
         found = reader_of(dataset["z"]).read(ALL, ALL)
-    assert np.array_equal(found, np.where(HEIGHTS > 350.0, np.nan, HEIGHTS / 2.0), equal_nan=True)
+    right = np.where((HEIGHTS > 350.0) & (stated != 7.4), np.nan, stored * (scale or 1.0))
+    assert np.array_equal(found, right, equal_nan=True)
 
 
 def test_rows_from_south_to_north_are_read_as_such(tmp_path):

@@ -1,5 +1,6 @@
 """Conversion of a raster's stored numbers to heights: nodata values, scale and offset."""
 
+import warnings
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
@@ -68,9 +69,10 @@ class Coding:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
             nodata = np.concatenate([np.ravel(given.get(name, [])) for name in _NODATA]).astype(np.float64).tolist()
             nodata += _nodata_of_rioxarray(array) if len(nodata) < 2 else []
+            nodata += _unpacked_codes(array.encoding)
         except (TypeError, ValueError, OverflowError):
             raise ValueError(f"source: got {got} of attributes {quote(given)}, want numbers") from None
-        return cls((*nodata, *_unpacked_codes(array.encoding)), scale, offset, kind=kind)
+        return cls(tuple(nodata), scale, offset, kind=kind)
 
     def heights(self, values: np.ndarray) -> np.ndarray:
         """Convert stored numbers of a raster to heights, as a float64 copy with NaN in cells without data.
@@ -121,18 +123,22 @@ def _as_kind(values: Any, kind: str) -> np.ndarray:
 
 
 def _unpacked_codes(encoding: Mapping[str, Any]) -> list[float]:
-    """Return the heights into which xarray converts the nodata values of scaled numbers, if it does not find them.
+    """Return the heights into which xarray has converted nodata values of an array, because it did not find them.
 
-    It converts numbers to float32 before it compares them with stated nodata values, and so misses those that float32 does
-    not hold. Without a stated one, these are the usual ones. There are none in arrays without a scale and an offset.
+    Stated values may be of another type than the numbers, or be compared after a conversion to float32. Without a stated
+    one, these are the usual ones of scaled numbers.
     """
     stored = np.dtype(encoding.get("dtype", np.float32))
-    attributes = {name: encoding[name] for name in _SCALING if name in encoding}
-    if not attributes or stored.kind not in "iuf" or "_Unsigned" in encoding:
+    attributes = {name: encoding[name] for name in (*_NODATA, *_SCALING, "_Unsigned") if name in encoding}
+    if attributes.keys().isdisjoint((*_NODATA, *_SCALING)) or stored.kind not in "iuf":
         return []
-    limits = np.finfo(stored) if stored.kind == "f" else np.iinfo(stored)
-    stated = [number for name in _NODATA if name in encoding for number in np.ravel(encoding[name]).tolist()]
-    missed = [number for number in stated if isinstance(number, int) and float(np.float32(number)) != number]
-    codes = [code for code in (missed if stated else (*_UNDECLARED, *_ENDS)) if limits.min <= code <= limits.max]
-    packed = xr.Variable("code", np.array(codes, stored), attributes)
-    return xr.conventions.decode_cf_variable("codes", packed).to_numpy().astype(np.float64).tolist()
+    is_whole = stored.kind != "f"
+    lowest, highest = (getattr((np.iinfo if is_whole else np.finfo)(stored), end) for end in ("min", "max"))
+    rounded = highest + (stored.itemsize > 3)  # in float32, for whole numbers
+    stated = [number for name in _NODATA if name in attributes for number in np.ravel(attributes[name]).tolist()]
+    codes = [code for code in stated or (*_UNDECLARED, *_ENDS) if lowest <= code <= rounded and not (is_whole and code % 1)]
+    packed = xr.Variable("code", np.array([min(code, highest) for code in codes], stored), attributes)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # about several nodata values
+        found = xr.conventions.decode_cf_variable("codes", packed).to_numpy().astype(np.float64)
+    return found[~np.isnan(found)].tolist()
