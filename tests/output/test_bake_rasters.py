@@ -62,10 +62,12 @@ def test_a_picture_and_a_report_show_the_cells(dsm, call, can_render):
     assert f"mean {np.nanmean(value):.4f}, from {np.nanmin(value):.4g} to {np.nanmax(value):.4g}; standard error" in out
 
 
-def test_a_raster_that_is_too_large_for_one_piece_leaves_no_folder(dsm, call, monkeypatch):
+@pytest.mark.parametrize("output", ["sky.tif", "sky.zarr"])
+def test_a_raster_that_is_too_large_for_one_piece_leaves_no_folder(dsm, call, monkeypatch, output):
     """The folder blocked the run in tiles that the error advises, with and without --resume."""
+    pytest.importorskip("zarr")
     monkeypatch.setattr(import_module("warpsample.city.rasters.sources.reader"), "_MOST_CELLS", 500)
-    given = ("bake", "dsm.tif", "-o", "sky.tif", "--quantity", "sky", "--samples", 16)
+    given = ("bake", "dsm.tif", "-o", output, "--quantity", "sky", "--samples", 16)
     status, _, err = call(*given)
     assert (status, "24 x 30 cells, want 1 to 500; split the raster into tiles" in err) == (2, True)
     assert [path.name for path in dsm.parent.iterdir()] == ["dsm.tif"]

@@ -19,7 +19,7 @@ from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
 from warpsample.city.rasters.leaves import compute_through_crowns
 from warpsample.city.rasters.raster_surface import build_surface
 from warpsample.city.rasters.scenery import Foreground, Part, Scenery, Seen, join_triangles
-from warpsample.city.rasters.sources.reader import RasterReader
+from warpsample.city.rasters.sources.reader import RasterReader, check_size
 from warpsample.estimate.estimating import collect_missed_tolerances, warn_of_missed_tolerance
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import has_value
@@ -72,6 +72,12 @@ class RasterRun:
         trial.warned = True  # the raster's own tiles warn of a missed tolerance
         trial.numbers((slice(0, 2), slice(0, 2)))
         self.reader.check_heights(self.model)
+
+    def check_size(self) -> None:
+        """Raise an error if a tile with its margin has too many cells for this machine, before anything is read."""
+        margin = 0 if self.tile is None else self.margin
+        rows, columns = (min(side + margin, size) for side, size in zip(self.sides, self.reader.shape, strict=True))
+        check_size((rows, columns))
 
     @property
     def rasters(self) -> dict[str, RasterReader]:

@@ -99,6 +99,7 @@ def check_raster_files(run: BakeRun, job: RasterJob) -> None:
 def _bake(run: BakeRun, job: RasterJob, store: TileStore, record: RunRecord) -> tuple[list[str], tuple[int, int]]:
     """Compute all tiles that are missing in the store and write the output; return notes, and the raster's shape."""
     raster, about = job.read()
+    raster.check_size()  # a store would be of other tiles than those of the next run
     raster.check()
     if run.output.suffix in GEOTIFF:
         check_reference(raster, run.output, "--output")
@@ -107,15 +108,8 @@ def _bake(run: BakeRun, job: RasterJob, store: TileStore, record: RunRecord) -> 
     whole = store.begin(raster, about)
     with _resumable(store.path), record.count(len(whole), f"{store.path} can be resumed"):
         record.skip(int(whole.sum()))
-        is_empty = not whole.any()
-        try:
-            for summary in store.compute(job, digests, np.flatnonzero(~whole).tolist()):
-                record.add(summary, 1)
-                is_empty = False
-        except (ValueError, MemoryError):  # the arguments have to change, and then the storage would be of another run
-            if is_empty:
-                store.remove()
-            raise
+        for summary in store.compute(job, digests, np.flatnonzero(~whole).tolist()):
+            record.add(summary, 1)
         check_unchanged(job, store.about(), store.path)
         notes = _finish(run, raster, about, store)
         store.remove()

@@ -55,7 +55,7 @@ class RasterReader:
             MemoryError: The triangles do not fit into the free memory.
         """
         rows, columns = slice(*rows.indices(self.shape[0])), slice(*columns.indices(self.shape[1]))
-        _check_size((rows.stop - rows.start, columns.stop - columns.start))
+        check_size((rows.stop - rows.start, columns.stop - columns.start))
         heights = self.read(rows, columns)
         transform = self.transform @ Affine.translation(columns.start, rows.start)
         cut = dict(zip(self.dims, (rows, columns), strict=True))
@@ -88,7 +88,7 @@ class RasterReader:
         )
 
 
-def _check_size(shape: tuple[int, int]) -> None:
+def check_size(shape: tuple[int, int]) -> None:
     """Raise an error for a raster without cells, or with too many cells for the free memory."""
     rows, columns = shape
     if not 0 < rows * columns <= _MOST_CELLS:
