@@ -146,6 +146,13 @@ def test_packed_numbers_are_unpacked(tmp_path, engine):
     assert reader_of(str(tmp_path / "dsm.nc")).transform[:6] == (2.0, 0.0, 499999.0, 0.0, -2.0, 500059.0)
 
 
+def test_unpacked_unsigned_numbers_may_have_the_bits_of_usual_nodata_values(tmp_path):
+    stored = np.linspace(-32767, 32767, 1200).astype(np.int16).reshape(30, 40)
+    array(_Unsigned="true", scale_factor=0.001).copy(data=stored).to_netcdf(tmp_path / "dsm.nc", engine="scipy")
+    with xr.open_dataset(tmp_path / "dsm.nc", decode_coords="all") as dataset:
+        assert np.allclose(reader_of(dataset["z"]).read(ALL, ALL), 0.001 * stored.view(np.uint16), atol=1e-5)
+
+
 def test_unsigned_numbers_that_stand_for_signed_ones_are_read_as_such(tmp_path):
     signed = (np.arange(1200) % 200 - 100).astype(np.int8).reshape(30, 40)
     content = array(_Unsigned="false", _FillValue=np.uint8(251), valid_max=np.uint8(90)).copy(data=signed.view(np.uint8))

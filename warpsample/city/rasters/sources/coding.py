@@ -126,7 +126,7 @@ def _unpacked_codes(encoding: Mapping[str, Any]) -> list[float]:
     """Return the heights into which xarray has converted nodata values of an array, because it did not find them.
 
     Stated values may be of another type than the numbers, or be compared after a conversion to float32. Without a stated
-    one, these are the usual ones of scaled numbers.
+    one, these are the usual ones of scaled numbers. With `_Unsigned`, those stand for heights.
     """
     stored = np.dtype(encoding.get("dtype", np.float32))
     attributes = {name: encoding[name] for name in (*_NODATA, *_SCALING, "_Unsigned") if name in encoding}
@@ -136,7 +136,8 @@ def _unpacked_codes(encoding: Mapping[str, Any]) -> list[float]:
     lowest, highest = (getattr((np.iinfo if is_whole else np.finfo)(stored), end) for end in ("min", "max"))
     rounded = highest + (stored.itemsize > 3)  # in float32, for whole numbers
     stated = [number for name in _NODATA if name in attributes for number in np.ravel(attributes[name]).tolist()]
-    codes = [code for code in stated or (*_UNDECLARED, *_ENDS) if lowest <= code <= rounded and not (is_whole and code % 1)]
+    usual = () if "_Unsigned" in attributes else (*_UNDECLARED, *_ENDS)
+    codes = [code for code in stated or usual if lowest <= code <= rounded and not (is_whole and code % 1)]
     packed = xr.Variable("code", np.array([min(code, highest) for code in codes], stored), attributes)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # about several nodata values
