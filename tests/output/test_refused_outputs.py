@@ -171,6 +171,24 @@ def test_blanks_of_a_name_in_an_mtl_stay(tmp_path, name):
             assert tmp_path / name in list_linked_files(tmp_path / "in.obj")
 
 
+_SPELLED = {
+    "text": lambda name: name.encode(),
+    "bytes of Windows": lambda name: name.encode("cp1252"),
+    "backslashes": lambda name: name.replace("/", "\\").encode(),
+    "both": lambda name: name.replace("/", "\\").encode("cp1252"),
+    "address": lambda name: b"file:" + name.encode(),
+}
+
+
+@pytest.mark.parametrize("library", _SPELLED)
+@pytest.mark.parametrize("picture", _SPELLED)
+def test_names_of_materials_and_pictures_may_be_spelled_differently(tmp_path, library, picture):
+    (tmp_path / "t\xfcr").mkdir()
+    (tmp_path / "in.obj").write_bytes(b"mtllib " + _SPELLED[library]("t\xfcr/caf\xe9.mtl"))
+    (tmp_path / "t\xfcr" / "caf\xe9.mtl").write_bytes(b"map_Kd " + _SPELLED[picture]("a \u2013/w\xe4nde.png"))
+    assert tmp_path / "t\xfcr" / "a \u2013/w\xe4nde.png" in list_linked_files(tmp_path / "in.obj")
+
+
 def test_a_damaged_item_of_a_gltf_hides_no_other(tmp_path):
     images = [{"uri": None}, None, 7, {"uri": "\ud800/<UDIM>.png"}, {"uri": "walls.png"}, {"uri": "t.png%3Fx"}]
     (tmp_path / "in.gltf").write_text(json.dumps({"asset": {"version": "2.0"}, "images": images}))

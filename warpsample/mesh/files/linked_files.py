@@ -2,7 +2,7 @@
 
 import glob
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from itertools import chain, takewhile
 from pathlib import Path
@@ -14,7 +14,7 @@ from warpsample.mesh.files.usd import list_assets
 
 _PICTURES = ("map_", "bump", "disp", "decal", "refl", "norm", "aniso")  # first words of lines with a picture in an .mtl
 _LONGEST = 1 << 16  # bytes of a line that are read at a time
-_SURROGATE = re.compile("[\udc80-\udcff]")  # of a byte that is not UTF-8
+_BYTES = re.compile("[\udc80-\udcff]+")  # that are not UTF-8, as `surrogateescape` reads them
 _FILE_URI = re.compile("^file:(//(localhost)?)?", re.IGNORECASE)
 _TILES = {
     "<udim>": "[0-9]" * 4,
@@ -32,13 +32,23 @@ def list_linked_files(path: Path | None) -> list[Path]:
     reader = _READERS.get(path.suffix.lower()) if path is not None else None
     with suppress(OSError, TypeError, ValueError):
         if reader is not None and path is not None and path.is_file():  # reading a pipe may never end
-            names = [name for name in reader(path) if "\0" not in name]
-            names += [each.replace("\\", "/") for each in names]
-            names += [_FILE_URI.sub("", each) for each in names]
-            names += [each.encode("utf-8", "surrogateescape").decode("latin-1") for each in names if _SURROGATE.search(each)]
-            found = [path.parent / name for name in dict.fromkeys(names)]
+            found = [path.parent / name for name in _spellings(reader(path))]
             return [*found, *chain.from_iterable(_tiles_of(each) for each in found if _TILE.search(each.name))]
     return []
+
+
+def _spellings(names: Iterable[str]) -> list[str]:
+    """Return names of files and their other spellings: slashes, no `file:`, and text for bytes that are not UTF-8."""
+    names = [name for name in names if "\0" not in name]
+    names += [each.replace("\\", "/") for each in names]
+    names += [_FILE_URI.sub("", each) for each in names]
+    names += [_BYTES.sub(_text_of_windows, each) for each in names]
+    return list(dict.fromkeys(names))
+
+
+def _text_of_windows(found: re.Match[str]) -> str:
+    """Return the text of bytes that are not UTF-8."""
+    return found[0].encode("utf-8", "surrogateescape").decode("cp1252", "replace")
 
 
 def _tiles_of(picture: Path) -> list[Path]:
@@ -94,7 +104,7 @@ def _obj(path: Path) -> Iterator[str]:
     known = set()
     for line in _lines(path):
         if line.lower().startswith("mtllib"):
-            for library in set(_names(line)) - known:
+            for library in set(_spellings(_names(line))) - known:
                 known.add(library)
                 yield library
                 with suppress(OSError, ValueError):
@@ -102,7 +112,7 @@ def _obj(path: Path) -> Iterator[str]:
                         continue
                     for other in _lines(path.parent / library):
                         if other.lower().startswith(_PICTURES):
-                            yield from (str(Path(library).parent / name) for name in _names(other))
+                            yield from (str(Path(library).parent / name) for name in _spellings(_names(other)))
 
 
 def _names(line: str) -> list[str]:
@@ -113,8 +123,7 @@ def _names(line: str) -> list[str]:
     words = [match.span() for match in re.finditer(r"[^ \t]+", line)][:_WORDS]
     comment = len(line.partition("#")[0])
     starts = [start for start, _ in words[1:] if start < comment]
-    names = [line[start:end].strip("'\"") for start in starts for _, end in words if end > start]
-    return names + [name.replace("\\", "/") for name in names if "\\" in name]  # which some programs on Windows write
+    return [line[start:end].strip("'\"") for start in starts for _, end in words if end > start]
 
 
 def _lines(path: Path) -> Iterator[str]:
