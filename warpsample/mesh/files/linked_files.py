@@ -73,7 +73,7 @@ def _gltf(path: Path) -> Iterator[str]:
         for item in items if isinstance(items, list) else []:
             uri = item.get("uri") if isinstance(item, dict) else None
             if isinstance(uri, str) and not is_embedded(uri):
-                yield from {unquote(uri), unquote(re.split("[?#]", uri)[0])}
+                yield from {unquote(each, errors="surrogateescape") for each in (uri, re.split("[?#]", uri)[0])}
 
 
 def _tree(path: Path) -> Part:
@@ -96,7 +96,7 @@ def _city(path: Path) -> Iterator[str]:
             tree = parsed(text)
             for texture in tree.part("appearance").parts("textures") if tree.content.get("appearance") else []:
                 if isinstance(name := texture.content.get("image"), str):
-                    yield from {name, unquote(name.removeprefix("file:"))}
+                    yield from {name, unquote(name.removeprefix("file:"), errors="surrogateescape")}
 
 
 def _obj(path: Path) -> Iterator[str]:
