@@ -12,7 +12,7 @@ pytest.importorskip("rioxarray")
 import warpsample as ws
 from warpsample import rasters
 from warpsample.city.rasters import far, grid
-from warpsample.city.rasters.far import FarField
+from warpsample.city.rasters.far import FarField, window_of
 from warpsample.city.rasters.sources.reading import reader_of
 from warpsample.estimate.quantities.ambient_occlusion import RECORD as OCCLUSION
 from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY
@@ -109,9 +109,7 @@ def test_terrain_of_another_raster_is_fine_next_to_the_edge(monkeypatch):
     field = FarField.of(own, whole, margin=40, model="block")
     assert field.size == 8
     tile = slice(0, 13), slice(0, 11)
-    upper, lower = (
-        _height_of(ws.as_mesh(made()), whole, 100.0) for made in field.columns(tile, field.window_of(tile, 40), 0.0)
-    )
+    upper, lower = (_height_of(ws.as_mesh(made()), whole, 100.0) for made in field.columns(tile, window_of(tile, 40), 0.0))
     i, j = np.mgrid[:60, :44]
     apart = np.maximum(np.maximum(21 - i, i - 33), np.maximum(17 - j, j - 27))
     assert np.isnan(upper[apart <= 0]).all()

@@ -105,6 +105,18 @@ def test_nodata_values_that_xarray_misses_are_found(tmp_path, number, stated, sc
     assert np.array_equal(found, right, equal_nan=True)
 
 
+@pytest.mark.parametrize("attributes", [{}, {"scale_factor": 0.5}, {"_FillValue": np.int16(-5)}])
+def test_the_fill_value_of_zarr_marks_no_cells(tmp_path, attributes):
+    """Zarr fills parts that are not written with 0, and xarray masks no cell for it: ground at sea level had no value."""
+    pytest.importorskip("zarr", "3")
+    stored = (HEIGHTS > 350.0).astype(np.int16)
+    content = array(**attributes).copy(data=stored).to_dataset(name="z")
+    content.to_zarr(tmp_path / "dsm.zarr", zarr_format=3, consolidated=False)
+    with xr.open_zarr(tmp_path / "dsm.zarr", consolidated=False, decode_coords="all") as dataset:
+        assert dataset["z"].encoding["fill_value"] == 0
+        assert np.array_equal(reader_of(dataset["z"]).read(ALL, ALL), stored * attributes.get("scale_factor", 1.0))
+
+
 def test_rows_from_south_to_north_are_read_as_such(tmp_path):
     assert np.array_equal(heights_of(tmp_path / "dsm.nc", array(y=Y[::-1])), HEIGHTS[::-1])
 

@@ -10,7 +10,7 @@ import time
 import psutil
 import pytest
 
-from warpsample.host.extras import EXTRAS, missing
+from warpsample.host.extras import EXTRAS, missing, run_program
 
 CALLS = {
     "mesh.to_polydata()": "viz",
@@ -114,6 +114,15 @@ def test_a_program_ends_with_its_parent(tmp_path, sent):
     parent.send_signal(sent)
     parent.wait()
     assert wait_for(lambda: not child.is_running() or child.status() == psutil.STATUS_ZOMBIE)
+
+
+def test_a_program_takes_no_modules_from_the_working_folder(tmp_path, monkeypatch):
+    """A file struct.py beside the meshes was run, and new coordinates were refused."""
+    for name in ("struct", "types", "ctypes", "_ctypes", "json", "numpy"):
+        (tmp_path / f"{name}.py").write_text("raise SystemExit(7)")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", [each for each in sys.path if each not in ("", ".")])
+    assert run_program("import struct, types, ctypes, json, numpy; print(1)") == (0, b"1\n")
 
 
 def wait_for(is_done, seconds=60):

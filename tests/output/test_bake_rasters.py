@@ -74,6 +74,16 @@ def test_a_raster_that_is_too_large_for_one_piece_leaves_no_folder(dsm, call, mo
     assert call(*given, "--tile", 8, "--margin", 4)[0] == 0
 
 
+def test_a_tile_that_is_too_large_is_refused_before_any_is_computed(dsm, call, monkeypatch):
+    """The tile between two others has margins on both sides; those at the corners, 17 x 17 cells, are small enough."""
+    monkeypatch.setattr(import_module("warpsample.city.rasters.sources.reader"), "_MOST_CELLS", 300)
+    given = ("bake", "dsm.tif", "-o", "sky.tif", "--quantity", "sky", "--samples", 16, "--margin", 4)
+    status, _, err = call(*given, "--tile", 12)
+    assert (status, "17 x 22 cells, want 1 to 300; take smaller tiles or margins" in err) == (2, True)
+    assert [path.name for path in dsm.parent.iterdir()] == ["dsm.tif"]
+    assert call(*given, "--tile", 4)[0] == 0
+
+
 def test_info_describes_rasters_cities_and_parts(dsm, call, monkeypatch):
     monkeypatch.setenv("COLUMNS", "120")
     status, out, err = call("info", "dsm.tif")

@@ -189,6 +189,13 @@ def test_names_of_materials_and_pictures_may_be_spelled_differently(tmp_path, li
     assert tmp_path / "t\xfcr" / "a \u2013/w\xe4nde.png" in list_linked_files(tmp_path / "in.obj")
 
 
+def test_pictures_of_materials_in_another_folder_may_be_relative_to_either_file(tmp_path):
+    (tmp_path / "mats").mkdir()
+    (tmp_path / "in.obj").write_text("mtllib mats/in.mtl")
+    (tmp_path / "mats" / "in.mtl").write_text("map_Kd walls.png")
+    assert {tmp_path / "walls.png", tmp_path / "mats" / "walls.png"} <= set(list_linked_files(tmp_path / "in.obj"))
+
+
 def test_a_damaged_item_of_a_gltf_hides_no_other(tmp_path):
     images = [{"uri": None}, None, 7, {"uri": "\ud800/<UDIM>.png"}, {"uri": "walls.png"}, {"uri": "t.png%3Fx"}]
     (tmp_path / "in.gltf").write_text(json.dumps({"asset": {"version": "2.0"}, "images": images}))

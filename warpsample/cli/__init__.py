@@ -1,6 +1,7 @@
 """The `warpsample` command: its entry point, which first imports only the handling of signals."""
 
 import gc
+import os
 import sys
 import warnings
 
@@ -11,6 +12,7 @@ from warpsample.cli.streams import escape, open_closed_streams
 def main() -> None:
     """Run the command line, as `warpsample` and `python -m warpsample` do."""
     open_closed_streams()
+    os.environ["PYTHONSAFEPATH"] = "1"  # child processes of Python 3.11 or later import nothing from the working folder
     with listening():
         gc.disable()  # what is imported stays; looking for garbage in it takes a tenth of the start
         from warpsample.cli.commands import app

@@ -33,7 +33,9 @@ REFUSED = 3
 """Exit status of a program of `run_program` that writes a reason in place of its result."""
 
 
-_END_WITH_PARENT = """import ctypes, sys
+_START = """import sys
+sys.path[:] = {path!r}
+import ctypes
 if sys.platform == "linux":
     ctypes.CDLL(None).prctl(1, 9)  # PR_SET_PDEATHSIG, SIGKILL
 """
@@ -42,7 +44,8 @@ if sys.platform == "linux":
 def run_program(program: str, content: bytes = b"") -> tuple[int, bytes]:
     """Run a Python program in a new process, for a library that may crash; an interrupt ends the process.
 
-    On Linux, the process also ends if a signal kills its parent.
+    The program imports what its parent would import: with an empty path first, as Python does it, modules of the working
+    folder would be run. On Linux, the process also ends if a signal kills its parent.
 
     Args:
         program: source code.
@@ -51,7 +54,7 @@ def run_program(program: str, content: bytes = b"") -> tuple[int, bytes]:
     Returns:
         exit status, and standard output.
     """
-    command = [sys.executable, "-c", _END_WITH_PARENT + program]
+    command = [sys.executable, "-c", _START.format(path=sys.path) + program]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as child:
         try:
             output = child.communicate(content)[0]

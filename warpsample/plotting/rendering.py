@@ -3,7 +3,6 @@
 import importlib
 import json
 import os
-import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -16,7 +15,7 @@ import numpy as np
 
 from warpsample.host import files
 from warpsample.host.engine import check_memory
-from warpsample.host.extras import missing
+from warpsample.host.extras import missing, run_program
 
 if TYPE_CHECKING:
     import pyvista
@@ -99,7 +98,7 @@ def check_rendering() -> None:
 
 @lru_cache
 def _is_successful(probe: str) -> bool:
-    return subprocess.run([sys.executable, "-c", probe], capture_output=True, check=False).returncode == 0
+    return run_program(probe)[0] == 0
 
 
 def limit_counts(points: int, count: int) -> tuple[int, int]:

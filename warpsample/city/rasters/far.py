@@ -60,7 +60,7 @@ class FarField:
             model: Surface model. With "block" heights are those of cells, else the extremes of cells and their neighbours.
             canopy: Crowns to include in the upper columns, or None.
         """
-        size = 1 << (max(1, margin // _FINENESS).bit_length() - 1)
+        size = _size_of_ring(margin)
         if other is None:
             return cls(pool_raster(reader, canopy, size, model, Surroundings())[0], None, size, reader.outline)
         heights, where = other.read(slice(None), slice(None)), ~reader.transform @ other.transform
@@ -90,13 +90,6 @@ class FarField:
     def _build_columns(self, levels: list[tuple[np.ndarray, np.ndarray, Affine]], which: int, floor: float) -> Part:
         """Build the triangles of all columns of distant terrain, at upper (`which` = 0) or lower (`which` = 1) bounds."""
         return join_triangles([self._build_prisms(level[which], level[2], floor) for level in levels])
-
-    def window_of(self, tile: Window, margin: int) -> Window:
-        """Return the rows and columns to read at full resolution for a tile and its margin.
-
-        The margin is extended to whole cells of the nearest ring.
-        """
-        return _widen_window(tile, margin, self.size)
 
     def _pool_rings(self, tile: Window, near: Window) -> list[tuple[np.ndarray, np.ndarray, Affine]]:
         """Return bounds of the terrain's heights around a tile, in rings of cells that grow with distance.
@@ -202,6 +195,19 @@ class FarField:
         outline = self.outline
         grid = Grid(heights, outline.transform @ where, outline.crs, outline.metres, outline.dims, {})
         return build_prisms(grid, Crowns(np.where(np.isnan(heights), np.nan, floor), heights))
+
+
+def window_of(tile: Window, margin: int) -> Window:
+    """Return the rows and columns at full resolution for a tile and its margin, perhaps beyond the raster's edges.
+
+    The margin is extended to whole cells of the nearest ring.
+    """
+    return _widen_window(tile, margin, _size_of_ring(margin))
+
+
+def _size_of_ring(margin: int) -> int:
+    """Return the side of a cell of the nearest ring, in cells of the raster."""
+    return 1 << (max(1, margin // _FINENESS).bit_length() - 1)
 
 
 def _widen_window(window: Window, reach: int, whole: int) -> Window:

@@ -7,12 +7,13 @@ except for the pooled terrain and for float32 rounding in another mesh.
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import product
 from typing import Any
 
 import numpy as np
 
 from warpsample.city.rasters.canopy import Canopy, build_prisms
-from warpsample.city.rasters.far import FarField
+from warpsample.city.rasters.far import FarField, window_of
 from warpsample.city.rasters.fringe import add_fringe, cut_fringe
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
@@ -75,9 +76,13 @@ class RasterRun:
 
     def check_size(self) -> None:
         """Raise an error if a tile with its margin has too many cells for this machine, before anything is read."""
-        margin = 0 if self.tile is None else self.margin
-        rows, columns = (min(side + margin, size) for side, size in zip(self.sides, self.reader.shape, strict=True))
-        check_size((rows, columns))
+        rows, columns = self._cuts()
+        spans = (((part, columns[0]) for part in rows), ((rows[0], part) for part in columns))
+        height, width = (
+            max(window.stop - window.start for window in (self._widen(self._clip(self._near(span)))[axis] for span in along))
+            for axis, along in enumerate(spans)
+        )
+        check_size((height, width), "split the raster into tiles" if self.tile is None else "take smaller tiles or margins")
 
     @property
     def rasters(self) -> dict[str, RasterReader]:
@@ -129,11 +134,12 @@ class RasterRun:
 
     def spans(self) -> Iterator[Span]:
         """Yield the rows and columns of the tiles, row by row."""
-        height, width = self.sides
-        rows, columns = self.reader.shape
-        for row in range(0, rows, height):
-            for column in range(0, columns, width):
-                yield slice(row, min(row + height, rows)), slice(column, min(column + width, columns))
+        yield from product(*self._cuts())
+
+    def _cuts(self) -> list[list[slice]]:
+        """Return the rows of the tiles, and the columns."""
+        both = zip(self.sides, self.reader.shape, strict=True)
+        return [[slice(at, min(at + side, size)) for at in range(0, size, side)] for side, size in both]
 
     def numbers(self, span: Span) -> dict[str, np.ndarray]:
         """Compute the quantity in the cells of one tile; return (rows, columns) float32 arrays, keyed by name.
@@ -143,8 +149,8 @@ class RasterRun:
         shape = tuple(part.stop - part.start for part in span)
         log.info("tile of rows %d to %d, columns %d to %d", *(edge for part in span for edge in (part.start, part.stop - 1)))
         laid = {name: np.full(shape, np.nan, np.float32) for name in self.names}
-        near = span if self.far_field is None else self.far_field.window_of(span, self.margin)
-        window = tuple(slice(max(0, n.start), min(n.stop, size)) for n, size in zip(near, self.reader.shape, strict=True))
+        near = self._near(span)
+        window = self._clip(near)
         wide = self._widen(window)
         grid = self.reader.grid(*wide)
         row, column = (first.start - part.start for first, part in zip(span, wide, strict=True))
@@ -166,6 +172,15 @@ class RasterRun:
             self.warned = True
             warn_of_missed_tolerance(missed[0], stacklevel=5)
         return laid
+
+    def _near(self, span: Span) -> Span:
+        """Return the rows and columns of a tile and its margin, perhaps beyond the raster's edges."""
+        return window_of(span, self.margin) if self.far else span
+
+    def _clip(self, near: Span) -> Span:
+        """Return rows and columns without those beyond the raster's edges."""
+        rows, columns = (slice(max(0, n.start), min(n.stop, size)) for n, size in zip(near, self.reader.shape, strict=True))
+        return rows, columns
 
     def _widen(self, window: Span) -> Span:
         """Return the rows and columns of a tile and its margin with one more ring of cells, which shapes their surface."""

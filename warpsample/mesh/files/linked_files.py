@@ -112,7 +112,8 @@ def _obj(path: Path) -> Iterator[str]:
                         continue
                     for other in _lines(path.parent / library):
                         if other.lower().startswith(_PICTURES):
-                            yield from (str(Path(library).parent / name) for name in _spellings(_names(other)))
+                            for name in _spellings(_names(other)):  # relative to the .obj in some programs
+                                yield from {name, str(Path(library).parent / name)}
 
 
 def _names(line: str) -> list[str]:

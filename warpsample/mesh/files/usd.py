@@ -3,7 +3,6 @@
 A single damaged byte can crash usd-core or make it use all memory.
 """
 
-import sys
 from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
@@ -16,9 +15,9 @@ from warpsample.mesh.joining import joined_corners, joined_parts
 from warpsample.mesh.parts import Named
 from warpsample.mesh.usd_stage import NORMALS, UP
 
-_PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh import usd_stage; usd_stage.main({file!r}, {what!r})"
+_PROGRAM = "from warpsample.mesh import usd_stage; usd_stage.main({file!r}, {what!r})"
 _ASSETS = (
-    "import sys; sys.path[:] = {path!r}; from pxr import UsdUtils; "
+    "from pxr import UsdUtils; "
     "layers, assets, missing = UsdUtils.ComputeAllDependencies({file!r}); "
     "print(*(layer.realPath for layer in layers), *assets, *missing, sep='\\0', end='')"
 )
@@ -73,7 +72,7 @@ def list_assets(path: Path) -> list[str]:
     """Return the paths of all pictures, layers and other files that a USD file needs; none if it cannot be read."""
     if find_spec("pxr") is None:
         return []
-    status, found = run_program(_ASSETS.format(path=sys.path, file=str(path)))
+    status, found = run_program(_ASSETS.format(file=str(path)))
     return [] if status else [name for name in found.decode(errors="surrogateescape").split("\0") if name]
 
 
@@ -81,7 +80,7 @@ def _run_usd_stage(path: Path, what: str = "") -> bytes:
     """Read a USD file in a separate process, since damaged files crash usd-core; return the process' output."""
     if find_spec("pxr") is None:
         raise missing(f"path: got {path.name!r}, which needs usd-core", "pxr")
-    status, found = run_program(_PROGRAM.format(path=sys.path, file=str(path), what=what))
+    status, found = run_program(_PROGRAM.format(file=str(path), what=what))
     if status == REFUSED:
         reason = found.decode()
         raise ValueError(reason if len(reason) <= _LONGEST else f"{reason[: _LONGEST - 3]}...")

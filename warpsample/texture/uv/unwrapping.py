@@ -1,7 +1,6 @@
 """New texture coordinates: `unwrap`, by xatlas."""
 
 import signal
-import sys
 from dataclasses import replace
 from importlib.util import find_spec
 from io import BytesIO
@@ -21,7 +20,7 @@ PADDING = 4
 _MOST_SIDE = 1 << 14
 _TRIES = 3  # xatlas crashes by chance: once in 600 runs on the same mesh, with several at a time
 _CRASHES = (-signal.SIGSEGV, -signal.SIGABRT)
-_PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.texture.uv import charting; charting.main({size}, {padding})"
+_PROGRAM = "from warpsample.texture.uv import charting; charting.main({size}, {padding})"
 
 
 def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.ndarray]:
@@ -90,7 +89,7 @@ def _run(given: dict[str, np.ndarray], size: int, padding: int) -> Any:
     stream = BytesIO()
     np.savez(stream, **given)
     for _ in range(_TRIES):
-        status, answer = run_program(_PROGRAM.format(path=sys.path, size=size, padding=padding), stream.getvalue())
+        status, answer = run_program(_PROGRAM.format(size=size, padding=padding), stream.getvalue())
         if status not in _CRASHES:
             break
     if status == REFUSED:

@@ -19,7 +19,8 @@ _LARGEST = 2.0**31 - 1
 """From here on, numbers count as nodata: the limits of int32, uint32 and float32 often have no tag, or a rounded one."""
 
 _SCALING = {"scale_factor": 1.0, "add_offset": 0.0}
-_NODATA = ("_FillValue", "missing_value", "fill_value", "nodata")
+_DECODED = ("_FillValue", "missing_value")  # by xarray; its encoding also has the `fill_value` of Zarr, which marks nothing
+_NODATA = (*_DECODED, "fill_value", "nodata")
 VALID = ("valid_min", "valid_max", "valid_range")
 _KINDS = {"true": "u", "false": "i"}  # of NumPy, by the attribute `_Unsigned`
 _ENDS = (-(2.0**31), 1.0 - 2.0**31, 2.0**31 - 1.0, 2.0**32 - 1.0)  # of int32 and uint32; netCDF fills with the second
@@ -129,13 +130,13 @@ def _unpacked_codes(encoding: Mapping[str, Any]) -> list[float]:
     one, these are the usual ones of scaled numbers. With `_Unsigned`, those stand for heights.
     """
     stored = np.dtype(encoding.get("dtype", np.float32))
-    attributes = {name: encoding[name] for name in (*_NODATA, *_SCALING, "_Unsigned") if name in encoding}
-    if attributes.keys().isdisjoint((*_NODATA, *_SCALING)) or stored.kind not in "iuf":
+    attributes = {name: encoding[name] for name in (*_DECODED, *_SCALING, "_Unsigned") if name in encoding}
+    if attributes.keys().isdisjoint((*_DECODED, *_SCALING)) or stored.kind not in "iuf":
         return []
     is_whole = stored.kind != "f"
     lowest, highest = (getattr((np.iinfo if is_whole else np.finfo)(stored), end) for end in ("min", "max"))
     rounded = highest + (stored.itemsize > 3)  # in float32, for whole numbers
-    stated = [number for name in _NODATA if name in attributes for number in np.ravel(attributes[name]).tolist()]
+    stated = [number for name in _DECODED if name in attributes for number in np.ravel(attributes[name]).tolist()]
     usual = () if "_Unsigned" in attributes else (*_UNDECLARED, *_ENDS)
     codes = [code for code in stated or usual if lowest <= code <= rounded and not (is_whole and code % 1)]
     packed = xr.Variable("code", np.array([min(code, highest) for code in codes], stored), attributes)

@@ -26,7 +26,6 @@ _SUFFIXES = (".nc", ".nc4", ".cdf", ".grd")  # of netCDF-4 files, which begin li
 # counts as damaged after so many seconds of a processor, and one more for so many bytes:
 _SECONDS, _BYTES = 30, 10_000_000
 _TRY = """import itertools, json, math, sys
-sys.path[:] = {path!r}
 import h5py
 {plugins}
 try:
@@ -159,7 +158,7 @@ def _check_hdf5(path: str) -> dict[str, tuple[int, float]]:
         raise missing(f"source: got {path!r}, which needs h5netcdf", "h5netcdf")
     seconds = _SECONDS + size // _BYTES
     plugins = "import hdf5plugin" if "hdf5plugin" in sys.modules else ""  # filters of further compressions
-    status, found = run_program(_TRY.format(path=sys.path, file=path, seconds=seconds, refused=REFUSED, plugins=plugins))
+    status, found = run_program(_TRY.format(file=path, seconds=seconds, refused=REFUSED, plugins=plugins))
     told = found.decode().strip()
     if status:
         raise explain_damage(path, told or f"HDF5 crashed, or found no end in {seconds} s ({status})")

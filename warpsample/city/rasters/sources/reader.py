@@ -88,13 +88,13 @@ class RasterReader:
         )
 
 
-def check_size(shape: tuple[int, int]) -> None:
-    """Raise an error for a raster without cells, or with too many cells for the free memory."""
+def check_size(shape: tuple[int, int], advice: str = "split the raster into tiles") -> None:
+    """Raise an error for a raster without cells, or with too many cells for the free memory; it ends in the advice."""
     rows, columns = shape
     if not 0 < rows * columns <= _MOST_CELLS:
-        raise ValueError(f"source: got {rows:,} x {columns:,} cells, want 1 to {_MOST_CELLS:,}; split the raster into tiles")
+        raise ValueError(f"source: got {rows:,} x {columns:,} cells, want 1 to {_MOST_CELLS:,}; {advice}")
     check_memory(
         _BYTES * rows * columns,
         f"surfaces of {rows:,} x {columns:,} cells",
-        "split the raster into tiles",
+        advice,
     )
