@@ -117,6 +117,28 @@ def test_the_fill_value_of_zarr_marks_no_cells(tmp_path, attributes):
         assert np.array_equal(reader_of(dataset["z"]).read(ALL, ALL), stored * attributes.get("scale_factor", 1.0))
 
 
+@pytest.mark.parametrize("name", ["_FillValue", "missing_value", "fill_value", "nodata"])
+@pytest.mark.parametrize("value", [None, "NaN"])
+def test_a_nodata_value_that_is_none_marks_no_cells(name, value):
+    """xarray writes no such attribute for None."""
+    content = array()
+    content.encoding[name] = value
+    assert np.array_equal(reader_of(content).read(ALL, ALL), HEIGHTS)
+    assert np.array_equal(reader_of(array(**{name: value})).read(ALL, ALL), HEIGHTS)
+
+
+def test_what_rioxarray_has_stored_with_an_array_counts():
+    """Its accessor is not copied with the array: nodata values were heights, and feet were metres."""
+    content = array()
+    content.rio.set_nodata(101.0, inplace=True)
+    assert np.array_equal(np.isnan(reader_of(content).read(ALL, ALL)), HEIGHTS == 101.0)
+    content = array().drop_vars("spatial_ref")
+    with pytest.warns(FutureWarning, match="write_crs"):
+        content.rio.set_crs("EPSG:4326", inplace=True)
+    with pytest.raises(ValueError, match="coordinates in degree of WGS 84"):
+        reader_of(content)
+
+
 def test_rows_from_south_to_north_are_read_as_such(tmp_path):
     assert np.array_equal(heights_of(tmp_path / "dsm.nc", array(y=Y[::-1])), HEIGHTS[::-1])
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 from hashlib import sha256
-from math import pi
+from math import pi, sqrt
 from typing import Any, Literal
 
 import numpy as np
@@ -21,6 +21,10 @@ from warpsample.radiation.sky.sampled_picture import by_cosine, by_picture, samp
 Sampling = Literal["cosine", "picture", "both"]
 
 _MOST, _LEAST = 0.875, 0.1  # share of the rays from the picture with "both"
+_MOST_OF_SPOTS, _LEAST_OF_SPOTS = 0.5, 0.125  # and for the light of few pixels
+_SPREAD = 5.0 / 3.0  # relative variance of one ray of the picture: cosines above the receiver's plane, of all directions
+_GAIN = 0.9  # most variance of all rays with such a share, relative to the variance without
+_SHADOWS = 0.05  # relative variance of one ray of the lobe by what blocks it, as between trees and houses
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,17 +59,19 @@ class PictureLight:
         return weigh_colours(self.pixels) if self.colours == 3 else self.pixels[..., 0]
 
     @cached_property
-    def _means(self) -> tuple[float, float, float]:
-        """Mean luminance over the sphere; relative to it the mean square, and the mean of what exceeds it; not for black."""
+    def _means(self) -> tuple[float, float, float, float]:
+        """Mean luminance over the sphere; relative to it the mean square, and the mean of what exceeds it; not for black.
+
+        The last number is the variance that the relative luminance would have if no pixel exceeded the mean.
+        """
         largest = float(self.luminance.max())
         relative = self.luminance.astype(np.float64) / largest
         height, width = relative.shape
         weights = np.broadcast_to(solid_angles(pixel_angles(height), width)[:, None], relative.shape)
         mean = float(np.average(relative, weights=weights))
-        square, excess = (
-            float(np.average(a, weights=weights)) for a in (np.square(relative), np.maximum(relative - mean, 0.0))
-        )
-        return largest * mean, square / mean**2, excess / mean
+        arrays = np.square(relative), np.maximum(relative - mean, 0.0), np.square(np.minimum(relative, mean))
+        square, excess, below = (float(np.average(each, weights=weights)) for each in arrays)
+        return largest * mean, square / mean**2, excess / mean, below / mean**2 - (1.0 - excess / mean) ** 2
 
     @property
     def _typical(self) -> tuple[float, ...]:
@@ -81,12 +87,20 @@ class PictureLight:
         It follows from the picture alone, so that the estimate stays unbiased. With q the part of the mean square of the
         luminance that is not the square of the mean, it rises from 0 at q = 1/2 to 7/8 at q = 1: below, few rays from the
         picture would add more noise than they remove. It is at most the part of the light that exceeds the mean.
+
+        If this is below 1/10, few pixels may still be far brighter than the others, and the rays of the cosine lobe find
+        them by luck. The share then is the one of least noise, from 1/8 to 1/2, where it has less noise than no share.
         """
         if not self.pixels.any():
             return 0.0
-        _mean, square, excess = self._means
+        _mean, square, excess, below = self._means
         share = min(_MOST * (1.0 - 2.0 / square), excess)
-        return share if share > _LEAST else 0.0
+        if share > _LEAST:
+            return share
+        lobe, picture = sqrt(below + _SHADOWS), excess * sqrt(_SPREAD)  # noise of one ray of each
+        if (lobe + picture) ** 2 > _GAIN * (square - 1.0 + _SHADOWS):
+            return 0.0
+        return min(max(picture / (lobe + picture), _LEAST_OF_SPOTS), _MOST_OF_SPOTS)
 
     def floor(self, sampling: Sampling) -> float:
         """Return the luminance that the density of the rays from the picture leaves out: with "both" the mean, else 0.

@@ -65,12 +65,15 @@ class Coding:
             ValueError: An attribute is not a number; the message describes the array as in `got`.
         """
         kind, numbers = stored_attributes(array)
-        given = {name: numbers.get(name, array.attrs[name]) for name in (*_NODATA, *_SCALING) if name in array.attrs}
+        given = {
+            name: numbers.get(name, array.attrs[name]) for name in (*_NODATA, *_SCALING) if array.attrs.get(name) is not None
+        }
         try:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
             nodata = np.concatenate([np.ravel(given.get(name, [])) for name in _NODATA]).astype(np.float64).tolist()
             nodata += _nodata_of_rioxarray(array) if len(nodata) < 2 else []
-            nodata += _unpacked_codes(array.encoding)
+            with suppress(TypeError, ValueError, OverflowError):  # an encoding that states no number
+                nodata += _unpacked_codes(array.encoding)
         except (TypeError, ValueError, OverflowError):
             raise ValueError(f"source: got {got} of attributes {quote(given)}, want numbers") from None
         return cls(tuple(nodata), scale, offset, kind=kind)
@@ -110,7 +113,7 @@ def _nodata_of_rioxarray(array: xr.DataArray) -> list[float]:
 def stored_attributes(array: xr.DataArray) -> tuple[str, dict[str, Any]]:
     """Return the kind of stored integers, see `Coding.kind`, and the nodata values and limits as integers of this kind."""
     kind = _KINDS.get(str(array.attrs.get("_Unsigned")).lower(), "")
-    given = {name: array.attrs[name] for name in (*_NODATA, *VALID) if name in array.attrs}
+    given = {name: array.attrs[name] for name in (*_NODATA, *VALID) if array.attrs.get(name) is not None}
     alike = {name: value for name, value in given.items() if np.asarray(value).itemsize == array.dtype.itemsize}
     return kind, given | {name: _as_kind(value, kind) for name, value in alike.items()}
 
@@ -130,7 +133,7 @@ def _unpacked_codes(encoding: Mapping[str, Any]) -> list[float]:
     one, these are the usual ones of scaled numbers. With `_Unsigned`, those stand for heights.
     """
     stored = np.dtype(encoding.get("dtype", np.float32))
-    attributes = {name: encoding[name] for name in (*_DECODED, *_SCALING, "_Unsigned") if name in encoding}
+    attributes = {name: encoding[name] for name in (*_DECODED, *_SCALING, "_Unsigned") if encoding.get(name) is not None}
     if attributes.keys().isdisjoint((*_DECODED, *_SCALING)) or stored.kind not in "iuf":
         return []
     is_whole = stored.kind != "f"
