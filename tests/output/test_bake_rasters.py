@@ -82,6 +82,8 @@ def test_a_tile_that_is_too_large_is_refused_before_any_is_computed(dsm, call, m
     assert (status, "17 x 22 cells, want 1 to 300; take smaller tiles or margins" in err) == (2, True)
     assert [path.name for path in dsm.parent.iterdir()] == ["dsm.tif"]
     assert call(*given, "--tile", 4)[0] == 0
+    status, _, err = call(*given, "--tile", 4, "--margin", 10**9)
+    assert (status, "--margin: got 1000000000, want a whole number from 1 to 65536" in err) == (2, True)
 
 
 def test_info_describes_rasters_cities_and_parts(dsm, call, monkeypatch):

@@ -37,6 +37,8 @@ TREES_AND_TILES: dict[str, Any] = {
 MARGIN = 256
 """Default number of full-resolution cells around a tile."""
 
+_WIDEST_MARGIN = 1 << 16  # cells; the memory of the first ring grows with its square, and no such part can be computed
+
 _NORMAL = {"horizontal": "up", "surface": "the normal of the cell's surface"}
 
 
@@ -105,7 +107,7 @@ def build_run(
             f"margin: got {quote(margin)} without tile, want tile, the number of cells along each side of a tile, too"
         )
     tile = None if tile is None else check_integer(tile, "tile", 1, 2**31 - 1)
-    margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
+    margin = MARGIN if margin is None else check_integer(margin, "margin", 1, _WIDEST_MARGIN)
     reader, other = ground_of(source), None
     if far is not None:
         with rename_argument("far"):
