@@ -127,16 +127,21 @@ def test_a_nodata_value_that_is_none_marks_no_cells(name, value):
     assert np.array_equal(reader_of(array(**{name: value})).read(ALL, ALL), HEIGHTS)
 
 
-def test_what_rioxarray_has_stored_with_an_array_counts():
-    """Its accessor is not copied with the array: nodata values were heights, and feet were metres."""
+def test_a_nodata_value_that_rioxarray_has_stored_counts():
+    """Its accessor is not copied with the array."""
     content = array()
     content.rio.set_nodata(101.0, inplace=True)
     assert np.array_equal(np.isnan(reader_of(content).read(ALL, ALL)), HEIGHTS == 101.0)
-    content = array().drop_vars("spatial_ref")
-    with pytest.warns(FutureWarning, match="write_crs"):
-        content.rio.set_crs("EPSG:4326", inplace=True)
-    with pytest.raises(ValueError, match="coordinates in degree of WGS 84"):
-        reader_of(content)
+
+
+def test_an_array_may_change_between_two_calls():
+    """The accessor of rioxarray remembers the nodata value and the CRS that it has found first."""
+    content = array(_FillValue=101.0)
+    assert np.array_equal(np.isnan(reader_of(content).read(ALL, ALL)), HEIGHTS == 101.0)
+    content.attrs["_FillValue"] = 102.0
+    assert np.array_equal(np.isnan(reader_of(content).read(ALL, ALL)), HEIGHTS == 102.0)
+    content.coords["spatial_ref"] = array().rio.write_crs("EPSG:32631").coords["spatial_ref"]
+    assert reader_of(content).crs.to_epsg() == 32631
 
 
 def test_rows_from_south_to_north_are_read_as_such(tmp_path):

@@ -1,5 +1,6 @@
 """Optional libraries: the extras that bring them, the error for a missing one, and a process for one that may crash."""
 
+import os
 import subprocess
 import sys
 
@@ -55,7 +56,9 @@ def run_program(program: str, content: bytes = b"") -> tuple[int, bytes]:
         exit status, and standard output.
     """
     command = [sys.executable, "-c", _START.format(path=sys.path) + program]
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as child:
+    environment = {**os.environ, "PYTHONIOENCODING": "utf-8:surrogateescape"}  # for names of files that it prints
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
+    with subprocess.Popen(command, env=environment, **pipes) as child:
         try:
             output = child.communicate(content)[0]
         finally:

@@ -1,6 +1,9 @@
 """Opening of USD files by usd-core, after checks for damage that would crash usd-core or make it use all memory."""
 
 import struct
+import sys
+from contextlib import suppress
+from itertools import chain
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile, ZipFile
@@ -33,6 +36,31 @@ def open_stage(path: Path) -> Any:
     if lost:
         raise ValueError(str(lost[0]))
     return stage
+
+
+def write_names(path: str) -> None:
+    """Write the paths of all files that a USD file needs to stdout, separated by zero bytes, in UTF-8."""
+    from pxr import Tf, UsdUtils
+
+    try:
+        layers, assets, lost = UsdUtils.ComputeAllDependencies(path)
+        names = [*(layer.realPath for layer in layers), *assets, *lost]
+    except Tf.ErrorException:  # a damaged layer is among the assets, which are not opened as parts of the stage
+        names = _find_names(path)
+    sys.stdout.buffer.write("\0".join(names).encode("utf-8", "surrogatepass"))
+
+
+def _find_names(path: str) -> list[str]:
+    """Return the paths that a layer names, and those that the named layers name in turn; damaged layers name none."""
+    from pxr import Tf, UsdUtils
+
+    names = [path]
+    for layer in names:  # which grows
+        with suppress(Tf.ErrorException):
+            if Path(layer).is_file():
+                found = chain(*UsdUtils.ExtractExternalReferences(layer))
+                names += dict.fromkeys(name for each in found if (name := str(Path(layer).parent / each)) not in names)
+    return names
 
 
 def _layers(path: Path) -> list[Any]:

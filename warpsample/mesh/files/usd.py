@@ -16,11 +16,7 @@ from warpsample.mesh.parts import Named
 from warpsample.mesh.usd_stage import NORMALS, UP
 
 _PROGRAM = "from warpsample.mesh import usd_stage; usd_stage.main({file!r}, {what!r})"
-_ASSETS = (
-    "from pxr import UsdUtils; "
-    "layers, assets, missing = UsdUtils.ComputeAllDependencies({file!r}); "
-    "print(*(layer.realPath for layer in layers), *assets, *missing, sep='\\0', end='')"
-)
+_ASSETS = "from warpsample.mesh import usd_layers; usd_layers.write_names({file!r})"
 _LONGEST = 200  # characters of an error message, which may quote an array of the file
 
 

@@ -89,7 +89,8 @@ class PictureLight:
         picture would add more noise than they remove. It is at most the part of the light that exceeds the mean.
 
         If this is below 1/10, few pixels may still be far brighter than the others, and the rays of the cosine lobe find
-        them by luck. The share then is the one of least noise, from 1/8 to 1/2, where it has less noise than no share.
+        them by luck. Where rays from the picture lower the noise, the fraction then is the part of the light that exceeds
+        the mean, from 1/8 to 1/2.
         """
         if not self.pixels.any():
             return 0.0
@@ -98,9 +99,8 @@ class PictureLight:
         if share > _LEAST:
             return share
         lobe, picture = sqrt(below + _SHADOWS), excess * sqrt(_SPREAD)  # noise of one ray of each
-        if (lobe + picture) ** 2 > _GAIN * (square - 1.0 + _SHADOWS):
-            return 0.0
-        return min(max(picture / (lobe + picture), _LEAST_OF_SPOTS), _MOST_OF_SPOTS)
+        is_quieter = (lobe + picture) ** 2 < _GAIN * (square - 1.0 + _SHADOWS)
+        return min(max(excess, _LEAST_OF_SPOTS), _MOST_OF_SPOTS) if is_quieter else 0.0
 
     def floor(self, sampling: Sampling) -> float:
         """Return the luminance that the density of the rays from the picture leaves out: with "both" the mean, else 0.

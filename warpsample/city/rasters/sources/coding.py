@@ -3,6 +3,7 @@
 import warnings
 from collections.abc import Mapping
 from contextlib import suppress
+from copy import copy
 from dataclasses import dataclass
 from math import inf, isfinite
 from typing import Any
@@ -103,10 +104,12 @@ class Coding:
 def _nodata_of_rioxarray(array: xr.DataArray) -> list[float]:
     """Return the nodata value that rioxarray reads, which also knows the one that its `set_nodata` has stored.
 
-    It refuses numbers outside of the array's type, such as NaN for integers, which are in no cell.
+    It refuses numbers outside of the array's type, such as NaN for integers, which are in no cell. A copy is asked, because
+    it remembers its first answer, which changed attributes would not change.
     """
     with suppress(OverflowError, ValueError):
-        return [] if array.rio.nodata is None else [float(array.rio.nodata)]
+        nodata = copy(array.rio).nodata
+        return [] if nodata is None else [float(nodata)]
     return []
 
 

@@ -151,7 +151,7 @@ def _netcdf_reader(path: str) -> RasterReader:
                     path, f"{lost} chunks of {array.name!r} are missing, with heights of {number:g} instead"
                 )
         kept = array.load() if is_classic(path) else None
-        return _map_reader(array, partial(_netcdf_heights, path, coding, kept), repr(path), array.rio.crs)
+        return _map_reader(array, partial(_netcdf_heights, path, coding, kept), repr(path))
 
 
 def _netcdf_heights(path: str, coding: Coding, kept: xr.DataArray | None, rows: slice, columns: slice) -> np.ndarray:
@@ -173,19 +173,18 @@ def _explaining(path: str) -> Iterator[None]:
 
 def _data_array_reader(array: xr.DataArray) -> RasterReader:
     """Check an xarray.DataArray of heights, and return a reader of the heights."""
-    made = _to_map(array, _ARRAY)  # without the CRS and the nodata value that `rio.set_crs` and `rio.set_nodata` have stored
+    made = _to_map(array, _ARRAY)  # without the nodata value that `rio.set_nodata` has stored
     coding = Coding.of_array(array, _ARRAY)
-    return _map_reader(made, lambda rows, columns: coding.heights(made[rows, columns].to_numpy()), _ARRAY, array.rio.crs)
+    return _map_reader(made, lambda rows, columns: coding.heights(made[rows, columns].to_numpy()), _ARRAY)
 
 
-def _map_reader(array: xr.DataArray, heights: Callable[[slice, slice], np.ndarray], got: str, crs: Any) -> RasterReader:
+def _map_reader(array: xr.DataArray, heights: Callable[[slice, slice], np.ndarray], got: str) -> RasterReader:
     """Check an array of the dimensions y and x, and return a reader of its heights.
 
     Args:
         array: Array with its coordinates and attributes.
         heights: Function that reads the heights in some rows and columns.
         got: Description of the array for messages.
-        crs: CRS as rioxarray reads it, or None.
     """
     check_upward(array.attrs)
     unit = str(array.attrs.get("units") or array.attrs.get("unit") or "")
@@ -194,8 +193,8 @@ def _map_reader(array: xr.DataArray, heights: Callable[[slice, slice], np.ndarra
         raise ValueError(f"source: got {got} of sizes {dict(array.sizes)}, want at least one cell")
     for name, coordinate in coordinates.items():
         stated = coordinate.attrs.get("units") or coordinate.attrs.get("standard_name", "")
-        check_unit(str(stated), crs_of(crs), f"coordinates {name!r}")
-    where = transform_of(array, array.dims, got), crs, unit
+        check_unit(str(stated), crs_of(array.rio.crs), f"coordinates {name!r}")
+    where = transform_of(array, array.dims, got), array.rio.crs, unit
     return _reader(array.shape, *where, heights, dims=array.dims, coordinates=coordinates)
 
 
