@@ -121,7 +121,7 @@ def test_a_program_takes_no_modules_from_the_working_folder(tmp_path, monkeypatc
     for name in ("struct", "types", "ctypes", "_ctypes", "json", "numpy"):
         (tmp_path / f"{name}.py").write_text("raise SystemExit(7)")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys, "path", [each for each in sys.path if each not in ("", ".")])
+    monkeypatch.setattr(sys, "path", [tmp_path, *(each for each in sys.path if each not in ("", "."))])  # no text
     assert run_program("import struct, types, ctypes, json, numpy; print(1)") == (0, b"1\n")
 
 

@@ -106,17 +106,17 @@ def test_nor_is_a_picture_that_a_mesh_names(call, tmp_path, uncomputed, name, co
     assert picture.read_bytes() == b"picture"
 
 
-@pytest.mark.parametrize("other", ["\u5c4b\u6839.png", "broken.usda", "inner.usda"])
+@pytest.mark.parametrize("other", ["\u5c4b\u6839.png", "broken.usda", "inner.usda", "both.usda"])
 def test_one_name_of_a_usd_file_hides_no_other(tmp_path, monkeypatch, other):
     """One that stdout could not encode did, and one of a damaged file that is no part of the scene."""
     pytest.importorskip("pxr")
     monkeypatch.setenv("PYTHONIOENCODING", "ascii")
     (tmp_path / "broken.usda").write_text('#usda 1.0\ndef Mesh "broken" { this is not usd')
-    (tmp_path / "inner.usda").write_text(
-        '#usda 1.0\ndef Scope "x" {\n asset a = @./broken.usda@\n asset b = @./inner.png@\n}\n'
-    )
-    names = f'def Scope "x" {{\n asset a = @./{other}@\n asset b = @./walls.png@\n}}\n'
-    (tmp_path / "in.usda").write_text(f"#usda 1.0\n{names}", encoding="utf-8")
+    two = '#usda 1.0\ndef Scope "x" {{\n asset a = @./{}@\n asset b = @{}@\n}}\n'
+    (tmp_path / "inner.usda").write_text(two.format("broken.usda", "./inner.png"))
+    (tmp_path / "circle.usda").write_text(two.format("x" * 300, f"../{tmp_path.name}/circle.usda"))
+    (tmp_path / "both.usda").write_text(two.format("broken.usda", "./circle.usda"))
+    (tmp_path / "in.usda").write_text(two.format(other, "./walls.png"), encoding="utf-8")
     found = list_linked_files(tmp_path / "in.usda")
     assert {tmp_path / "walls.png", tmp_path / other} <= set(found)
     assert (tmp_path / "inner.png" in found) == (other == "inner.usda")

@@ -55,7 +55,8 @@ def run_program(program: str, content: bytes = b"") -> tuple[int, bytes]:
     Returns:
         exit status, and standard output.
     """
-    command = [sys.executable, "-c", _START.format(path=sys.path) + program]
+    texts = [each for each in sys.path if isinstance(each, str)]  # Python passes over others
+    command = [sys.executable, "-c", _START.format(path=texts) + program]
     environment = {**os.environ, "PYTHONIOENCODING": "utf-8:surrogateescape"}  # for names of files that it prints
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
     with subprocess.Popen(command, env=environment, **pipes) as child:

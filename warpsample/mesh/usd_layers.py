@@ -1,5 +1,6 @@
 """Opening of USD files by usd-core, after checks for damage that would crash usd-core or make it use all memory."""
 
+import os
 import struct
 import sys
 from contextlib import suppress
@@ -45,7 +46,10 @@ def write_names(path: str) -> None:
     try:
         layers, assets, lost = UsdUtils.ComputeAllDependencies(path)
         names = [*(layer.realPath for layer in layers), *assets, *lost]
-    except Tf.ErrorException:  # a damaged layer is among the assets, which are not opened as parts of the stage
+    except (
+        Tf.ErrorException,
+        UnicodeError,
+    ):  # a damaged layer is among the assets, which are not opened as parts of the stage
         names = _find_names(path)
     sys.stdout.buffer.write("\0".join(names).encode("utf-8", "surrogatepass"))
 
@@ -56,10 +60,13 @@ def _find_names(path: str) -> list[str]:
 
     names = [path]
     for layer in names:  # which grows
-        with suppress(Tf.ErrorException):
+        with suppress(Tf.ErrorException, OSError, UnicodeError):
             if Path(layer).is_file():
                 found = chain(*UsdUtils.ExtractExternalReferences(layer))
-                names += dict.fromkeys(name for each in found if (name := str(Path(layer).parent / each)) not in names)
+                paths = dict.fromkeys(
+                    os.path.realpath(Path(layer).parent / each) for each in found
+                )  # names may go in circles
+                names += [each for each in paths if each not in names]
     return names
 
 
