@@ -127,11 +127,18 @@ def test_a_nodata_value_that_is_none_marks_no_cells(name, value):
     assert np.array_equal(reader_of(array(**{name: value})).read(ALL, ALL), HEIGHTS)
 
 
-def test_a_nodata_value_that_rioxarray_has_stored_counts():
+@pytest.mark.parametrize("stated", [{}, {"_FillValue": -9999.0, "missing_value": -9999.0}, {"missing_value": [7.0, 9.0]}])
+def test_a_nodata_value_that_rioxarray_has_stored_counts(stated):
     """Its accessor is not copied with the array."""
-    content = array()
+    content = array(**stated)
     content.rio.set_nodata(101.0, inplace=True)
     assert np.array_equal(np.isnan(reader_of(content).read(ALL, ALL)), HEIGHTS == 101.0)
+
+
+@pytest.mark.parametrize("name", ["_FillValue", "missing_value", "fill_value", "nodata"])
+@pytest.mark.parametrize("one", [np.array([101.0]), [101.0], 101, "101", np.float32(101.0)])
+def test_a_nodata_value_may_be_a_list_of_one(name, one):
+    assert np.array_equal(np.isnan(reader_of(array(**{name: one})).read(ALL, ALL)), HEIGHTS == 101.0)
 
 
 def test_an_array_may_change_between_two_calls():

@@ -68,6 +68,13 @@ def test_cells_without_a_height_are_known_by_whatever_stands_for_none(tmp_path, 
     same(heights_of((np.ma.masked_array(values, GONE), UTM, "EPSG:3794")))
 
 
+def test_masks_of_dask_count_and_a_masked_array_may_have_none():
+    dask = pytest.importorskip("dask.array")
+    values = np.where(GONE, 255.0, HEIGHTS)
+    same(heights_of((dask.ma.masked_equal(dask.from_array(values), 255.0), UTM, None)))
+    same(heights_of((np.ma.masked_array(HEIGHTS), UTM, None)), gone=np.zeros(HEIGHTS.shape, bool))
+
+
 @pytest.mark.parametrize("dtype", ["uint8", "int16", "float32"])
 def test_a_band_of_transparency_is_no_band_of_heights(tmp_path, dtype):
     """GDAL makes a mask of an alpha of uint8 or uint16 alone; cells without ground had heights of 0."""

@@ -72,7 +72,7 @@ class Coding:
         try:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
             nodata = np.concatenate([np.ravel(given.get(name, [])) for name in _NODATA]).astype(np.float64).tolist()
-            nodata += _nodata_of_rioxarray(array) if len(nodata) < 2 else []
+            nodata += _nodata_of_rioxarray(array)
             with suppress(TypeError, ValueError, OverflowError):  # an encoding that states no number
                 nodata += _unpacked_codes(array.encoding)
         except (TypeError, ValueError, OverflowError):
@@ -104,10 +104,10 @@ class Coding:
 def _nodata_of_rioxarray(array: xr.DataArray) -> list[float]:
     """Return the nodata value that rioxarray reads, which also knows the one that its `set_nodata` has stored.
 
-    It refuses numbers outside of the array's type, such as NaN for integers, which are in no cell. A copy is asked, because
-    it remembers its first answer, which changed attributes would not change.
+    It refuses arrays of numbers, and numbers outside of the array's type, such as NaN for integers, which are in no cell. A
+    copy is asked, because it remembers its first answer, which changed attributes would not change.
     """
-    with suppress(OverflowError, ValueError):
+    with suppress(OverflowError, ValueError, TypeError):
         nodata = copy(array.rio).nodata
         return [] if nodata is None else [float(nodata)]
     return []

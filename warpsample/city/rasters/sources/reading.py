@@ -214,9 +214,9 @@ def _to_map(array: xr.DataArray, got: str) -> xr.DataArray:
 
 def _array_reader(array: Any, transform: Any, crs: Any) -> RasterReader:
     """Check an array of heights with a transform and a CRS, and return a reader of the heights."""
-    masked = np.ma.getmask(array)
-    values = as_real(np.ma.getdata(array) if masked is not np.ma.nomask else array, "source", "an array of real numbers")
-    masked = np.broadcast_to(masked, values.shape)
+    array = array.compute() if hasattr(array, "compute") else array  # an array of Dask may have a mask
+    values = as_real(np.ma.getdata(array) if np.ma.isMaskedArray(array) else array, "source", "an array of real numbers")
+    masked = np.broadcast_to(np.ma.getmask(array), values.shape)
     if values.ndim == 3 and len(values) == 1:
         values, masked = values[0], masked[0]
     if values.ndim != 2 or not values.size:
