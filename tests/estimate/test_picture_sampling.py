@@ -118,16 +118,19 @@ def spotted(shape, side, radiance, ground=1.0):
     return picture
 
 
-@pytest.mark.parametrize("rays", [64, 256])
+@pytest.mark.parametrize("rays", [64, 512])
 @pytest.mark.parametrize(
     "picture",
     [
         spotted((128, 256), 8, 20.0),
         spotted((128, 256), 4, 40.0),
         spotted((128, 256), 8, 12.0, 0.3),
+        spotted((128, 256), 3, 20.0, 0.1),
+        spotted((64, 128), 2, 10.0, 0.0),
+        spotted((64, 128), 2, 10.0),
         spotted((16, 32), 1, 30.0),
     ],
-    ids=["8 x 8", "4 x 4", "dark ground", "one pixel"],
+    ids=["8 x 8", "4 x 4", "dusk", "dark ground", "black ground", "faint", "one pixel"],
 )
 def test_a_few_bright_pixels_of_a_grey_sky_are_found(picture, rays):
     """They had no rays of their own with less than a tenth of the light: 15 to 74 % of intervals held with 64 rays."""
@@ -136,9 +139,9 @@ def test_a_few_bright_pixels_of_a_grey_sky_are_found(picture, rays):
         ws.irradiance(BELOW, points, picture, rays, up=(0, 0, 1), sampling=each, seed=6) for each in ("both", "cosine")
     )
     lower, upper = both.interval(0.95)
-    # 1.00 measured. The errors of the cosine lobe are 4 to 50 times as large.
+    # 1.00 measured. The errors of the cosine lobe are 4 to 50 times as large with 64 rays.
     assert ((lower <= truth) & (truth <= upper)).mean() > 0.95
-    assert np.square(both.value - truth).mean() < np.square(cosine.value - truth).mean() / 9.0
+    assert np.square(both.value - truth).mean() < np.square(cosine.value - truth).mean() / 4.0
     assert both.value.mean() == pytest.approx(truth, rel=2e-3)
 
 

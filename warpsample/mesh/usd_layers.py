@@ -62,11 +62,11 @@ def _find_names(path: str) -> list[str]:
     for layer in names:  # which grows
         with suppress(Tf.ErrorException, OSError, UnicodeError):
             if Path(layer).is_file():
-                found = chain(*UsdUtils.ExtractExternalReferences(layer))
-                paths = dict.fromkeys(
-                    os.path.realpath(Path(layer).parent / each) for each in found
-                )  # names may go in circles
-                names += [each for each in paths if each not in names]
+                found = (
+                    each.partition(":SDF_FORMAT_ARGS:")[0] for each in chain(*UsdUtils.ExtractExternalReferences(layer))
+                )
+                paths = dict.fromkeys(os.path.realpath(Path(layer).parent / each) for each in found)
+                names += [each for each in paths if each not in names]  # without circles
     return names
 
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 from hashlib import sha256
-from math import pi, sqrt
+from math import pi
 from typing import Any, Literal
 
 import numpy as np
@@ -21,10 +21,10 @@ from warpsample.radiation.sky.sampled_picture import by_cosine, by_picture, samp
 Sampling = Literal["cosine", "picture", "both"]
 
 _MOST, _LEAST = 0.875, 0.1  # share of the rays from the picture with "both"
-_MOST_OF_SPOTS, _LEAST_OF_SPOTS = 0.5, 0.125  # and for the light of few pixels
-_SPREAD = 5.0 / 3.0  # relative variance of one ray of the picture: cosines above the receiver's plane, of all directions
-_GAIN = 0.9  # most variance of all rays with such a share, relative to the variance without
-_SHADOWS = 0.05  # relative variance of one ray of the lobe by what blocks it, as between trees and houses
+_MOST_OF_SPOTS, _LEAST_OF_SPOTS = 0.5, 0.125  # and for a few bright pixels
+_FEW = 0.05  # largest part of the sphere that these cover
+_LEVELS = (1.0, 2.0, 4.0)  # luminances above which pixels are bright, relative to the mean
+_NOISE = 0.01  # least relative variance of a ray by them; below, they add a hundredth of the value to the noise of 100 rays
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,19 +59,19 @@ class PictureLight:
         return weigh_colours(self.pixels) if self.colours == 3 else self.pixels[..., 0]
 
     @cached_property
-    def _means(self) -> tuple[float, float, float, float]:
-        """Mean luminance over the sphere; relative to it the mean square, and the mean of what exceeds it; not for black.
-
-        The last number is the variance that the relative luminance would have if no pixel exceeded the mean.
-        """
+    def _means(self) -> tuple[float, float, float]:
+        """Mean luminance over the sphere; relative to it the mean square, and the mean of what exceeds it; not for black."""
         largest = float(self.luminance.max())
         relative = self.luminance.astype(np.float64) / largest
-        height, width = relative.shape
-        weights = np.broadcast_to(solid_angles(pixel_angles(height), width)[:, None], relative.shape)
-        mean = float(np.average(relative, weights=weights))
-        arrays = np.square(relative), np.maximum(relative - mean, 0.0), np.square(np.minimum(relative, mean))
-        square, excess, below = (float(np.average(each, weights=weights)) for each in arrays)
-        return largest * mean, square / mean**2, excess / mean, below / mean**2 - (1.0 - excess / mean) ** 2
+        mean = self._average(relative)
+        square, excess = (self._average(each) for each in (np.square(relative), np.maximum(relative - mean, 0.0)))
+        return largest * mean, square / mean**2, excess / mean
+
+    def _average(self, pixels: np.ndarray) -> float:
+        """Return the mean over the sphere of numbers of the pixels."""
+        height, width = pixels.shape
+        weights = np.broadcast_to(solid_angles(pixel_angles(height), width)[:, None], pixels.shape)
+        return float(np.average(pixels, weights=weights))
 
     @property
     def _typical(self) -> tuple[float, ...]:
@@ -81,33 +81,42 @@ class PictureLight:
         return tuple((pi * np.average(rows, axis=0, weights=weights)).tolist())
 
     @cached_property
-    def share(self) -> float:
-        """Fraction of the rays that "both" draws from the picture: 0 for an even or cloudy sky, 7/8 for a small sun.
+    def _split(self) -> tuple[float, float]:
+        """Fraction of the rays that "both" draws from the picture, and the luminance that their density leaves out.
 
-        It follows from the picture alone, so that the estimate stays unbiased. With q the part of the mean square of the
-        luminance that is not the square of the mean, it rises from 0 at q = 1/2 to 7/8 at q = 1: below, few rays from the
-        picture would add more noise than they remove. It is at most the part of the light that exceeds the mean.
+        They follow from the picture alone, so that the estimate stays unbiased. With q the part of the mean square of the
+        luminance that is not the square of the mean, the fraction rises from 0 at q = 1/2 to 7/8 at q = 1: below, few rays
+        from the picture would add more noise than they remove. It is at most the part of the light that exceeds the mean.
 
-        If this is below 1/10, few pixels may still be far brighter than the others, and the rays of the cosine lobe find
-        them by luck. Where rays from the picture lower the noise, the fraction then is the part of the light that exceeds
-        the mean, from 1/8 to 1/2.
+        If this is below 1/10, a few pixels may still be far brighter than all others, and the rays of the cosine lobe find
+        them by luck. Then the fraction is the part of the light that exceeds the others, from 1/8 to 1/2.
         """
         if not self.pixels.any():
-            return 0.0
-        _mean, square, excess, below = self._means
+            return 0.0, 0.0
+        mean, square, excess = self._means
         share = min(_MOST * (1.0 - 2.0 / square), excess)
         if share > _LEAST:
-            return share
-        lobe, picture = sqrt(below + _SHADOWS), excess * sqrt(_SPREAD)  # noise of one ray of each
-        is_quieter = (lobe + picture) ** 2 < _GAIN * (square - 1.0 + _SHADOWS)
-        return min(max(excess, _LEAST_OF_SPOTS), _MOST_OF_SPOTS) if is_quieter else 0.0
+            return share, mean
+        relative = self.luminance.astype(np.float64) / mean
+        for level in _LEVELS:
+            others = np.minimum(relative, level)
+            light = self._average(others)
+            noise = square - 1.0 - (self._average(np.square(others)) - light**2)
+            if noise > _NOISE and self._average((relative > level).astype(np.float64)) < _FEW:
+                return min(max(1.0 - light, _LEAST_OF_SPOTS), _MOST_OF_SPOTS), level * mean
+        return 0.0, mean
+
+    @property
+    def share(self) -> float:
+        """Fraction of the rays that "both" draws from the picture: 0 for an even or cloudy sky, 7/8 for a small sun."""
+        return self._split[0]
 
     def floor(self, sampling: Sampling) -> float:
-        """Return the luminance that the density of the rays from the picture leaves out: with "both" the mean, else 0.
+        """Return the luminance that the density of the rays from the picture leaves out: 0 but for "both".
 
         Rays of the cosine lobe reach what is darker, and rays of the picture that went there would add noise (Karlik2019).
         """
-        return self._means[0] if sampling == "both" else 0.0
+        return self._split[1] if sampling == "both" else 0.0
 
     def lobe(self, sampling: Sampling) -> PictureReading:
         """Return the distribution of the rays from the picture, which is not black; see `floor`."""
