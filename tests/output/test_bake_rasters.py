@@ -86,6 +86,15 @@ def test_a_tile_that_is_too_large_is_refused_before_any_is_computed(dsm, call, m
     assert (status, "--margin: got 1000000000, want a whole number from 1 to 65536" in err) == (2, True)
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")
+def test_a_tif_whose_folder_is_not_in_utf8_is_refused_before_it_is_computed(dsm, call):
+    """GDAL cannot write it: all tiles were computed first."""
+    folder = dsm.parent / "caf\udce9"
+    folder.mkdir()
+    status, _, err = call("bake", "dsm.tif", "-o", folder / "sky.tif", "--quantity", "sky", "--samples", 16)
+    assert (status, "whose name or folder is not in UTF-8, as GDAL needs" in err, list(folder.iterdir())) == (2, True, [])
+
+
 def test_info_describes_rasters_cities_and_parts(dsm, call, monkeypatch):
     monkeypatch.setenv("COLUMNS", "120")
     status, out, err = call("info", "dsm.tif")

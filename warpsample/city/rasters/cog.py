@@ -41,10 +41,17 @@ def check_sidecars(path: Path, argument: str, inputs: Iterable[Path]) -> None:
 
 
 def check_reference(run: RasterRun, path: Path, argument: str) -> None:
-    """Raise a ValueError if a GeoTIFF cannot hold the CRS of a raster: GDAL would write none or another one.
+    """Raise a ValueError if GDAL cannot write to a path, or if a GeoTIFF cannot hold the CRS of a raster.
 
-    Such a CRS has no code that GDAL knows, and a projection without GeoTIFF keys, as +proj=eqearth.
+    GDAL would write no CRS or another one. Such a CRS has no code that GDAL knows, and a projection without GeoTIFF keys, as
+    +proj=eqearth.
     """
+    try:
+        str(path.absolute()).encode()
+    except UnicodeEncodeError:
+        raise ValueError(
+            f"{argument}: got {str(path)!r}, whose name or folder is not in UTF-8, as GDAL needs; write a .zarr"
+        ) from None
     outline, (rows, columns) = run.reader.outline, run.reader.shape
     if outline.crs is None or outline.crs.geodetic_crs is None:  # a map without a place on Earth
         return
