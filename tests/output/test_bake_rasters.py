@@ -84,6 +84,10 @@ def test_a_tile_that_is_too_large_is_refused_before_any_is_computed(dsm, call, m
     assert call(*given, "--tile", 4)[0] == 0
     status, _, err = call(*given, "--tile", 4, "--margin", 10**9)
     assert (status, "--margin: got 1000000000, want a whole number from 1 to 65536" in err) == (2, True)
+    (dsm.parent / "sky.tif").unlink()
+    status, _, err = call(*given, "--tile", 4, "--margin", 65536, "--far", "dsm.tif")
+    assert (status, "cells of a margin of 65,536 cells with far terrain need" in err) == (2, True)
+    assert [path.name for path in dsm.parent.iterdir()] == ["dsm.tif"]
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")

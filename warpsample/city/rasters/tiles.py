@@ -24,8 +24,11 @@ from warpsample.city.rasters.sources.reader import RasterReader, check_size
 from warpsample.estimate.estimating import collect_missed_tolerances, warn_of_missed_tolerance
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import has_value
+from warpsample.host.engine import check_memory
 from warpsample.host.progress import log
 from warpsample.mesh.surface import SurfacePoints
+
+_BEYOND = 60  # bytes for each cell of a tile and its margin, also beyond the raster, where there is other terrain
 
 Span = tuple[slice, slice]
 """Rows and columns."""
@@ -82,6 +85,11 @@ class RasterRun:
             max(window.stop - window.start for window in (self._widen(self._clip(self._near(span)))[axis] for span in along))
             for axis, along in enumerate(spans)
         )
+        if self.other is not None:
+            (top, left) = (part.stop - part.start for part in self._near((rows[0], columns[0])))
+            check_memory(
+                _BEYOND * top * left, f"cells of a margin of {self.margin:,} cells with far terrain", "take smaller margins"
+            )
         check_size((height, width), "split the raster into tiles" if self.tile is None else "take smaller tiles or margins")
 
     @property
