@@ -46,11 +46,8 @@ def write_names(path: str) -> None:
     try:
         layers, assets, lost = UsdUtils.ComputeAllDependencies(path)
         names = [*(layer.realPath for layer in layers), *assets, *lost]
-    except (
-        Tf.ErrorException,
-        UnicodeError,
-    ):  # a damaged layer is among the assets, which are not opened as parts of the stage
-        names = _find_names(path)
+    except (Tf.ErrorException, UnicodeError):
+        names = _find_names(path)  # a damaged layer is among the assets, which are no parts of the stage
     sys.stdout.buffer.write("\0".join(names).encode("utf-8", "surrogatepass"))
 
 

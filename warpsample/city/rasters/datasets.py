@@ -37,7 +37,7 @@ TREES_AND_TILES: dict[str, Any] = {
 MARGIN = 256
 """Default number of full-resolution cells around a tile."""
 
-_WIDEST_MARGIN = 1 << 16  # cells; the memory of the first ring grows with its square, and no such part can be computed
+_WIDEST_MARGIN = 1 << 16  # cells; memory grows with the square of the margin
 
 _NORMAL = {"horizontal": "up", "surface": "the normal of the cell's surface"}
 

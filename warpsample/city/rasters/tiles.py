@@ -28,7 +28,7 @@ from warpsample.host.engine import check_memory
 from warpsample.host.progress import log
 from warpsample.mesh.surface import SurfacePoints
 
-_BEYOND = 60  # bytes for each cell of a tile and its margin, also beyond the raster, where there is other terrain
+_BEYOND = 60  # bytes for each cell of a tile's margin beyond the raster, where there is other terrain; 50 to 72 measured
 
 Span = tuple[slice, slice]
 """Rows and columns."""

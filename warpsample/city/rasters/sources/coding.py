@@ -66,9 +66,8 @@ class Coding:
             ValueError: An attribute is not a number; the message describes the array as in `got`.
         """
         kind, numbers = stored_attributes(array)
-        given = {
-            name: numbers.get(name, array.attrs[name]) for name in (*_NODATA, *_SCALING) if array.attrs.get(name) is not None
-        }
+        stated = {name: value for name, value in array.attrs.items() if value is not None}
+        given = {name: numbers.get(name, stated[name]) for name in (*_NODATA, *_SCALING) if name in stated}
         try:
             scale, offset = (np.asarray(given.get(*one), np.float64).item() for one in _SCALING.items())
             nodata = np.concatenate([np.ravel(given.get(name, [])) for name in _NODATA]).astype(np.float64).tolist()
