@@ -90,8 +90,10 @@ def test_hdr_is_divided_by_the_factors_that_its_header_states(pixels, tmp_path):
     path.write_bytes(header() + encoded(pixels))
     plain = read_picture(path)
     lines = b"# made\nEXPOSURE=4.0\nCOLORCORR=1 2 0.5\npfilt -e 0.5\nEXPOSURE= 5.000000e-01\n"
-    path.write_bytes(header().replace(b"# made\n", lines) + encoded(pixels))
-    assert np.array_equal(read_picture(path), plain / np.float32([2.0, 4.0, 1.0]))
+    inputs = b"dim.hdr:\n\tpfilt -e 8\n\tEXPOSURE=8.0\n\tFORMAT=32-bit_rle_xyze\npcomb dim.hdr\n"  # as `pcomb` writes them
+    for made in (lines, lines + inputs):
+        path.write_bytes(header().replace(b"# made\n", made) + encoded(pixels))
+        assert np.array_equal(read_picture(path), plain / np.float32([2.0, 4.0, 1.0]))
     for wrong in (
         b"EXPOSURE=0",
         b"EXPOSURE=nan",
@@ -104,6 +106,15 @@ def test_hdr_is_divided_by_the_factors_that_its_header_states(pixels, tmp_path):
         path.write_bytes(header().replace(b"# made", wrong) + encoded(pixels))
         with refused(path, f"the header has '{wrong.decode()}', want (1 number|3 numbers) above 0"):
             read_picture(path)
+
+
+def test_hdr_with_a_size_in_columns_is_read(pixels, tmp_path):
+    """Radiance has padded the numbers of the size with spaces since 2023."""
+    path = tmp_path / "sky.hdr"
+    path.write_bytes(header() + encoded(pixels))
+    plain = read_picture(path)
+    path.write_bytes(header(f"-Y{'':6}", f"+X{'':6}") + encoded(pixels))
+    assert np.array_equal(read_picture(path), plain)
 
 
 def test_hdr_of_runs_that_do_not_fit_is_refused(pixels, tmp_path):

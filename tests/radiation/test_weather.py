@@ -10,7 +10,7 @@ from weather_files import ATHENS, COLUMNS, header, rows, sun_altitude, write_epw
 
 from warpsample.host.locks import imported
 from warpsample.radiation.weather.epw import YEAR
-from warpsample.radiation.weather.weather import hours_of, read_weather
+from warpsample.radiation.weather.weather import _build_athens, hours_of, read_weather
 
 pytest.importorskip("pvlib")
 
@@ -22,6 +22,13 @@ def test_the_numbers_of_the_file_come_hour_by_hour(athens):
     assert (weather.latitude, weather.longitude, weather.time_zone, weather.altitude) == tuple(ATHENS.values())
     assert weather.hours[0] == np.datetime64("2021-01-01T00:00")
     assert (np.diff(weather.hours) == np.timedelta64(60, "m")).all()
+
+
+def test_errors_of_floating_point_numbers_do_not_reach_pvlib():
+    hours_of_sun = read_weather("athens").direct_normal > 0.0
+    _build_athens.cache_clear()
+    with np.errstate(all="raise"):  # as `np.seterr` of a user; its exponential underflows at night
+        assert np.array_equal(read_weather("athens").direct_normal > 0.0, hours_of_sun)
 
 
 def test_the_sun_stands_where_it_is_at_mid_hour(athens):

@@ -74,7 +74,8 @@ class SplitRunner:
             plan = replace(self.plan, distribution=self.summed.distribution)
             runner = Runner(plan, self.summed.second(first / second), self.loan)
             parts.append(runner.result(seed_for("second", seed), second, chosen, skip))
-        return widen(parts[0] if len(parts) == 1 else add_estimates(*parts), self.summed.typical, first + second)
+        with np.errstate(under="ignore"):  # of pictures as dark as 1e-38
+            return widen(parts[0] if len(parts) == 1 else add_estimates(*parts), self.summed.typical, first + second)
 
 
 def add_estimates(one: Estimate, other: Estimate) -> Estimate:

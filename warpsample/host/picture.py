@@ -62,18 +62,19 @@ def _read_hdr(path: Path) -> np.ndarray:
 def _header(file: BinaryIO) -> tuple[slice, slice, int, int, np.ndarray]:
     """Read the header of an .hdr file; return (slices that flip the picture upright, height, width, exposure).
 
-    The exposure is (3,), the product of the factors of all pixels (EXPOSURE) and of each colour (COLORCORR).
+    The exposure is (3,), the product of the factors of all pixels (EXPOSURE) and of each colour (COLORCORR). Lines that
+    begin with a tab are the headers of pictures from which this one was made.
     """
     exposure = np.ones(3)
     if not file.readline(80).startswith(b"#?"):
         raise ValueError("the file does not begin with '#?', as an .hdr file does")
-    while line := file.readline(4096).strip():
+    while line := file.readline(4096).rstrip():
         if line.startswith(b"FORMAT=") and line != b"FORMAT=32-bit_rle_rgbe":
             raise ValueError(f"the header has {line.decode('latin-1')[:60]!r}, want FORMAT=32-bit_rle_rgbe")
         name, _, value = line.partition(b"=")
         if name in (b"EXPOSURE", b"COLORCORR"):
             exposure *= _factors(line.decode("latin-1"), value.split(), 1 if name == b"EXPOSURE" else 3)
-    size = re.fullmatch(rb"([+-])Y ([1-9]\d{0,8}) ([+-])X ([1-9]\d{0,8})\s*", file.readline(80))
+    size = re.fullmatch(rb"([+-])Y +([1-9]\d{0,8}) +([+-])X +([1-9]\d{0,8})\s*", file.readline(80))
     if not size:
         raise ValueError("the header declares no size such as '-Y 512 +X 1024'")
     down, height, right, width = size.groups()

@@ -23,7 +23,7 @@ Sampling = Literal["cosine", "picture", "both"]
 _MOST, _LEAST = 0.875, 0.1  # share of the rays from the picture with "both"
 _MOST_OF_SPOTS, _LEAST_OF_SPOTS = 0.5, 0.125  # and for a few bright pixels
 _FEW = 0.05  # largest part of the sphere that these cover
-_LEVELS = (1.0, 2.0, 4.0)  # luminances above which pixels are bright, relative to the mean
+_LEVELS = (1.0, 2.0, 4.0, 8.0)  # luminances above which pixels are bright, relative to the mean; see `_split` for the last
 _NOISE = 0.01  # least relative variance of a ray by them; below, they add at most 1 % to the error of 100 rays
 
 
@@ -89,7 +89,8 @@ class PictureLight:
         from the picture would add more noise than they remove. It is at most the part of the light that exceeds the mean.
 
         If this is below 1/10, a few pixels may still be far brighter than all others, and the rays of the cosine lobe find
-        them by luck. Then the fraction is the part of the light that exceeds the others, from 1/8 to 1/2.
+        them by luck. Then the fraction is the part of the light that exceeds the others, from 1/8 to 1/2. Above 8 times the
+        mean there are always few pixels: 1/20 of the sphere would have 2/5 of the light, and a fraction above 1/10.
         """
         if not self.pixels.any():
             return 0.0, 0.0
