@@ -62,6 +62,26 @@ def test_an_array_of_xarray_is_warned_of_and_a_tuple_is_not(tmp_path):
     ws.rasters.surface(write_tif(tmp_path / "dsm.tif", HEIGHTS))
 
 
+@pytest.mark.parametrize("argument", ["canopy", "far"])
+def test_maps_of_other_names_without_a_place_on_earth_are_other_maps(argument):
+    """All such maps counted as the same."""
+    plant, city, unnamed = (f'LOCAL_CS["{name}",UNIT["metre",1]]' for name in ("Plant", "City", "unnamed"))
+    for other in (plant, unnamed, None):
+        ws.rasters.sky_view_factor((HEIGHTS, NORTH_UP, plant), 4, **{argument: (HEIGHTS, NORTH_UP, other)})
+    with pytest.raises(ValueError, match=f"^{argument}: got coordinates of City, want Plant, as the heights have$"):
+        ws.rasters.sky_view_factor((HEIGHTS, NORTH_UP, plant), 4, **{argument: (HEIGHTS, NORTH_UP, city)})
+
+
+def test_a_file_is_refused_if_gdal_cannot_look_up_its_map(tmp_path, child_environment):
+    """Then EPSG:3035 came without a place on Earth and without a warning: north was 31 degrees off."""
+    path = write_tif(tmp_path / "dsm.tif", HEIGHTS, crs="EPSG:3035")
+    command = [sys.executable, "-c", f"import warpsample as ws; ws.rasters.surface({str(path)!r})"]
+    for folder, refused in ((None, False), (tmp_path, True)):
+        environment = child_environment | ({} if folder is None else {"PROJ_DATA": str(folder), "PROJ_LIB": str(folder)})
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False, timeout=300)
+        assert ("GDAL does not know, because it cannot read its database" in done.stderr) == refused, done.stderr
+
+
 @pytest.mark.thorough
 @pytest.mark.parametrize("processes", [None, 2])
 def test_one_line_of_the_command(tmp_path, child_environment, processes):

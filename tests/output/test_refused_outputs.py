@@ -122,6 +122,20 @@ def test_one_name_of_a_usd_file_hides_no_other(tmp_path, monkeypatch, other):
     assert (tmp_path / "inner.png" in found) == (other == "inner.usda")
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights")
+def test_names_in_a_usd_layer_that_is_a_link_are_beside_the_link(tmp_path):
+    """Beside a damaged layer, they were looked up beside the link's target."""
+    pytest.importorskip("pxr")
+    (tmp_path / "store").mkdir()
+    (tmp_path / "store" / "inner.usda").write_text('#usda 1.0\ndef Scope "x" {\n asset a = @./loop/../inner.png@\n}\n')
+    (tmp_path / "inner.usda").symlink_to(tmp_path / "store" / "inner.usda")
+    (tmp_path / "loop").symlink_to(tmp_path)
+    (tmp_path / "broken.usda").write_text('#usda 1.0\ndef Mesh "broken" { this is not usd')
+    three = "".join(f" asset a{n} = @{name}@\n" for n, name in enumerate(("broken.usda", "./inner.usda", "loop/in.usda")))
+    (tmp_path / "in.usda").write_text(f'#usda 1.0\ndef Scope "x" {{\n{three}}}\n')
+    assert tmp_path / "inner.png" in list_linked_files(tmp_path / "in.usda")
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="no named pipes")
 def test_libraries_of_an_obj_may_have_backslashes_and_are_no_pipes(tmp_path):
     """The first was replaced; reading the second never ended."""

@@ -154,6 +154,19 @@ def centre(half, side=32):
 CRATE = box((2, 2, 2), (0, 0, 1))  # it stands on the sheet, face on face
 
 
+def test_texels_may_all_be_on_edges_of_faces():
+    """Then nothing was filled: in a floor of squares, with a texel in the middle of each."""
+    lines = np.linspace(-4.0, 4.0, 33)
+    vertices = np.stack(np.meshgrid(lines, lines, [0.0]), axis=-1).reshape(-1, 3)
+    first = np.add.outer(33 * np.arange(32), np.arange(32)).reshape(-1, 1)
+    faces = np.concatenate([first + np.array([0, 1, 34]), first + np.array([0, 34, 33])])
+    crate = CRATE[0] * (0.99, 0.99, 1.0)  # no texel is in one of its walls
+    mesh = ws.Mesh(np.concatenate([vertices, crate]), np.concatenate([faces, CRATE[1] + len(vertices)]))
+    uv = np.full((len(mesh.faces), 3, 2), np.nan)
+    uv[: len(faces)] = (vertices[faces, :2] + 4.0) / 8.0
+    assert np.array_equal(buried_of(mesh, uv, 32), centre(0.99))
+
+
 @pytest.mark.parametrize("inverted", [False, True])
 @pytest.mark.parametrize("width", [8.0, 8.001, 12.0])  # a carpet from wall to wall, nearly so, and a smaller one
 def test_a_carpet_in_a_room_keeps_its_numbers(inverted, width):

@@ -52,18 +52,23 @@ def write_names(path: str) -> None:
 
 
 def _find_names(path: str) -> list[str]:
-    """Return the paths that a layer names, and those that the named layers name in turn; damaged layers name none."""
-    from pxr import Tf, UsdUtils
+    """Return the paths that a layer names, and those that the named layers name in turn; damaged layers name none.
 
-    names = [path]
+    Names in a layer that is a symbolic link are relative to the folder of the link.
+    """
+    from pxr import Ar, Tf, UsdUtils
+
+    names, places = [str(Path(path).absolute())], set()
     for layer in names:  # which grows
+        folder, name = os.path.split(layer)
+        place = os.path.realpath(folder), name
         with suppress(Tf.ErrorException, OSError, UnicodeError):
-            if Path(layer).is_file():
-                found = (
-                    each.partition(":SDF_FORMAT_ARGS:")[0] for each in chain(*UsdUtils.ExtractExternalReferences(layer))
-                )
-                paths = dict.fromkeys(os.path.realpath(Path(layer).parent / each) for each in found)
-                names += [each for each in paths if each not in names]  # without circles
+            if place not in places and Path(layer).is_file():
+                places.add(place)  # without circles
+                for each in chain(*UsdUtils.ExtractExternalReferences(layer)):
+                    found = each.partition(":SDF_FORMAT_ARGS:")[0]
+                    searched = str(Ar.GetResolver().Resolve(found))  # by PXR_AR_DEFAULT_SEARCH_PATH
+                    names += [os.path.normpath(Path(layer).parent / found), *filter(None, [searched])]
     return names
 
 

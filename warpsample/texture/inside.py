@@ -155,7 +155,8 @@ class Enclosed:
         """Prepare the counting; at first, all points count as outside of all bodies."""
         self.rays = 0
         self._closed, self._points = closed, points
-        self._depths, self._source = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
+        self._depths = np.zeros((len(points), 2), np.int32)
+        self._is_within, self._is_sure = np.zeros(len(points), np.bool_), np.zeros(len(points), np.bool_)
 
     def add(self, first: int, texels: SurfacePoints, places: SurfacePoints, workers: int | None) -> None:
         """Count the bodies around some points of the texture.
@@ -168,13 +169,13 @@ class Enclosed:
         """
         rows = slice(first, first + len(texels))
         face = self._points.face[rows] if places is texels else np.asarray(places.face)
-        self._source[rows] = (np.asarray(texels.barycentric) > _WITHIN).all(axis=1)
+        self._is_within[rows] = (np.asarray(texels.barycentric) > _WITHIN).all(axis=1)
         for start in range(0, len(texels), _BLOCK):
             block = slice(start, start + _BLOCK)
             nested, unsure, rays = self._closed.count_bodies(places.take(block), face[block], workers)
             rows = slice(first + start, first + start + len(nested))
             self._depths[rows], self.rays = nested, self.rays + rays
-            self._source[rows] &= ~unsure
+            self._is_sure[rows] = ~unsure
 
     @property
     def inside(self) -> np.ndarray:
@@ -188,15 +189,16 @@ class Enclosed:
         are marked. A chart cut by a hollow body is examined separately inside and outside of the hollow.
 
         Args:
-            usable: (P,) bool, points with a value. Only usable points are compared with; points on the rim of a chart and
-                points whose rays disagreed are left out, too.
+            usable: (P,) bool, points with a value. Only usable points are compared with; points whose rays disagreed are
+                left out, and points on edges of faces, such as the rim of a chart, unless their chart has no others.
         """
         if not self.inside.any():
             return np.zeros(len(usable), np.bool_)
         depth, hollow = self._depths.T
         group = self._chart * (int(hollow.max()) + 1) + hollow
         least = np.full(int(group.max()) + 1, np.iinfo(np.int32).max, np.int32)
-        source = self._source & usable
+        source = self._is_sure & usable
+        source &= self._is_within | (np.bincount(self._chart, self._is_within & source) == 0.0)[self._chart]
         np.minimum.at(least, group[source], depth[source])
         return depth > least[group]
 

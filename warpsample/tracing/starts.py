@@ -27,6 +27,8 @@ from warpsample.tracing.sight.facets import Contacts, ContactsArgs, corners_of, 
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
 
+_TRIES = wp.constant(8)  # faces of one normal that are tried as a vertex's own: six meet at a vertex of a grid
+
 
 def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> tuple[np.ndarray, np.ndarray]:
     """Return the face of each surface point, (P,) int32, and the normal of that face, (P, 3) float32.
@@ -125,6 +127,7 @@ def _start_kernel() -> wp.Kernel:
         contact.along = -1
         contact.against = -1
         contact.alone = wp.bool(False)
+        contact.after = -1
         normal = vec3_at(contacts.placement.normals, i)
         look = in_double(normal)
         if contacts.sides == 1:
@@ -138,19 +141,32 @@ def _start_kernel() -> wp.Kernel:
         if known:
             # This normal was computed before the corners were rounded to float32.
             contact.facet = with_normal(contacts, corners_of(contacts, contact.own), in_double(normal))
-        # Step 0 searches for the point's own face, if it is unknown; each further step finds the start on one side.
-        for step in range(wp.where(known, 1, 0), contacts.sides + 1):
+        # Step 0 searches for the point's own face, if it is unknown; each further step finds the start on one side. Step 1
+        # is repeated with the next face of the same normal while the own face is behind another one, at last with the first.
+        first = contact.own
+        tries = wp.where(known, _TRIES, 0)
+        step = wp.where(known, 1, 0)
+        while step <= contacts.sides:
             if step > 0 and contact.own >= 0:
                 contact = raise_start(contacts, contact, look, known)
             if wp.dot(look, look) > ZERO and (step == 0 or contact.own >= 0) and not contact.alone:
                 contact.alone = wp.bool(step > 0)
                 contact = look_around(contacts, tree, contact, look, step == 0, words.ptr)
-            if step == 0:
-                contact.own = find_own_face(contact)
-                if contact.own >= 0:
-                    contact.facet = facet_of(contacts, contact.own)
+            again = step == 1 and contact.behind and tries < _TRIES
+            if again:
+                contact.after = contact.own
+                contact.next = -1
+                contact = look_around(contacts, tree, contact, look, True, words.ptr)
+                tries = wp.where(contact.next < 0, _TRIES, tries + 1)
+                contact.own = wp.where(tries < _TRIES, contact.next, first)
+            elif step == 0:
+                first = find_own_face(contact)
+                contact.own = first
             else:
                 _set_start(contacts, i, step - 1, start_of(contacts, contact, look))
                 look = -look
+            if (again or step == 0) and contact.own >= 0:
+                contact.facet = facet_of(contacts, contact.own)
+            step += wp.where(again, 0, 1)
 
     return find_starts

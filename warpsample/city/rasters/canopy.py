@@ -12,6 +12,7 @@ import numpy as np
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.sources.reader import RasterReader
 from warpsample.city.rasters.sources.reading import reader_of
+from warpsample.city.rasters.sources.reference import is_same_crs
 from warpsample.host.arguments import check_flag, check_number, quote
 
 _SIDES = (((0, 1), (1, 1), (1, 0)), ((-1, 0), (1, 0), (0, 0)), ((0, -1), (0, 0), (0, 1)), ((1, 0), (0, 1), (1, 1)))
@@ -187,7 +188,7 @@ def check_for_crowns(argument: str, value: Any, default: float) -> None:
 
 def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> None:
     """Raise a ValueError if two rasters have different horizontal coordinate reference systems (CRS)."""
-    if other.crs and ground.crs and other.crs.to_2d() != ground.crs.to_2d():
+    if other.crs and ground.crs and not is_same_crs(other.crs.to_2d(), ground.crs.to_2d()):
         raise ValueError(f"{argument}: got coordinates of {other.crs.name}, want {ground.crs.name}, as the heights have")
 
 

@@ -9,6 +9,7 @@ from warpsample.tracing.sight.facets import NOWHERE, Contacts, Facet, facet_of, 
 from warpsample.tracing.sight.touching import faces_touching
 
 _TWICE = wp.constant(wp.float32(2.0 * OFFSET))
+_STEP = wp.constant(wp.float64(16.0))  # slacks, so that a foot at 8 degrees to the edge or more is found
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _RAISED = wp.constant(wp.float64(OFFSET))
 _TENTH = wp.constant(wp.float64(0.1))
@@ -20,8 +21,8 @@ _THIN = wp.constant(wp.int32(-2))  # face number of a point that lies only on fa
 class FaceContact:
     """State of the search for the position where a surface point's rays start: the point, its face, and the start so far.
 
-    The last five fields are the state of the search for the point's own face, by the cosine of each touching face's normal
-    to the point's direction of view.
+    The last fields are the state of the search for the point's own face, by the cosine of each touching face's normal to the
+    point's direction of view.
 
     Attributes:
         p: position of the point.
@@ -38,6 +39,9 @@ class FaceContact:
         against: face with the smallest cosine, among cosines of at most 0; -1 if none.
         best_against: that cosine, negated.
         ahead: sum over all touching faces of cosine times twice the area.
+        behind: whether the own face is behind another one, like the floor inside a box that stands on it.
+        after: own face of which the next one with the same normal is sought; -1 for the first search.
+        next: that face; -1 if there is none.
     """
 
     p: wp.vec3d
@@ -54,6 +58,26 @@ class FaceContact:
     against: wp.int32
     best_against: wp.float64
     ahead: wp.float64
+    behind: wp.bool
+    after: wp.int32
+    next: wp.int32
+
+
+@wp.func
+def _runs_into(contact: FaceContact, other: Facet) -> wp.bool:
+    """Return whether another face crosses a point's own face next to the point, which is at an edge of its own face.
+
+    So do walls whose foot runs on through the point, but not faces that meet the own face at the edge.
+    """
+    own = contact.facet
+    along = wp.cross(own.n, other.n)
+    step = (_STEP * own.slack / wp.length(along)) * along
+    found = wp.bool(False)
+    for _way in range(2):
+        q = contact.p + step
+        found = found or (inward_distance(own, q) > TWO * own.slack and is_touching(other, q, contact.moved))
+        step = -step
+    return found
 
 
 @wp.func
@@ -69,7 +93,8 @@ def _move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
     b = wp.dot(other.n, own.b - other.a)
     c = wp.dot(other.n, own.c - other.a)
     across = wp.max(wp.max(a, b), c) > other.offset and wp.min(wp.min(a, b), c) < -other.offset
-    across = across and inward_distance(own, contact.p) > own.slack  # and the point is not at an edge
+    if across and inward_distance(own, contact.p) <= own.slack:  # the point is at an edge
+        across = _runs_into(contact, other)
     gain = (a + b + c) * _THIRD - wp.dot(other.n, contact.p - other.a)
     side = wp.where(across, contact.side, wp.copysign(ONE, gain))
     height = side * wp.dot(other.n, contact.o - other.a)
@@ -78,6 +103,7 @@ def _move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
             contact.aside += (side * (other.offset - height)) * other.n
         elif wp.abs(gain) > _THIRD * other.offset:
             contact.inwards = wp.max(contact.inwards, (other.offset - height) / wp.abs(gain))
+            contact.behind = contact.behind or side != contact.side
     return contact
 
 
@@ -100,8 +126,11 @@ def _look_at_other(
         if contact.own == -1:
             contact.own = _THIN
     elif is_touching(facet, contact.p, contact.moved):
-        if searching:
-            cosine = wp.dot(facet.n, look)
+        cosine = wp.dot(facet.n, look)
+        if searching and contact.after >= 0:
+            if face > contact.after and wp.abs(cosine - wp.dot(contact.facet.n, look)) < ONE - _SAME:
+                contact.next = wp.where(contact.next < 0, face, wp.min(contact.next, face))
+        elif searching:
             contact.ahead += cosine * facet.area
             if _is_better(cosine, face, contact.best_along, contact.along):
                 contact.best_along = cosine
@@ -189,6 +218,7 @@ def raise_start(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known:
     contact.side = wp.copysign(ONE, wp.dot(own.n, look))
     contact.inwards = ZERO
     contact.aside = NOWHERE
+    contact.behind = wp.bool(False)
     height = contact.side * wp.dot(own.n, contact.p - own.a)
     away = wp.clamp(own.offset - height, ZERO, TWO * own.offset)
     way = contact.side * own.n

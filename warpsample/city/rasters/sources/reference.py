@@ -23,6 +23,7 @@ _ANGLE = re.compile(r"(arc|deg|grad|rad)[a-z_ -]*|°|(grid_)?(latitude|longitude
 _DEPTH = re.compile(r"(^|_)depth(_|$)")  # in standard names of netCDF, as sea_floor_depth_below_geoid
 _PART = re.compile(r"[?&]\d+=([^?&]+)")  # of an address of several systems: crs-compound?1=...&2=...
 _EPSG = re.compile(r"EPSG(?:/|::|:)(?:[^/:]*[/:])?(\d+)/?$", re.IGNORECASE)
+_UNNAMED = {"", "unknown", "unnamed", "undefined"}
 _SAME = 1.0  # m: versions of a datum differ by less, other maps by more
 _STRETCHED = 0.05  # relative error of lengths; UTM has at most 0.001, a map of a continent 0.03
 REPROJECT = "reproject it first, as by da.rio.reproject(da.rio.estimate_utm_crs())"
@@ -44,7 +45,23 @@ def crs_of(crs: Any) -> pyproj.CRS | None:
             f"source: got {quote(crs)} for its CRS, want a CRS that pyproj knows, such as 'EPSG:3794', or None"
         ) from error
     check_map(found, "source", f"{REPROJECT} or gdalwarp")
+    if found.geodetic_crs is None:
+        _check_database(found)
     return found
+
+
+def _check_database(crs: pyproj.CRS) -> None:
+    """Raise a ValueError for a map without a place on Earth if GDAL makes all maps into such ones, see PROJ_DATA."""
+    from rasterio.crs import CRS
+    from rasterio.errors import CRSError as RasterioError
+
+    try:
+        CRS.from_epsg(3035)
+    except RasterioError as error:
+        raise ValueError(
+            f"source: got a map, {crs.name}, whose place on Earth GDAL does not know, because it cannot read its database "
+            "of maps; unset PROJ_DATA and PROJ_LIB, which may belong to another program"
+        ) from error
 
 
 def check_map(crs: pyproj.CRS, argument: str, mend: str) -> None:
@@ -75,10 +92,17 @@ def crs_by_address(text: str) -> pyproj.CRS:
     return pyproj.CRS.from_user_input("EPSG:" + "+".join(part[1] for part in parts))
 
 
+def is_same_crs(one: pyproj.CRS, other: pyproj.CRS) -> bool:
+    """Return True if two CRS are equal. Maps without a place on Earth must have equal names, too, unless one has no name."""
+    names = {each.name.lower() for each in (one, other)} - _UNNAMED
+    return one == other and (one.geodetic_crs is not None or len(names) < 2)
+
+
 def is_same_map(one: pyproj.CRS, other: pyproj.CRS, x: float, y: float) -> bool:
     """Return True if two CRS place the point (x, y) of the first within 1 m of each other, regardless of units."""
-    if _flat(one) == _flat(other):
-        return True
+    same = is_same_crs(_flat(one), _flat(other))
+    if same or None in (one.geodetic_crs, other.geodetic_crs):
+        return same
     try:
         there = pyproj.Transformer.from_crs(_flat(one), _flat(other), always_xy=True).transform(x, y, errcheck=True)
     except ProjError:
