@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 import trimesh
+from affine import Affine
 from estimate_cases import at, same
 from meshes import turned
+from second_device import second_device
 from trimesh import creation
 
 import warpsample as ws
@@ -187,6 +189,31 @@ def test_and_whichever_face_of_the_floor_it_is_on(face, turn):
     points = ws.SurfacePoints(feet, np.tile(turned(turn)[:, 2].astype(np.float32), (2, 1)), np.array([face, face]))
     found = ws.ambient_occlusion(box_in_a_floor(1, turn), points, 1024)
     assert np.abs(found.value - 0.5).max() <= HALF
+
+
+def edges_and_peaks():
+    """Pairs of a mesh and points: a closed room's corners and edges, the foot of a wall, and peaks as steep as walls."""
+    room = ws.as_mesh((ROOMS["tetrahedron"].vertices @ turned(3).T, ROOMS["tetrahedron"].faces[:, ::-1]))
+    yield room, ws.SurfacePoints(*on_all_edges(room))
+    yield room, ws.vertex_points(room)
+    foot = np.stack([np.zeros(50), np.linspace(-5.0, 5.0, 50), np.zeros(50)], axis=1)
+    yield corner(1), ws.SurfacePoints(foot, np.tile(np.float32([0, 0, 1]), (50, 1)), np.full(50, 1))
+    heights = np.random.default_rng(1).uniform(0.0, 30.0, (12, 12))
+    terrain = ws.rasters.surface((heights, Affine(1, 0, 0, 0, -1, 0), None), model="tin")
+    yield terrain.mesh, terrain.points("surface")[0]
+
+
+def test_with_wp_mesh_points_on_edges_see_what_they_see_with_the_wide_tree():
+    """On a device, too; before, points on edges saw through walls with wp.Mesh, and were off by up to 1."""
+    for mesh, points in edges_and_peaks():
+        wide, warp = (ws.ambient_occlusion(mesh, points, 256, tracer=tracer) for tracer in ("wide", "warp"))
+        assert np.abs(wide.value - warp.value).max() <= 4 / 256  # rays at edges of other faces
+        ways = ws.sample_directions(points, 16).vectors
+        hits = ws.trace(mesh, points, ways, tracer="warp")
+        assert np.count_nonzero((hits.face >= 0) != (ws.trace(mesh, points, ways).face >= 0)) <= ways.size // 3000
+        with second_device():
+            assert np.array_equal(ws.ambient_occlusion(mesh, points, 256).value, warp.value)
+            assert np.array_equal(ws.trace(mesh, points, ways).face, hits.face)
 
 
 def test_what_floats_starts_where_it_is(bunny, points):

@@ -20,7 +20,7 @@ from warpsample.tracing.placement import PlacementArgs
 from warpsample.tracing.queries import AcceleratorArgs
 from warpsample.tracing.rays import RAY_WORK
 
-_BYTES_OF_POINT = 128  # on a device: position, two normals, mask, order, and up to three components of each result
+_BYTES_OF_POINT = 144  # on a device: position, start, two normals, mask, order, and up to three components of each result
 _TASK, _MOST_ROWS = 1 << 11, 16  # rays and points per task on the CPU, where clearing memory takes as long as ten rays
 _MOST_REACH = 2.0**60  # in sizes of the scene: relative to this reach, all distances in the scene round to 0
 
@@ -116,8 +116,7 @@ class Runner:
         part.placement.points = rows.stop - rows.start
         part.placement.ids = loan.lend(options.ids, rows)
         if self.traced:
-            part.placement.origins = loan.lend(self.at.position.owner, rows)
-            part.placement.normals = loan.lend(self.at.side, rows)
+            self.at.lend(part.placement, loan, rows)
         return part
 
     def _run(self, loan: Loan, lobes: LobesArgs, chosen: np.ndarray | None) -> None:

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.host.device_memory import Loan
 from warpsample.host.neighbours import describe_type
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import Mesh, as_mesh
@@ -51,7 +52,8 @@ class PlacedPoints:
         self.position: Triples = Triples.of(points.position, f"{argument}.position")
         self.normal: np.ndarray = as_directions(Triples.of(points.normal, f"{argument}.normal").owner)
         self.face, self.side = faces_and_normals(mesh, points, argument) if mesh else (None, None)
-        self._placements: dict[tuple[Tracer, bool], tuple[PlacementArgs, np.ndarray | None]] = {}
+        self._placements: dict[tuple[Tracer, bool], PlacementArgs] = {}
+        self._starts: dict[int, np.ndarray] = {}  # by address
 
     @classmethod
     def of(cls, mesh: Any, points: Any) -> "PlacedPoints":
@@ -87,6 +89,16 @@ class PlacedPoints:
         """
         return self._placement(options, reach, None)
 
+    def lend(self, placement: Any, loan: Loan, rows: slice) -> None:
+        """Change a kernel argument from `facing` or `two_sided` to describe some rows of the points on a device.
+
+        `rows` is a slice of `Memory.parts`. In place, the addresses stay those of the whole arrays.
+        """
+        placement.points = rows.stop - rows.start
+        placement.origins = loan.lend(self.position.owner, rows)
+        placement.normals = loan.lend(self.side, rows)
+        placement.starts = loan.lend(self._starts[placement.starts], rows)
+
     def order(self, placement: Any, count: int, workers: int) -> np.ndarray | None:
         """Return the fastest order of processing the points, (P,) int64; None for the order of the rows."""
         return visiting_order(self.scene, placement, count, workers)
@@ -110,7 +122,8 @@ class PlacedPoints:
                 tracer=options.tracer,
                 workers=options.workers,
             )
-            self._placements[key] = placement, starts
-        placement = PlacementArgs.from_buffer_copy(self._placements[key][0])
+            self._starts[placement.starts] = starts
+            self._placements[key] = placement
+        placement = PlacementArgs.from_buffer_copy(self._placements[key])
         placement.reach = reach * self.scene.scale
         return placement

@@ -62,14 +62,14 @@ def set_starts(
     raised: np.ndarray | None,
     tracer: Tracer,
     workers: int,
-) -> np.ndarray | None:
+) -> np.ndarray:
     """Compute the positions where the rays of surface points start, (P, sides, 3) float32, just off the points' faces.
 
-    The address of the array is stored in `placement`.
+    The address of the array is stored in `placement`. The caller must keep the array. The search uses the 16-wide tree on
+    the CPU, whichever tracer and device the rays have.
 
-    The caller must keep the array. A tracer without tree searches has no starts and returns None. Its points are moved off
-    their faces as if the mesh had the same extent in all directions, since the distances of wp.Mesh to needle-like faces are
-    that inexact.
+    The distances of wp.Mesh to needle-like faces are inexact. So for this tracer, the points are moved off their faces as if
+    the mesh had the same extent in all directions, and that extent is stored in `placement`.
 
     Args:
         scene: scene with the points on its surface.
@@ -81,16 +81,16 @@ def set_starts(
         tracer: tracer of the rays.
         workers: number of threads.
     """
-    if not tracer.skips:
+    if not tracer.exact:
         placement.extent = wp.vec3(1.0, 1.0, 1.0)
-        return None
     sides = 2 if towards is None else 1
     starts = np.empty((placement.points, sides, 3), np.float32)
     contacts = ContactsArgs(
         placement=placement, towards=0 if towards is None else towards.ctypes.data, face=face.ctypes.data
     )
     contacts.vertices, contacts.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
-    contacts.spread, contacts.starts, contacts.sides = wp.vec3(*scene.spread), starts.ctypes.data, sides
+    contacts.spread = wp.vec3(*scene.spread) if tracer.exact else placement.extent
+    contacts.starts, contacts.sides = starts.ctypes.data, sides
     contacts.raised = 0 if raised is None else raised.ctypes.data
     tree = scene.tree(workers).accelerator()  # of all faces, as translucent faces can hold points, too
     run(_start_kernel(), placement.points, [contacts, tree], cpu(), workers=workers, work=16 * placement.points)

@@ -25,7 +25,7 @@ from warpsample.tracing.options import RayOptions
 from warpsample.tracing.rays import RaysArgs, trace_rays
 from warpsample.tracing.scene import scene_of
 
-_BYTES_OF_POINT = 24 + 12  # on a device: origin, face's normal
+_BYTES_OF_POINT = 24 + 12 + 24  # on a device: origin, face's normal, starts on both sides
 _BYTES_OF_RAY = 24 + 4 + 4  # on a device: direction, distance, face
 
 
@@ -132,14 +132,15 @@ def _iterate_parts(memory: Memory, asked: RaysArgs, given: GivenRays, hits: Hits
 
     A part stays on the device until the next one is requested.
     """
-    normals = None if given.points is None else given.points.side
     for points, rays in _iterate_blocks(memory, asked.placement.points, asked.count):
         with memory.loan() as loan:
             part = RaysArgs.from_buffer_copy(asked)
-            part.placement.points = points.stop - points.start
+            if given.points is None:
+                part.placement.points = points.stop - points.start
+                part.placement.origins = loan.lend(given.origins.owner.reshape(-1, 3), points)
+            else:
+                given.points.lend(part.placement, loan, points)
             part.count = (rays.stop - rays.start) // part.placement.points
-            part.placement.origins = loan.lend(given.origins.owner.reshape(-1, 3), points)
-            part.placement.normals = loan.lend(normals, points)
             part.directions = loan.lend(given.directions.owner.reshape(-1, 3), rays)
             part.distance = loan.output(hits.distance.reshape(-1), rays)
             part.face = loan.output(hits.face.reshape(-1), rays)

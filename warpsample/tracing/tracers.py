@@ -29,7 +29,8 @@ class Tracer:
             whether its distance is finite is defined.
         accelerator: function (scene, device, workers) -> addresses that queries read, of the opaque faces. The first call
             builds the tree.
-        skips: whether the tree supports searches other than rays, which find starts of rays and directions to skip.
+        skips: whether the tree supports searches other than rays, which find directions to skip.
+        exact: whether rays hit needle-like faces at the right distance; else rays start farther off their faces.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Tracer:
     distance_query: Callable[[bool], wp.Function]
     accelerator: Callable[[Scene, wp.Device, int], AcceleratorArgs]
     skips: bool
+    exact: bool
 
 
 WIDE = Tracer(
@@ -49,6 +51,7 @@ WIDE = Tracer(
     partial(wide_query, several=True),
     lambda scene, _device, workers: scene.blockers(workers).accelerator(),
     skips=True,
+    exact=True,
 )
 """Tracer by the 16-wide tree, on the CPU."""
 
@@ -60,6 +63,7 @@ BUILTIN = Tracer(
     lambda any_hit: builtin_any_query if any_hit else builtin_query,
     lambda scene, device, _workers: scene.builtin(device),
     skips=False,
+    exact=False,
 )
 """Tracer by wp.Mesh, on any device."""
 

@@ -23,7 +23,7 @@ class Contacts:
         raised: address of (P,) bool, points whose starts are raised vertically, as in `SurfacePoints`; 0 for none.
         vertices: address of the scene's (V, 3) float32 vertices.
         triangles: address of the scene's (F, 3) int32 faces.
-        spread: extent of the scene without distant parts.
+        spread: extent of the scene without distant parts, or 1 on each axis for a tracer with inexact distances.
         starts: address of (P, sides, 3) float32 for the starts, in the scene's coordinates.
         sides: number of starts per point, 1 or 2.
     """
