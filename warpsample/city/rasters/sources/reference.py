@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pyproj
+import rasterio
 from pyproj.exceptions import CRSError, ProjError
 
 from warpsample.host.arguments import quote
@@ -52,12 +53,9 @@ def crs_of(crs: Any) -> pyproj.CRS | None:
 
 def _check_database(crs: pyproj.CRS) -> None:
     """Raise a ValueError for a map without a place on Earth if GDAL makes all maps into such ones, see PROJ_DATA."""
-    from rasterio.crs import CRS
-    from rasterio.errors import CRSError as RasterioError
-
     try:
-        CRS.from_epsg(3035)
-    except RasterioError as error:
+        rasterio.CRS.from_epsg(3035)
+    except rasterio.errors.CRSError as error:
         raise ValueError(
             f"source: got a map, {crs.name}, whose place on Earth GDAL does not know, because it cannot read its database "
             "of maps; unset PROJ_DATA and PROJ_LIB, which may belong to another program"
