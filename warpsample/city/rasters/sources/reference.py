@@ -45,20 +45,20 @@ def crs_of(crs: Any) -> pyproj.CRS | None:
         raise ValueError(
             f"source: got {quote(crs)} for its CRS, want a CRS that pyproj knows, such as 'EPSG:3794', or None"
         ) from error
-    check_map(found, "source", f"{REPROJECT} or gdalwarp")
-    if found.geodetic_crs is None:
+    if isinstance(crs, rasterio.CRS):
         _check_database(found)
+    check_map(found, "source", f"{REPROJECT} or gdalwarp")
     return found
 
 
 def _check_database(crs: pyproj.CRS) -> None:
-    """Raise a ValueError for a map without a place on Earth if GDAL makes all maps into such ones, see PROJ_DATA."""
+    """Raise a ValueError for a map that GDAL has read without its database: it may lack its place on Earth and its units."""
     try:
         rasterio.CRS.from_epsg(3035)
     except rasterio.errors.CRSError as error:
         raise ValueError(
-            f"source: got a map, {crs.name}, whose place on Earth GDAL does not know, because it cannot read its database "
-            "of maps; unset PROJ_DATA and PROJ_LIB, which may belong to another program"
+            f"source: got a map, {crs.name}, that GDAL has read without its database of maps; unset PROJ_DATA and PROJ_LIB, "
+            "which may belong to another program"
         ) from error
 
 
