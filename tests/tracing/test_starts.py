@@ -160,24 +160,25 @@ def test_a_wall_in_the_middle_of_a_floor_has_the_points_on_its_foot_on_its_front
     assert hits.face[1] in (2, 3)
 
 
-def box_in_a_floor(squares, turn):
-    """A floor from 0 to 8 of squares of two triangles, and a box in it at x from 2 to 6 and y from 3 to 5.5."""
+def box_in_a_floor(squares, turn, depth=7.5):
+    """A floor from 0 to 8 of squares of two triangles, and a box `depth` in it at x from 2 to 6 and y from 3 to 5.5."""
     lines = np.linspace(0.0, 8.0, squares + 1)
     floor = np.stack(np.meshgrid(lines, lines, [0.0]), axis=-1).reshape(-1, 3)
     first = np.add.outer(np.arange(squares) * (squares + 1), np.arange(squares)).reshape(-1, 1)
     faces = np.concatenate([first + np.array([0, 1, squares + 2]), first + np.array([0, squares + 2, squares + 1])])
     box = creation.box((4.0, 2.5, 40.0))
-    vertices = np.concatenate([floor, box.vertices + np.array([4.0, 4.25, 12.5])]) @ turned(turn).T
+    vertices = np.concatenate([floor, box.vertices + np.array([4.0, 4.25, 20.0 - depth])]) @ turned(turn).T
     return ws.Mesh(vertices, np.concatenate([faces, box.faces + len(floor)]))
 
 
-@pytest.mark.parametrize("turn", [0, 3])
+@pytest.mark.parametrize("depth", [0.0, 7.5])
+@pytest.mark.parametrize("turn", [0, 3, 4, 5])
 @pytest.mark.parametrize("squares", [1, 2, 8])
-def test_at_the_foot_of_a_wall_a_point_is_in_front_of_it_whatever_the_edges_of_the_floor(squares, turn):
-    """Vertices of the floor saw nothing at two of the four walls."""
+def test_at_the_foot_of_a_wall_a_point_is_in_front_of_it_whatever_the_edges_of_the_floor(squares, turn, depth):
+    """Vertices of the floor saw nothing at two of the four walls, and at all walls of a box that stands on the floor."""
     feet = np.array([[2, 4, 0], [2, 5, 0], [6, 4, 0], [6, 5, 0], [3, 3, 0], [4, 3, 0], [5, 3, 0], [5.5, 5.5, 0]])
     points = at(feet @ turned(turn).T, turned(turn)[:, 2])
-    found = ws.ambient_occlusion(box_in_a_floor(squares, turn), points, 1024)
+    found = ws.ambient_occlusion(box_in_a_floor(squares, turn, depth), points, 1024)
     assert np.abs(found.value - 0.5).max() <= HALF
 
 

@@ -27,7 +27,7 @@ from warpsample.tracing.sight.facets import Contacts, ContactsArgs, corners_of, 
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
 
-_TRIES = wp.constant(8)  # faces of one normal that are tried as a vertex's own: six meet at a vertex of a grid
+_TRIES = wp.constant(12)  # faces of one normal that are tried as a vertex's own: six meet at a vertex of a grid
 
 
 def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> tuple[np.ndarray, np.ndarray]:
@@ -127,7 +127,7 @@ def _start_kernel() -> wp.Kernel:
         contact.along = -1
         contact.against = -1
         contact.alone = wp.bool(False)
-        contact.after = -1
+        contact.after = -2
         normal = vec3_at(contacts.placement.normals, i)
         look = in_double(normal)
         if contacts.sides == 1:
@@ -142,7 +142,7 @@ def _start_kernel() -> wp.Kernel:
             # This normal was computed before the corners were rounded to float32.
             contact.facet = with_normal(contacts, corners_of(contacts, contact.own), in_double(normal))
         # Step 0 searches for the point's own face, if it is unknown; each further step finds the start on one side. Step 1
-        # is repeated with the next face of the same normal while the own face is behind another one, at last with the first.
+        # is repeated with each face of the same normal while the own face is behind another one, at last with the first.
         first = contact.own
         tries = wp.where(known, _TRIES, 0)
         step = wp.where(known, 1, 0)
@@ -154,7 +154,7 @@ def _start_kernel() -> wp.Kernel:
                 contact = look_around(contacts, tree, contact, look, step == 0, words.ptr)
             again = step == 1 and contact.behind and tries < _TRIES
             if again:
-                contact.after = contact.own
+                contact.after = wp.where(tries == 0, -1, contact.own)
                 contact.next = -1
                 contact = look_around(contacts, tree, contact, look, True, words.ptr)
                 tries = wp.where(contact.next < 0, _TRIES, tries + 1)

@@ -40,8 +40,8 @@ class FaceContact:
         best_against: that cosine, negated.
         ahead: sum over all touching faces of cosine times twice the area.
         behind: whether the own face is behind another one, like the floor inside a box that stands on it.
-        after: own face of which the next one with the same normal is sought; -1 for the first search.
-        next: that face; -1 if there is none.
+        after: faces after this one are searched for another with the same normal; -2 in the search for the first one.
+        next: the first such face; -1 if there is none.
     """
 
     p: wp.vec3d
@@ -127,7 +127,7 @@ def _look_at_other(
             contact.own = _THIN
     elif is_touching(facet, contact.p, contact.moved):
         cosine = wp.dot(facet.n, look)
-        if searching and contact.after >= 0:
+        if searching and contact.after >= -1:
             if face > contact.after and wp.abs(cosine - wp.dot(contact.facet.n, look)) < ONE - _SAME:
                 contact.next = wp.where(contact.next < 0, face, wp.min(contact.next, face))
         elif searching:
@@ -200,9 +200,8 @@ def find_own_face(contact: FaceContact) -> wp.int32:
     either. At the tip of a spike, such a sum points against the normals of some of the faces.
     """
     along = contact.best_along > _SAME
-    against = contact.best_against > _SAME
     forward = contact.ahead >= ZERO
-    if along != against:
+    if along or contact.best_against > _SAME:  # both for a floor on which the bottom of a crate lies
         forward = along
     found = wp.where(forward, contact.along, contact.against)
     return wp.where(found >= 0, found, contact.own)
