@@ -22,12 +22,21 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placement import PlacementArgs, in_double, local_origin
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.scene import Scene
-from warpsample.tracing.sight.contacts import FaceContact, find_own_face, look_around, raise_start, start_above, start_of
+from warpsample.tracing.sight.contacts import (
+    find_next_face,
+    find_own_face,
+    look_around,
+    raise_start,
+    stand_between_walls,
+    start_above,
+    start_of,
+)
+from warpsample.tracing.sight.face_contact import FaceContact
 from warpsample.tracing.sight.facets import Contacts, ContactsArgs, corners_of, facet_of, with_normal
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
 
-_TRIES = wp.constant(12)  # faces of one normal that are tried as a vertex's own: six meet at a vertex of a grid
+_TRIES = wp.constant(12)  # faces that are tried as a vertex's own: six meet at a vertex of a grid
 
 
 def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> tuple[np.ndarray, np.ndarray]:
@@ -142,9 +151,10 @@ def _start_kernel() -> wp.Kernel:
             # This normal was computed before the corners were rounded to float32.
             contact.facet = with_normal(contacts, corners_of(contacts, contact.own), in_double(normal))
         # Step 0 searches for the point's own face, if it is unknown; each further step finds the start on one side. Step 1
-        # is repeated with each face of the same normal while the own face is behind another one, at last with the first.
+        # is repeated with each face that is like the first while the own face is behind another one, at last with the first.
         first = contact.own
         tries = wp.where(known, _TRIES, 0)
+        has_others = wp.bool(False)
         step = wp.where(known, 1, 0)
         while step <= contacts.sides:
             if step > 0 and contact.own >= 0:
@@ -154,15 +164,17 @@ def _start_kernel() -> wp.Kernel:
                 contact = look_around(contacts, tree, contact, look, step == 0, words.ptr)
             again = step == 1 and contact.behind and tries < _TRIES
             if again:
-                contact.after = wp.where(tries == 0, -1, contact.own)
-                contact.next = -1
-                contact = look_around(contacts, tree, contact, look, True, words.ptr)
+                contact = find_next_face(contacts, tree, contact, look, tries == 0, words.ptr)
+                has_others = has_others or contact.next >= 0
                 tries = wp.where(contact.next < 0, _TRIES, tries + 1)
                 contact.own = wp.where(tries < _TRIES, contact.next, first)
             elif step == 0:
                 first = find_own_face(contact)
                 contact.own = first
             else:
+                mixed = contact.inwards > ZERO and wp.dot(contact.aside, contact.aside) > ZERO
+                if contact.several or mixed or (contact.behind and has_others):
+                    contact = stand_between_walls(contacts, tree, contact, look, words.ptr)
                 _set_start(contacts, i, step - 1, start_of(contacts, contact, look))
                 look = -look
             if (again or step == 0) and contact.own >= 0:

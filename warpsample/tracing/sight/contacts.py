@@ -1,110 +1,25 @@
 """Search for the faces that touch a surface point, and choice of the position where the point's rays start."""
 
+from math import pi
+
 import warp as wp
 
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.tracing.placement import OFFSET, origin_offset
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.sight.facets import NOWHERE, Contacts, Facet, facet_of, inward_distance, is_touching, with_normal
+from warpsample.tracing.sight.face_contact import ALIKE, FaceContact, look_along, move_off_facet
+from warpsample.tracing.sight.facets import NOWHERE, Contacts, facet_of, is_touching, with_normal
 from warpsample.tracing.sight.touching import faces_touching
 
 _TWICE = wp.constant(wp.float32(2.0 * OFFSET))
-_STEP = wp.constant(wp.float64(16.0))  # slacks, so that a foot at 8 degrees to the edge or more is found
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _RAISED = wp.constant(wp.float64(OFFSET))
 _TENTH = wp.constant(wp.float64(0.1))
 _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
+_WAYS = wp.constant(wp.int32(64))  # ways that are tried between walls
+_TURN = wp.constant(wp.float64(2.0 * pi / 64.0))
+_NARROW = wp.constant(wp.float64(0.05))  # sine of the angle between a way and the nearest wall
 _THIN = wp.constant(wp.int32(-2))  # face number of a point that lies only on faces too thin to have a normal
-
-
-@wp.struct
-class FaceContact:
-    """State of the search for the position where a surface point's rays start: the point, its face, and the start so far.
-
-    The last fields are the state of the search for the point's own face, by the cosine of each touching face's normal to the
-    point's direction of view.
-
-    Attributes:
-        p: position of the point.
-        own: number of the point's own face; below 0 if unknown.
-        facet: the point's own face.
-        side: 1 if the point looks from the front of its face, else -1.
-        alone: whether no other face is near the point.
-        o: position moved off the own face.
-        moved: distance between p and o.
-        inwards: move of the start towards the centre of the face, as a fraction of the way.
-        aside: displacement of the start off faces that cross the own face.
-        along: face with the greatest cosine, among cosines of at least 0; -1 if none.
-        best_along: that cosine.
-        against: face with the smallest cosine, among cosines of at most 0; -1 if none.
-        best_against: that cosine, negated.
-        ahead: sum over all touching faces of cosine times twice the area.
-        behind: whether the own face is behind another one, like the floor inside a box that stands on it.
-        after: faces after this one are searched for another with the same normal; -2 in the search for the first one.
-        next: the first such face; -1 if there is none.
-    """
-
-    p: wp.vec3d
-    own: wp.int32
-    facet: Facet
-    side: wp.float64
-    alone: wp.bool
-    o: wp.vec3d
-    moved: wp.float64
-    inwards: wp.float64
-    aside: wp.vec3d
-    along: wp.int32
-    best_along: wp.float64
-    against: wp.int32
-    best_against: wp.float64
-    ahead: wp.float64
-    behind: wp.bool
-    after: wp.int32
-    next: wp.int32
-
-
-@wp.func
-def _runs_into(contact: FaceContact, other: Facet) -> wp.bool:
-    """Return whether another face crosses a point's own face next to the point, which is at an edge of its own face.
-
-    So do walls whose foot runs on through the point, but not faces that meet the own face at the edge.
-    """
-    own = contact.facet
-    along = wp.cross(own.n, other.n)
-    step = (_STEP * own.slack / wp.length(along)) * along
-    found = wp.bool(False)
-    for _way in range(2):
-        q = contact.p + step
-        found = found or (inward_distance(own, q) > TWO * own.slack and is_touching(other, q, contact.moved))
-        step = -step
-    return found
-
-
-@wp.func
-def _move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
-    """Move the start of a point's rays to the visible side of another face that touches the point, if needed.
-
-    The start point ends on the same side of that facet as the centre of the point's own face.
-    """
-    own = contact.facet
-    up = contact.side * own.n
-    rises = wp.max(wp.max(wp.dot(up, other.a - own.a), wp.dot(up, other.b - own.a)), wp.dot(up, other.c - own.a))
-    a = wp.dot(other.n, own.a - other.a)
-    b = wp.dot(other.n, own.b - other.a)
-    c = wp.dot(other.n, own.c - other.a)
-    across = wp.max(wp.max(a, b), c) > other.offset and wp.min(wp.min(a, b), c) < -other.offset
-    if across and inward_distance(own, contact.p) <= own.slack:  # the point is at an edge
-        across = _runs_into(contact, other)
-    gain = (a + b + c) * _THIRD - wp.dot(other.n, contact.p - other.a)
-    side = wp.where(across, contact.side, wp.copysign(ONE, gain))
-    height = side * wp.dot(other.n, contact.o - other.a)
-    if rises > own.offset and height < HALF * other.offset:
-        if across:
-            contact.aside += (side * (other.offset - height)) * other.n
-        elif wp.abs(gain) > _THIRD * other.offset:
-            contact.inwards = wp.max(contact.inwards, (other.offset - height) / wp.abs(gain))
-            contact.behind = contact.behind or side != contact.side
-    return contact
 
 
 @wp.func
@@ -128,7 +43,7 @@ def _look_at_other(
     elif is_touching(facet, contact.p, contact.moved):
         cosine = wp.dot(facet.n, look)
         if searching and contact.after >= -1:
-            if face > contact.after and wp.abs(cosine - wp.dot(contact.facet.n, look)) < ONE - _SAME:
+            if face > contact.after and wp.dot(facet.n, contact.first) > ALIKE:
                 contact.next = wp.where(contact.next < 0, face, wp.min(contact.next, face))
         elif searching:
             contact.ahead += cosine * facet.area
@@ -138,8 +53,10 @@ def _look_at_other(
             if _is_better(-cosine, face, contact.best_against, contact.against):
                 contact.best_against = -cosine
                 contact.against = face
+        elif wp.dot(contact.way, contact.way) > ZERO:
+            contact = look_along(contact, facet)
         else:
-            contact = _move_off_facet(contact, facet)
+            contact = move_off_facet(contact, facet)
     return contact
 
 
@@ -197,14 +114,27 @@ def find_own_face(contact: FaceContact) -> wp.int32:
     """Return the number of the face on which a point lies, found by the point's normal; below 0 if there is none.
 
     The point's normal may be the normal of the face, the area-weighted sum of several faces' normals, or the opposite of
-    either. At the tip of a spike, such a sum points against the normals of some of the faces.
+    either. At the tip of a spike, such a sum points against the normals of some of the faces. Faces of other bodies, such as
+    a high wall, may touch the point, too; a face that is nearly across the normal then counts more than their areas.
     """
-    along = contact.best_along > _SAME
+    along = contact.best_along > wp.where(contact.best_along > contact.best_against, ALIKE, _SAME)
     forward = contact.ahead >= ZERO
     if along or contact.best_against > _SAME:  # both for a floor on which the bottom of a crate lies
         forward = along
     found = wp.where(forward, contact.along, contact.against)
     return wp.where(found >= 0, found, contact.own)
+
+
+@wp.func
+def find_next_face(
+    contacts: Contacts, tree: Accelerator, contact: FaceContact, look: wp.vec3d, is_first: wp.bool, scratch: wp.uint64
+) -> FaceContact:
+    """Find the next touching face that is like the own face of the first call; `next` of the result is its number, or -1."""
+    if is_first:
+        contact.first = contact.facet.n
+    contact.after = wp.where(is_first, -1, contact.own)
+    contact.next = -1
+    return look_around(contacts, tree, contact, look, True, scratch)
 
 
 @wp.func
@@ -217,6 +147,8 @@ def raise_start(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known:
     contact.side = wp.copysign(ONE, wp.dot(own.n, look))
     contact.inwards = ZERO
     contact.aside = NOWHERE
+    contact.several = wp.bool(False)
+    contact.way = NOWHERE
     contact.behind = wp.bool(False)
     height = contact.side * wp.dot(own.n, contact.p - own.a)
     away = wp.clamp(own.offset - height, ZERO, TWO * own.offset)
@@ -244,6 +176,46 @@ def start_above(contacts: Contacts, p: wp.vec3d, look: wp.vec3d) -> wp.vec3:
 
 
 @wp.func
+def _move_along(contact: FaceContact) -> wp.vec3d:
+    """Return the move of the start along the own face: towards its centre, and aside."""
+    middle = (contact.facet.a + contact.facet.b + contact.facet.c) * _THIRD
+    return wp.min(contact.inwards, HALF) * (middle - contact.p) + contact.aside
+
+
+@wp.func
+def stand_between_walls(
+    contacts: Contacts, tree: Accelerator, contact: FaceContact, look: wp.vec3d, scratch: wp.uint64
+) -> FaceContact:
+    """Move the start of a point's rays aside to where it is off all walls that stand on its own face at the point.
+
+    The sum of the moves off each wall is too short where they lead in nearly opposite directions. Then a way along the face
+    is sought that is in front of the nearest walls on both sides, and as far from them as possible.
+    """
+    move = _move_along(contact)
+    length = wp.length(move)
+    least = ONE
+    x = wp.normalize(contact.facet.b - contact.facet.a)
+    y = wp.cross(contact.facet.n, x)
+    for k in range(_WAYS + 1):
+        angle = wp.float64(k) * _TURN
+        contact.way = wp.cos(angle) * x + wp.sin(angle) * y
+        if k == 0 and length > ZERO:
+            contact.way = move / length
+        contact.nearest = -TWO
+        contact.is_free = wp.bool(True)
+        contact.far = ZERO
+        contact = look_around(contacts, tree, contact, look, False, scratch)
+        sine = wp.where(contact.nearest > ZERO, wp.sqrt(wp.max(ONE - contact.nearest * contact.nearest, ZERO)), ONE)
+        if contact.is_free and k == 0 and length * sine > HALF * contact.far:
+            least = -TWO  # the sum will do
+        elif contact.is_free and contact.nearest < least and sine > _NARROW:
+            least = contact.nearest
+            contact.inwards = ZERO
+            contact.aside = (contact.far / sine) * contact.way
+    return contact
+
+
+@wp.func
 def start_of(contacts: Contacts, contact: FaceContact, look: wp.vec3d) -> wp.vec3:
     """Return the position where a point's rays start, after the search for touching faces."""
     if contact.own == _THIN:
@@ -251,5 +223,4 @@ def start_of(contacts: Contacts, contact: FaceContact, look: wp.vec3d) -> wp.vec
         return wp.vec3(contact.p) + origin_offset(contacts.placement, towards) * towards
     if wp.dot(contact.facet.n, contact.facet.n) == ZERO:
         return wp.vec3(contact.p)
-    middle = (contact.facet.a + contact.facet.b + contact.facet.c) * _THIRD
-    return wp.vec3(contact.o + wp.min(contact.inwards, HALF) * (middle - contact.p) + contact.aside)
+    return wp.vec3(contact.o + _move_along(contact))

@@ -1,0 +1,156 @@
+"""A surface point's contact with its own face, and moves of the start of its rays off another face."""
+
+import warp as wp
+
+from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
+from warpsample.tracing.sight.facets import Facet, inward_distance, is_touching
+
+_STEP = wp.constant(wp.float64(16.0))  # slacks, so that a foot at 8 degrees to the edge or more is found
+_THIRD = wp.constant(wp.float64(1.0 / 3.0))
+_SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
+_LEANING = wp.constant(wp.float64(0.1))  # sine of the angle by which a wall leans over a face
+ALIKE: wp.float64 = wp.constant(wp.float64(0.5))
+"""Cosine between faces that hide each other from no point straight above them, as in a terrain."""
+
+_LEVEL = wp.constant(wp.float64(1e-3))  # sine of the angle between faces, below which they are no wall and floor
+_TIE = wp.constant(wp.float64(1e-4))  # difference of cosines of feet at one place
+
+
+@wp.struct
+class FaceContact:
+    """State of the search for the position where a surface point's rays start: the point, its face, and the start so far.
+
+    The last fields are the state of the search for the point's own face, by the cosine of each touching face's normal to the
+    point's direction of view.
+
+    Attributes:
+        p: position of the point.
+        own: number of the point's own face; below 0 if unknown.
+        facet: the point's own face.
+        side: 1 if the point looks from the front of its face, else -1.
+        alone: whether no other face is near the point.
+        o: position moved off the own face.
+        moved: distance between p and o.
+        inwards: move of the start towards the centre of the face, as a fraction of the way.
+        aside: displacement of the start off faces that cross the own face.
+        along: face with the greatest cosine, among cosines of at least 0; -1 if none.
+        best_along: that cosine.
+        against: face with the smallest cosine, among cosines of at most 0; -1 if none.
+        best_against: that cosine, negated.
+        ahead: sum over all touching faces of cosine times twice the area.
+        behind: whether the own face is behind another one, like the floor inside a box that stands on it.
+        first: normal of the face that was found first.
+        after: faces after this one are searched for another that is like the first; -2 in the search for the first one.
+        next: the first such face; -1 if there is none.
+        several: whether walls of several directions stand on the own face at the point.
+        way: direction along the own face that is tried between such walls; zero before.
+        nearest: cosine of the angle between `way` and the nearest of the walls' feet.
+        is_free: whether `way` is in front of the walls on these feet.
+        far: distance from the walls by which the start is off all of them.
+    """
+
+    p: wp.vec3d
+    own: wp.int32
+    facet: Facet
+    side: wp.float64
+    alone: wp.bool
+    o: wp.vec3d
+    moved: wp.float64
+    inwards: wp.float64
+    aside: wp.vec3d
+    along: wp.int32
+    best_along: wp.float64
+    against: wp.int32
+    best_against: wp.float64
+    ahead: wp.float64
+    behind: wp.bool
+    first: wp.vec3d
+    after: wp.int32
+    next: wp.int32
+    several: wp.bool
+    way: wp.vec3d
+    nearest: wp.float64
+    is_free: wp.bool
+    far: wp.float64
+
+
+@wp.func
+def _rises(contact: FaceContact, other: Facet) -> wp.bool:
+    """Return whether another face rises above a point's own face, on the side from which the point looks."""
+    own = contact.facet
+    up = contact.side * own.n
+    height = wp.max(wp.max(wp.dot(up, other.a - own.a), wp.dot(up, other.b - own.a)), wp.dot(up, other.c - own.a))
+    return height > own.offset
+
+
+@wp.func
+def _runs_into(contact: FaceContact, other: Facet) -> wp.bool:
+    """Return whether another face crosses a point's own face next to the point, which is at an edge of its own face.
+
+    So do walls whose foot runs on through the point, but not faces that meet the own face at the edge.
+    """
+    own = contact.facet
+    along = wp.cross(own.n, other.n)
+    step = (_STEP * own.slack / wp.length(along)) * along
+    found = wp.bool(False)
+    for _way in range(2):
+        q = contact.p + step
+        found = found or (inward_distance(own, q) > TWO * own.slack and is_touching(other, q, contact.moved))
+        step = -step
+    return found
+
+
+@wp.func
+def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
+    """Move the start of a point's rays to the visible side of another face that touches the point, if needed.
+
+    The start point ends on the same side of that facet as the centre of the point's own face.
+    """
+    own = contact.facet
+    a = wp.dot(other.n, own.a - other.a)
+    b = wp.dot(other.n, own.b - other.a)
+    c = wp.dot(other.n, own.c - other.a)
+    across = wp.max(wp.max(a, b), c) > other.offset and wp.min(wp.min(a, b), c) < -other.offset
+    if across and inward_distance(own, contact.p) <= own.slack:  # the point is at an edge
+        across = _runs_into(contact, other)
+    gain = (a + b + c) * _THIRD - wp.dot(other.n, contact.p - other.a)
+    side = wp.where(across, contact.side, wp.copysign(ONE, gain))
+    height = side * wp.dot(other.n, contact.o - other.a)
+    alike = wp.dot(own.n, other.n)
+    front = contact.side * wp.dot(other.n, contact.o - other.a)
+    if _rises(contact, other) and height < HALF * other.offset:
+        if across:
+            aside = wp.length(contact.aside)
+            contact.several = contact.several or side * wp.dot(contact.aside, other.n) < _SAME * aside
+            way = side * other.n
+            if alike < -_LEANING:  # a move along the normal of a wall that leans over would end behind the own face
+                way = (side / (ONE - alike * alike)) * (other.n - alike * own.n)
+            contact.aside += (other.offset - height) * way
+        elif wp.abs(gain) > _THIRD * other.offset and (alike < ALIKE or front < HALF * other.offset):
+            contact.inwards = wp.max(contact.inwards, (other.offset - height) / wp.abs(gain))
+            contact.behind = contact.behind or side != contact.side
+    return contact
+
+
+@wp.func
+def look_along(contact: FaceContact, other: Facet) -> FaceContact:
+    """Update by another face what is known of the direction `way`: the nearest foot of a wall, and its side.
+
+    A foot is where a wall meets the plane of the own face. It leads away from the point in one direction, or in two. A face
+    may reach further along it higher up: in a high wall, triangles that touch the point can be narrow at the foot.
+    """
+    p = contact.p
+    foot = wp.cross(contact.facet.n, other.n)
+    upright = wp.length(foot)
+    step = (_STEP * contact.facet.slack / wp.max(upright, _LEVEL)) * foot
+    for _way in range(2):
+        reach = wp.max(wp.max(wp.dot(step, other.a - p), wp.dot(step, other.b - p)), wp.dot(step, other.c - p))
+        if upright > _LEVEL and _rises(contact, other) and reach > wp.dot(step, step):
+            cosine = wp.dot(contact.way, step) / wp.length(step)
+            is_front = contact.side * wp.dot(contact.way, other.n) > ZERO
+            if cosine > contact.nearest - _TIE:  # of feet at one place, one has its front elsewhere
+                contact.is_free = is_front and (contact.is_free or cosine > contact.nearest + _TIE)
+                contact.nearest = wp.max(contact.nearest, cosine)
+            contact.far = wp.max(contact.far, other.offset / upright)
+        step = -step
+    return contact
