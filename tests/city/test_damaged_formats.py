@@ -135,3 +135,17 @@ def test_formats_of_text_are_warned_of_and_netcdf_files_are_not(tmp_path, driver
     found, is_warned = outcome(written(tmp_path, driver, **options))
     assert np.allclose(found, HEIGHTS["float32"])
     assert is_warned is is_expected
+
+
+@pytest.mark.parametrize("options", [{}, {"BIGTIFF": "YES"}, {"ENDIANNESS": "BIG"}, {"BIGTIFF": "YES", "ENDIANNESS": "BIG"}])
+def test_a_geotiff_without_the_values_of_its_tags_is_refused(tmp_path, options):
+    """GDAL writes them last, and reads a file without them as one without scale, unit, nodata value or mask."""
+    path, cut = write_tif(tmp_path / "dsm.tif", HEIGHTS["int16"], **options), tmp_path / "cut.tif"
+    with rasterio.open(path, "r+") as file:
+        file.scales, file.units, file.nodata = (0.25,), ("ft",), 105
+    whole = path.read_bytes()
+    assert np.isfinite(reading.reader_of(path).heights(slice(0, 40), slice(0, 50))).sum() < 2000
+    for missing in (1, 10, 100, 200, 300, 500, 1000, 4000, len(whole) - 5):
+        cut.write_bytes(whole[: len(whole) - missing])
+        with pytest.raises(ValueError, match="whose end is missing; copy or download it again|cannot be read as a raster"):
+            reading.reader_of(cut)

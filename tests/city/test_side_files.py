@@ -55,7 +55,10 @@ def test_an_undamaged_text_next_to_a_raster_counts(dsm):
     assert np.array_equal(heights_of(dsm), np.where(HEIGHTS == 105.0, np.nan, 0.5 * HEIGHTS), equal_nan=True)
 
 
-@pytest.mark.parametrize("element", ["<NoDataValue>105</NoDataValue>", "<Scale>0.5</Scale>", "<Offset>2</Offset>"])
+@pytest.mark.parametrize(
+    "element",
+    ["<NoDataValue>105</NoDataValue>", "<Scale>0.5</Scale>", "<Offset>2</Offset>", "<UnitType>ft</UnitType>"],
+)
 def test_numbers_that_gdal_does_not_read_are_refused(dsm, element):
     """GDAL ignores an .aux.xml that begins with a declaration."""
     text = dsm.with_name("dsm.tif.aux.xml")
@@ -64,7 +67,7 @@ def test_numbers_that_gdal_does_not_read_are_refused(dsm, element):
         ValueError, match=f"^source: got .* next to dsm.tif.aux.xml, whose {element[1:6]}.* GDAL does not read"
     ):
         heights_of(dsm)
-    text.write_text('<?xml version="1.0"?>' + PAM.format("<Scale>1</Scale><Offset>0.0</Offset>"))
+    text.write_text('<?xml version="1.0"?>' + PAM.format("<Scale>1</Scale><Offset>0.0</Offset><UnitType/>"))
     assert np.array_equal(heights_of(dsm), HEIGHTS)
 
 

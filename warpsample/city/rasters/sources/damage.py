@@ -11,6 +11,7 @@ from warpsample.city.rasters.sources.arc_grid import check_arc_grid
 from warpsample.city.rasters.sources.inputs import files_read
 from warpsample.city.rasters.sources.opening import open_raster
 from warpsample.city.rasters.sources.side_files import check_texts, list_side_files
+from warpsample.city.rasters.sources.tiff import check_tiff
 
 _REPORTED = {"GTiff", "LIBERTIFF", "HFA", "JP2OpenJPEG", "GRIB", "BT", "GSBG", "HF2", "SIGDEM"}
 """Formats of which GDAL reports a missing part. Parts of a GeoTIFF may be left out to mean one value."""
@@ -42,7 +43,9 @@ def check_undamaged(path: str, file: Any) -> None:
 def _check_part(path: str) -> str:
     """Check a file of a virtual raster as `_check` does, unless it is no raster itself, such as a file of statistics."""
     if path.lower().endswith(_TIFF) and not any(list_side_files(path)):
-        return ""  # GDAL reports its damage when it is read, and opening many files takes time
+        if Path(path).is_file():
+            check_tiff(path)
+        return ""  # GDAL reports other damage when it is read, and opening many files takes time
     with ExitStack() as stack:
         try:
             file = stack.enter_context(open_raster(path))
@@ -57,6 +60,8 @@ def _check(path: str, file: Any) -> str:
     check_texts(path, file)
     if file.driver == "AAIGrid" and is_file:
         check_arc_grid(path, file.shape, np.issubdtype(file.dtypes[0], np.integer))
+    elif file.driver in ("GTiff", "LIBERTIFF") and is_file:
+        check_tiff(path)
     elif file.driver == "VRT" and is_file and b"VRTRawRasterBand" in Path(path).read_bytes():
         return "raw VRT"
     elif file.driver not in (*_VIRTUAL, *_REPORTED):

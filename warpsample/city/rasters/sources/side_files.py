@@ -17,7 +17,7 @@ _NUMBERS = re.compile(
 
 _NUMBER = re.compile(rb"[+-]?(?:\d+[.]?\d*|[.]\d+)(?:[eE][+-]?\d+)?|" + SPECIAL)
 _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
-_DEFAULTS = {"NoDataValue": None, "Scale": 1.0, "Offset": 0.0}  # what GDAL says without such an element
+_DEFAULTS = {"NoDataValue": None, "Scale": 1.0, "Offset": 0.0, "UnitType": None}  # what GDAL says without such an element
 
 
 def check_texts(path: str, file: Any) -> None:
@@ -48,15 +48,19 @@ def _check_aux(path: str, file: Any, text: Path) -> None:
         root = ET.fromstring(text.read_bytes().decode(errors="replace"))
     except ET.ParseError as error:
         raise ValueError(f"{got}, which is damaged ({error})") from error
-    read = {"NoDataValue": file.nodatavals, "Scale": file.scales, "Offset": file.offsets}
+    read = {"NoDataValue": file.nodatavals, "Scale": file.scales, "Offset": file.offsets, "UnitType": file.units}
     for place in range(file.count):
         for element in root.findall(f"PAMRasterBand[@band='{place + 1}']/*"):
             name, number = element.tag, (element.text or "").strip()
-            if name in read:
-                _check_number(str(text), name, number)
+            if name in read and (number or name != "UnitType"):
                 default = _DEFAULTS[name]
-                if read[name][place] == default and (default is None or float(number) != default):
-                    raise ValueError(f"{got}, whose {name} {number} GDAL does not read; remove what is before <PAMDataset>")
+                if name != "UnitType":
+                    _check_number(str(text), name, number)
+                if read[name][place] in (default, "") and (default is None or float(number) != default):
+                    raise ValueError(
+                        f"{got}, whose {name} {number} GDAL does not read; remove what is before <PAMDataset>, and unset "
+                        "variables such as GDAL_PAM_ENABLED"
+                    )
 
 
 def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
