@@ -215,6 +215,17 @@ def test_a_point_between_the_walls_of_two_houses_is_in_front_of_both(degrees, tu
     assert found.value[0] == pytest.approx(degrees / 360.0, abs=0.01)  # the houses are high and, next to the start, long
 
 
+@pytest.mark.parametrize("degrees", [48, 46])
+@pytest.mark.parametrize("face", [0, 1])
+def test_and_at_whichever_angle_the_wall_crosses_an_edge(face, degrees):
+    """Below 8 degrees, such points saw nothing if most of their triangle is behind the wall."""
+    house = sector(degrees, degrees + 180.0 - 1e-9, -1.0)
+    floor = np.array([[-9, -9, 0], [9, -8, 0], [10, 10, 0], [-9, 9, 0]])  # its shared edge is at 45 degrees
+    mesh = ws.Mesh(np.concatenate([floor, house.vertices]), np.concatenate([[(0, 1, 2), (0, 2, 3)], house.faces + 4]))
+    points = ws.SurfacePoints(np.zeros((1, 3)), np.float32([[0, 0, 1]]), np.array([face]))
+    assert ws.ambient_occlusion(mesh, points, 1024).value[0] == pytest.approx(0.5, abs=HALF)
+
+
 @pytest.mark.parametrize("turn", [0, 3])
 @pytest.mark.parametrize("degrees", [70, 50, 40, 20])
 def test_at_the_foot_of_a_leaning_wall_both_see_the_wedge_between_wall_and_floor(degrees, turn):

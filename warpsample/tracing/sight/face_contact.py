@@ -2,10 +2,10 @@
 
 import warp as wp
 
-from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
+from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.tracing.sight.facets import Facet, inward_distance, is_touching
 
-_STEP = wp.constant(wp.float64(16.0))  # slacks, so that a foot at 8 degrees to the edge or more is found
+_STEP = wp.constant(wp.float64(16.0))  # slacks, so that a foot at 1 degree to the edge or more is found
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
 _LEANING = wp.constant(wp.float64(0.1))  # sine of the angle by which a wall leans over a face
@@ -95,7 +95,8 @@ def _runs_into(contact: FaceContact, other: Facet) -> wp.bool:
     found = wp.bool(False)
     for _way in range(2):
         q = contact.p + step
-        found = found or (inward_distance(own, q) > TWO * own.slack and is_touching(other, q, contact.moved))
+        inwards = inward_distance(own, q) - inward_distance(own, contact.p)
+        found = found or (inwards > HALF * HALF * own.slack and is_touching(other, q, contact.moved))
         step = -step
     return found
 
