@@ -149,3 +149,19 @@ def test_a_geotiff_without_the_values_of_its_tags_is_refused(tmp_path, options):
         cut.write_bytes(whole[: len(whole) - missing])
         with pytest.raises(ValueError, match="whose end is missing; copy or download it again|cannot be read as a raster"):
             reading.reader_of(cut)
+
+
+def test_a_geotiff_with_a_damaged_crs_is_refused_in_a_sentence(tmp_path):
+    """The error was GDAL's own, with a traceback."""
+    path = write_tif(tmp_path / "dsm.tif", HEIGHTS["float32"].astype(float), crs="EPSG:32633")
+    with rasterio.open(path, "r+") as file:
+        file.nodata = 777.125
+    content = path.read_bytes()
+    damaged = 0
+    for missing in range(200, 240):
+        path.write_bytes(content[:-missing] + bytes(missing))  # as of a download that reserves its space
+        try:
+            reading.reader_of(path)
+        except ValueError as error:
+            damaged += "which cannot be read as a raster" in str(error)
+    assert damaged

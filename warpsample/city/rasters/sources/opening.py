@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import rasterio
+from rasterio._err import CPLE_BaseError  # of errors that rasterio meets later, such as those of a damaged CRS
 from rasterio.errors import NotGeoreferencedWarning, RasterioError, RasterioIOError
 
 WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
@@ -34,7 +35,7 @@ def open_raster(path: str) -> Iterator[Any]:
         raise ValueError(
             f"source: got {path!r}, whose CRS or unit has letters that are not in UTF-8; write them in ASCII letters"
         ) from error
-    except RasterioError as error:
+    except (RasterioError, CPLE_BaseError) as error:
         if isinstance(error, RasterioIOError) and "://" not in path and ":" not in path[2:] and not Path(path).exists():
             raise FileNotFoundError(f"source: got {path!r}, which is missing, want {WANTS}") from error
         told = error.__cause__ or error  # GDAL's own words; without them rasterio tells to look at the cause
