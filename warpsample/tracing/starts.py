@@ -1,9 +1,10 @@
 """Positions where the rays of surface points start: just in front of the point's face, and not behind any other face.
 
 A point on an edge or a corner sees the same as points of its own face just beside it. So the faces that touch a point and
-rise above its own face are searched. The start moves towards the centre of its own face, just far enough to be on the same
-side of these faces as the centre. If a face crosses the point's own face, like a wall in the middle of a floor, the start
-moves to the front of that face.
+rise steeply above its own face are searched. The start moves towards the centre of its own face, just far enough to be on
+the same side of these faces as the centre. If a face crosses the point's own face, like a wall in the middle of a floor,
+the start moves to the front of that face. Between several such walls, it moves along the floor to where it is in front of
+all. The own face of a vertex is one that is not behind a wall, if there is one.
 
 The starts of a height field's vertices are raised vertically instead. Beside a face as steep as a wall, a move towards the
 centre of another steep face would lead down along that face and behind other faces.

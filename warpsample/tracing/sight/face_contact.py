@@ -105,7 +105,9 @@ def _runs_into(contact: FaceContact, other: Facet) -> wp.bool:
 def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
     """Move the start of a point's rays to the visible side of another face that touches the point, if needed.
 
-    The start point ends on the same side of that facet as the centre of the point's own face.
+    The start point ends in front of a facet that crosses the point's own face, and else on the same side of the facet as the
+    centre of the own face. No move is needed off a facet that is not steep as seen from the own face, since the start is
+    straight above the point.
     """
     own = contact.facet
     a = wp.dot(other.n, own.a - other.a)
