@@ -64,7 +64,7 @@ def test_an_array_of_xarray_is_warned_of_and_a_tuple_is_not(tmp_path):
 
 @pytest.mark.parametrize("argument", ["canopy", "far"])
 def test_maps_of_other_names_without_a_place_on_earth_are_other_maps(argument):
-    """All such maps counted as the same."""
+    """Before, all maps without a place on Earth counted as the same map."""
     plant, city, unnamed = (f'LOCAL_CS["{name}",UNIT["metre",1]]' for name in ("Plant", "City", "unnamed"))
     for other in (plant, unnamed, None):
         ws.rasters.sky_view_factor((HEIGHTS, NORTH_UP, plant), 4, **{argument: (HEIGHTS, NORTH_UP, other)})

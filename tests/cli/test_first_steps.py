@@ -30,7 +30,6 @@ def run(child_environment, tmp_path):
     return run
 
 
-@pytest.mark.slow
 def test_a_call_leaves_the_environment_as_it_was(call):
     """PYTHONSAFEPATH, for child processes, stayed and broke scripts that the caller started."""
     before = dict(os.environ)
@@ -38,6 +37,7 @@ def test_a_call_leaves_the_environment_as_it_was(call):
     assert dict(os.environ) == before
 
 
+@pytest.mark.slow
 def test_the_version_is_said(run):
     assert re.fullmatch(r"\d+\.\d+\.\d+", ws.__version__)
     assert run("--version") == (0, f"warpsample {ws.__version__}\n", "")

@@ -24,7 +24,7 @@ _ANGLE = re.compile(r"(arc|deg|grad|rad)[a-z_ -]*|°|(grid_)?(latitude|longitude
 _DEPTH = re.compile(r"(^|_)depth(_|$)")  # in standard names of netCDF, as sea_floor_depth_below_geoid
 _PART = re.compile(r"[?&]\d+=([^?&]+)")  # of an address of several systems: crs-compound?1=...&2=...
 _EPSG = re.compile(r"EPSG(?:/|::|:)(?:[^/:]*[/:])?(\d+)/?$", re.IGNORECASE)
-_UNNAMED = {"", "unknown", "unnamed", "undefined"}
+_UNNAMED = {"", "unknown", "unnamed", "undefined"}  # names of maps that say nothing, in lower case
 _SAME = 1.0  # m: versions of a datum differ by less, other maps by more
 _STRETCHED = 0.05  # relative error of lengths; UTM has at most 0.001, a map of a continent 0.03
 REPROJECT = "reproject it first, as by da.rio.reproject(da.rio.estimate_utm_crs())"

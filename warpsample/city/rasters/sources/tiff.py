@@ -22,7 +22,7 @@ def check_tiff(path: str) -> None:
 
 
 def _ends(file: BinaryIO, size: int) -> Iterator[int]:
-    """Return the ends of all directories of a TIFF file of `size` bytes, and of the values outside of the directories."""
+    """Yield the ends of all directories of a TIFF file of `size` bytes, and of the values outside of the directories."""
     header = file.read(16)
     order, is_big = _ORDERS.get(header[:4]), b"+" in header[:4]
     if order is None:

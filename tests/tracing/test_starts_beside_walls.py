@@ -1,0 +1,111 @@
+"""Rays of points on the floor start in front of all walls that stand on it at the point, and no further away than needed."""
+
+import numpy as np
+import pytest
+import trimesh
+from estimate_cases import at
+from meshes import turned
+from trimesh import creation
+
+import warpsample as ws
+
+HALF = 0.012  # 1,024 rays are accurate to 0.01, and the walls are long beside the distance of the starts
+
+
+def box_in_a_floor(squares, turn, depth=7.5):
+    """A floor from 0 to 8 of squares of two triangles, and a box `depth` in it at x from 2 to 6 and y from 3 to 5.5."""
+    lines = np.linspace(0.0, 8.0, squares + 1)
+    floor = np.stack(np.meshgrid(lines, lines, [0.0]), axis=-1).reshape(-1, 3)
+    first = np.add.outer(np.arange(squares) * (squares + 1), np.arange(squares)).reshape(-1, 1)
+    faces = np.concatenate([first + np.array([0, 1, squares + 2]), first + np.array([0, squares + 2, squares + 1])])
+    box = creation.box((4.0, 2.5, 40.0))
+    vertices = np.concatenate([floor, box.vertices + np.array([4.0, 4.25, 20.0 - depth])]) @ turned(turn).T
+    return ws.Mesh(vertices, np.concatenate([faces, box.faces + len(floor)]))
+
+
+@pytest.mark.parametrize("depth", [0.0, 7.5])
+@pytest.mark.parametrize("turn", [0, 3, 4, 5])
+@pytest.mark.parametrize("squares", [1, 2, 8])
+def test_at_the_foot_of_a_wall_a_point_is_in_front_of_it_whatever_the_edges_of_the_floor(squares, turn, depth):
+    """Vertices of the floor saw nothing at two of the four walls, and at all walls of a box that stands on the floor."""
+    feet = np.array([[2, 4, 0], [2, 5, 0], [6, 4, 0], [6, 5, 0], [3, 3, 0], [4, 3, 0], [5, 3, 0], [5.5, 5.5, 0]])
+    points = at(feet @ turned(turn).T, turned(turn)[:, 2])
+    found = ws.ambient_occlusion(box_in_a_floor(squares, turn, depth), points, 1024)
+    assert np.abs(found.value - 0.5).max() <= HALF
+
+
+@pytest.mark.parametrize("turn", [0, 3])
+@pytest.mark.parametrize("face", [0, 1])
+def test_and_whichever_face_of_the_floor_it_is_on(face, turn):
+    """Points on the diagonal of the floor saw nothing if most of their triangle is behind the wall."""
+    feet = np.array([[3.0, 3.0, 0.0], [5.5, 5.5, 0.0]]) @ turned(turn).T
+    points = ws.SurfacePoints(feet, np.tile(turned(turn)[:, 2].astype(np.float32), (2, 1)), np.array([face, face]))
+    found = ws.ambient_occlusion(box_in_a_floor(1, turn), points, 1024)
+    assert np.abs(found.value - 0.5).max() <= HALF
+
+
+def sector(start, end, bottom):
+    """A body 500 high of the angles about the z axis from `start` to `end`, below 180 degrees, and 9 long."""
+    angles = np.radians(np.linspace(start, end, 5))
+    outline = [(0.0, 0.0), *(9.0 * np.stack([np.cos(angles), np.sin(angles)], axis=1))]
+    return trimesh.convex.convex_hull([(x, y, z) for z in (bottom, 500.0) for x, y in outline])
+
+
+@pytest.mark.parametrize("bottom", [0.0, -1.0])
+@pytest.mark.parametrize("turn", [0, 3, 4, 5])
+@pytest.mark.parametrize("degrees", [90, 50, 25])
+def test_a_point_between_the_walls_of_two_houses_is_in_front_of_both(degrees, turn, bottom):
+    """The moves off walls with nearly opposite fronts, or off the hidden walls between the houses, cancelled each other."""
+    middle = 180.0 + 0.5 * degrees
+    houses = sector(degrees, middle, bottom), sector(middle, 360.0, bottom)
+    floor = np.array([[-40, -40, 0], [40, -35, 0], [40, 40, 0], [-40, 40, 0]])
+    parts = [(floor, np.array([[0, 1, 2], [0, 2, 3]])), *((each.vertices, each.faces) for each in houses)]
+    rows = np.cumsum([0, *(len(vertices) for vertices, _ in parts)])
+    faces = np.concatenate([faces + row for (_, faces), row in zip(parts, rows[:-1], strict=True)])
+    mesh = ws.Mesh(np.concatenate([vertices for vertices, _ in parts]) @ turned(turn).T, faces)
+    found = ws.ambient_occlusion(mesh, at((0.0, 0.0, 0.0), turned(turn)[:, 2]), 4096)
+    assert found.value[0] == pytest.approx(degrees / 360.0, abs=0.01)  # the houses are high and, next to the start, long
+
+
+@pytest.mark.parametrize("degrees", [48, 46])
+@pytest.mark.parametrize("face", [0, 1])
+def test_and_at_whichever_angle_the_wall_crosses_an_edge(face, degrees):
+    """Below 8 degrees, such points saw nothing if most of their triangle is behind the wall."""
+    house = sector(degrees, degrees + 180.0 - 1e-9, -1.0)
+    floor = np.array([[-9, -9, 0], [9, -8, 0], [10, 10, 0], [-9, 9, 0]])  # its shared edge is at 45 degrees
+    mesh = ws.Mesh(np.concatenate([floor, house.vertices]), np.concatenate([[(0, 1, 2), (0, 2, 3)], house.faces + 4]))
+    points = ws.SurfacePoints(np.zeros((1, 3)), np.float32([[0, 0, 1]]), np.array([face]))
+    assert ws.ambient_occlusion(mesh, points, 1024).value[0] == pytest.approx(0.5, abs=HALF)
+
+
+@pytest.mark.parametrize("turn", [0, 3])
+@pytest.mark.parametrize("degrees", [70, 50, 40, 20])
+def test_at_the_foot_of_a_leaning_wall_both_see_the_wedge_between_wall_and_floor(degrees, turn):
+    """A move off the wall along its normal ended below the floor, and one off the floor behind the wall."""
+    up = 300.0 * np.array([np.cos(np.radians(degrees)), 0.0, np.sin(np.radians(degrees))])
+    along = np.array([0.0, 300.0, 0.0])
+    wall = [-along - up, along - up, along + up, up - along]
+    floor = [(-300, -300, 0), (300, -290, 0), (310, 300, 0), (-300, 310, 0)]
+    faces = np.array([(0, 1, 2), (0, 2, 3), (4, 5, 6), (4, 6, 7)])  # the wall's front is towards +x, and down
+    mesh = ws.Mesh(np.array([*floor, *wall], float) @ turned(turn).T, faces)
+    foot = np.array([(0.0, y, 0.0) for y in (-11.3, 1.7, 20.0)]) @ turned(turn).T
+    for face in (0, 2):
+        found = ws.ambient_occlusion(mesh, at(foot, mesh.face_normals[face]), 4096)
+        assert found.value == pytest.approx(0.5 * (1.0 - np.cos(np.radians(degrees))), abs=0.015)  # the wall is 300 long
+
+
+@pytest.mark.parametrize("noise", [1e-5, 3e-4])
+def test_vertices_of_a_nearly_level_floor_stay_where_they_are(noise):
+    """They moved by up to half of their face, to be on the same side as its centre of faces in nearly the same plane."""
+    lines = np.linspace(-100.0, 100.0, 21)
+    floor = np.stack(np.meshgrid(lines, lines, [0.0]), axis=-1).reshape(-1, 3)
+    first = np.add.outer(21 * np.arange(20), np.arange(20)).reshape(-1, 1)
+    faces = np.concatenate([first + np.array([0, 1, 22]), first + np.array([0, 22, 21])])
+    posts = [creation.box((1.0, 1.0, 8.0)).apply_translation((x + 0.7, y, 0.0)) for x, y, _ in floor[::7]]
+    post = trimesh.util.concatenate(posts)
+    found = []
+    for some in (0.0, noise):
+        level = floor + some * np.random.default_rng(1).normal(size=(len(floor), 1)) * (0.0, 0.0, 1.0)
+        mesh = ws.Mesh(np.concatenate([level, post.vertices]), np.concatenate([faces, post.faces + len(floor)]))
+        found.append(ws.ambient_occlusion(mesh, at(level, (0, 0, 1)), 256).value)
+    assert np.abs(found[1] - found[0]).max() < 0.02
