@@ -137,7 +137,6 @@ def _start_kernel() -> wp.Kernel:
         contact.along = -1
         contact.against = -1
         contact.alone = wp.bool(False)
-        contact.after = -2
         normal = vec3_at(contacts.placement.normals, i)
         look = in_double(normal)
         if contacts.sides == 1:
@@ -156,6 +155,7 @@ def _start_kernel() -> wp.Kernel:
         first = contact.own
         tries = wp.where(known, _TRIES, 0)
         has_others = wp.bool(False)
+        like = -look  # not `look` itself, which Warp would change with it
         step = wp.where(known, 1, 0)
         while step <= contacts.sides:
             if step > 0 and contact.own >= 0:
@@ -165,17 +165,19 @@ def _start_kernel() -> wp.Kernel:
                 contact = look_around(contacts, tree, contact, look, step == 0, words.ptr)
             again = step == 1 and contact.behind and tries < _TRIES
             if again:
-                contact = find_next_face(contacts, tree, contact, look, tries == 0, words.ptr)
-                has_others = has_others or contact.next >= 0
-                tries = wp.where(contact.next < 0, _TRIES, tries + 1)
-                contact.own = wp.where(tries < _TRIES, contact.next, first)
+                like = wp.where(tries == 0, contact.facet.n, like)
+                after = wp.where(tries == 0, -1, contact.own)
+                found = find_next_face(contacts, tree, contact, like, after, words.ptr)
+                has_others = has_others or found >= 0
+                tries = wp.where(found < 0, _TRIES, tries + 1)
+                contact.own = wp.where(tries < _TRIES, found, first)
             elif step == 0:
                 first = find_own_face(contact)
                 contact.own = first
             else:
                 mixed = contact.inwards > ZERO and wp.dot(contact.aside, contact.aside) > ZERO
                 if contact.several or mixed or (contact.behind and has_others):
-                    contact = stand_between_walls(contacts, tree, contact, look, words.ptr)
+                    contact = stand_between_walls(contacts, tree, contact, words.ptr)
                 _set_start(contacts, i, step - 1, start_of(contacts, contact, look))
                 look = -look
             if (again or step == 0) and contact.own >= 0:

@@ -7,7 +7,7 @@ import warp as wp
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.tracing.placement import OFFSET, origin_offset
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.sight.face_contact import ALIKE, FaceContact, look_along, move_off_facet
+from warpsample.tracing.sight.face_contact import ALIKE, FaceContact, Way, look_along, move_off_facet
 from warpsample.tracing.sight.facets import NOWHERE, Contacts, facet_of, is_touching, with_normal
 from warpsample.tracing.sight.touching import faces_touching
 
@@ -41,11 +41,8 @@ def _look_at_other(
         if contact.own == -1:
             contact.own = _THIN
     elif is_touching(facet, contact.p, contact.moved):
-        cosine = wp.dot(facet.n, look)
-        if searching and contact.after >= -1:
-            if face > contact.after and wp.dot(facet.n, contact.first) > ALIKE:
-                contact.next = wp.where(contact.next < 0, face, wp.min(contact.next, face))
-        elif searching:
+        if searching:
+            cosine = wp.dot(facet.n, look)
             contact.ahead += cosine * facet.area
             if _is_better(cosine, face, contact.best_along, contact.along):
                 contact.best_along = cosine
@@ -53,8 +50,6 @@ def _look_at_other(
             if _is_better(-cosine, face, contact.best_against, contact.against):
                 contact.best_against = -cosine
                 contact.against = face
-        elif wp.dot(contact.way, contact.way) > ZERO:
-            contact = look_along(contact, facet)
         else:
             contact = move_off_facet(contact, facet)
     return contact
@@ -92,6 +87,19 @@ _look_around = faces_touching(_look_at, Around, FaceContact)
 
 
 @wp.func
+def _around(contacts: Contacts, p: wp.vec3d, look: wp.vec3d, searching: wp.bool) -> Around:
+    """Build the arguments of a search for the faces that touch a point."""
+    extent = contacts.placement.extent
+    around = Around()
+    around.contacts = contacts
+    around.p = wp.vec3(p)
+    around.r = 2.0 * _TWICE * (extent[0] + extent[1] + extent[2]) + 4.0 * contacts.placement.coarseness
+    around.look = look
+    around.searching = searching
+    return around
+
+
+@wp.func
 def look_around(
     contacts: Contacts, tree: Accelerator, contact: FaceContact, look: wp.vec3d, searching: wp.bool, scratch: wp.uint64
 ) -> FaceContact:
@@ -99,14 +107,7 @@ def look_around(
 
     `searching` is True to search for the point's own face, False to move the start off neighbouring faces.
     """
-    extent = contacts.placement.extent
-    around = Around()
-    around.contacts = contacts
-    around.p = wp.vec3(contact.p)
-    around.r = 2.0 * _TWICE * (extent[0] + extent[1] + extent[2]) + 4.0 * contacts.placement.coarseness
-    around.look = look
-    around.searching = searching
-    return _look_around(tree, around, contact, scratch)
+    return _look_around(tree, _around(contacts, contact.p, look, searching), contact, scratch)
 
 
 @wp.func
@@ -125,16 +126,54 @@ def find_own_face(contact: FaceContact) -> wp.int32:
     return wp.where(found >= 0, found, contact.own)
 
 
+@wp.struct
+class NextFace:
+    """State of the search for another face that may be a vertex's own.
+
+    Attributes:
+        p: position of the point.
+        own: number of the face that was tried last.
+        moved: distance by which the start is off that face.
+        first: normal of the own face that was found first; the other face must be like it.
+        after: number that the other face's number must exceed.
+        face: smallest such number; -1 if there is none.
+    """
+
+    p: wp.vec3d
+    own: wp.int32
+    moved: wp.float64
+    first: wp.vec3d
+    after: wp.int32
+    face: wp.int32
+
+
+@wp.func
+def _look_for_next(face: wp.int32, around: Around, found: NextFace) -> NextFace:
+    """Update the search for another own face by one nearby face."""
+    if face > found.after and face != found.own and (found.face < 0 or face < found.face):
+        facet = facet_of(around.contacts, face)
+        if wp.dot(facet.n, found.first) > ALIKE and is_touching(facet, found.p, found.moved):
+            found.face = face
+    return found
+
+
+_look_for_next_face = faces_touching(_look_for_next, Around, NextFace)
+
+
 @wp.func
 def find_next_face(
-    contacts: Contacts, tree: Accelerator, contact: FaceContact, look: wp.vec3d, is_first: wp.bool, scratch: wp.uint64
-) -> FaceContact:
-    """Find the next touching face that is like the own face of the first call; `next` of the result is its number, or -1."""
-    if is_first:
-        contact.first = contact.facet.n
-    contact.after = wp.where(is_first, -1, contact.own)
-    contact.next = -1
-    return look_around(contacts, tree, contact, look, True, scratch)
+    contacts: Contacts, tree: Accelerator, contact: FaceContact, first: wp.vec3d, after: wp.int32, scratch: wp.uint64
+) -> wp.int32:
+    """Return the number of the next face after another that touches a point and whose normal is like `first`, or -1."""
+    found = NextFace()
+    found.p = contact.p
+    found.own = contact.own
+    found.moved = contact.moved
+    found.first = first
+    found.after = after
+    found.face = -1
+    found = _look_for_next_face(tree, _around(contacts, contact.p, first, True), found, scratch)
+    return found.face
 
 
 @wp.func
@@ -148,7 +187,6 @@ def raise_start(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known:
     contact.inwards = ZERO
     contact.aside = NOWHERE
     contact.several = wp.bool(False)
-    contact.way = NOWHERE
     contact.behind = wp.bool(False)
     height = contact.side * wp.dot(own.n, contact.p - own.a)
     away = wp.clamp(own.offset - height, ZERO, TWO * own.offset)
@@ -183,9 +221,20 @@ def _move_along(contact: FaceContact) -> wp.vec3d:
 
 
 @wp.func
-def stand_between_walls(
-    contacts: Contacts, tree: Accelerator, contact: FaceContact, look: wp.vec3d, scratch: wp.uint64
-) -> FaceContact:
+def _look_between(face: wp.int32, around: Around, between: Way) -> Way:
+    """Update a direction between walls by one nearby face; the point's own face is skipped."""
+    if face != between.own:
+        facet = facet_of(around.contacts, face)
+        if wp.dot(facet.n, facet.n) > ZERO and is_touching(facet, between.p, between.moved):
+            between = look_along(between, facet)
+    return between
+
+
+_look_between_walls = faces_touching(_look_between, Around, Way)
+
+
+@wp.func
+def stand_between_walls(contacts: Contacts, tree: Accelerator, contact: FaceContact, scratch: wp.uint64) -> FaceContact:
     """Move the start of a point's rays aside to where it is off all walls that stand on its own face at the point.
 
     The sum of the moves off each wall is too short where they lead in nearly opposite directions. Then a way along the face
@@ -196,22 +245,29 @@ def stand_between_walls(
     least = ONE
     x = wp.normalize(contact.facet.b - contact.facet.a)
     y = wp.cross(contact.facet.n, x)
+    between = Way()
+    between.p = contact.p
+    between.own = contact.own
+    between.facet = contact.facet
+    between.side = contact.side
+    between.moved = contact.moved
+    around = _around(contacts, contact.p, x, False)
     for k in range(_WAYS + 1):
         angle = wp.float64(k) * _TURN
-        contact.way = wp.cos(angle) * x + wp.sin(angle) * y
+        between.way = wp.cos(angle) * x + wp.sin(angle) * y
         if k == 0 and length > ZERO:
-            contact.way = move / length
-        contact.nearest = -TWO
-        contact.is_free = wp.bool(True)
-        contact.far = ZERO
-        contact = look_around(contacts, tree, contact, look, False, scratch)
-        sine = wp.where(contact.nearest > ZERO, wp.sqrt(wp.max(ONE - contact.nearest * contact.nearest, ZERO)), ONE)
-        if contact.is_free and k == 0 and length * sine > HALF * contact.far:
+            between.way = move / length
+        between.nearest = -TWO
+        between.is_free = wp.bool(True)
+        between.far = ZERO
+        between = _look_between_walls(tree, around, between, scratch)
+        sine = wp.where(between.nearest > ZERO, wp.sqrt(wp.max(ONE - between.nearest * between.nearest, ZERO)), ONE)
+        if between.is_free and k == 0 and length * sine > HALF * between.far:
             least = -TWO  # the sum will do
-        elif contact.is_free and contact.nearest < least and sine > _NARROW:
-            least = contact.nearest
+        elif between.is_free and between.nearest < least and sine > _NARROW:
+            least = between.nearest
             contact.inwards = ZERO
-            contact.aside = (contact.far / sine) * contact.way
+            contact.aside = (between.far / sine) * between.way
     return contact
 
 

@@ -39,14 +39,7 @@ class FaceContact:
         best_against: that cosine, negated.
         ahead: sum over all touching faces of cosine times twice the area.
         behind: whether the own face is behind another one, like the floor inside a box that stands on it.
-        first: normal of the face that was found first.
-        after: faces after this one are searched for another that is like the first; -2 in the search for the first one.
-        next: the first such face; -1 if there is none.
         several: whether walls of several directions stand on the own face at the point.
-        way: direction along the own face that is tried between such walls; zero before.
-        nearest: cosine of the angle between `way` and the nearest of the walls' feet.
-        is_free: whether `way` is in front of the walls on these feet.
-        far: distance from the walls by which the start is off all of them.
     """
 
     p: wp.vec3d
@@ -64,10 +57,30 @@ class FaceContact:
     best_against: wp.float64
     ahead: wp.float64
     behind: wp.bool
-    first: wp.vec3d
-    after: wp.int32
-    next: wp.int32
     several: wp.bool
+
+
+@wp.struct
+class Way:
+    """Direction along a point's own face, between walls that stand on the face at the point.
+
+    Attributes:
+        p: position of the point.
+        own: number of its face.
+        facet: its face.
+        side: 1 if the point looks from the front of its face, else -1.
+        moved: distance by which the start is off the face.
+        way: unit vector along the face.
+        nearest: cosine of the angle between `way` and the nearest of the walls' feet.
+        is_free: whether `way` is in front of the walls on these feet.
+        far: distance from the walls by which the start is off all of them.
+    """
+
+    p: wp.vec3d
+    own: wp.int32
+    facet: Facet
+    side: wp.float64
+    moved: wp.float64
     way: wp.vec3d
     nearest: wp.float64
     is_free: wp.bool
@@ -75,10 +88,9 @@ class FaceContact:
 
 
 @wp.func
-def _rises(contact: FaceContact, other: Facet) -> wp.bool:
+def _rises(own: Facet, side: wp.float64, other: Facet) -> wp.bool:
     """Return whether another face rises above a point's own face, on the side from which the point looks."""
-    own = contact.facet
-    up = contact.side * own.n
+    up = side * own.n
     height = wp.max(wp.max(wp.dot(up, other.a - own.a), wp.dot(up, other.b - own.a)), wp.dot(up, other.c - own.a))
     return height > own.offset
 
@@ -121,7 +133,7 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
     height = side * wp.dot(other.n, contact.o - other.a)
     alike = wp.dot(own.n, other.n)
     front = contact.side * wp.dot(other.n, contact.o - other.a)
-    if _rises(contact, other) and height < HALF * other.offset:
+    if _rises(own, contact.side, other) and height < HALF * other.offset:
         if across:
             aside = wp.length(contact.aside)
             contact.several = contact.several or side * wp.dot(contact.aside, other.n) < _SAME * aside
@@ -136,24 +148,24 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
 
 
 @wp.func
-def look_along(contact: FaceContact, other: Facet) -> FaceContact:
-    """Update by another face what is known of the direction `way`: the nearest foot of a wall, and its side.
+def look_along(between: Way, other: Facet) -> Way:
+    """Update a direction between walls by another face: the nearest foot of a wall, and its side.
 
     A foot is where a wall meets the plane of the own face. It leads away from the point in one direction, or in two. A face
     may reach further along it higher up: in a high wall, triangles that touch the point can be narrow at the foot.
     """
-    p = contact.p
-    foot = wp.cross(contact.facet.n, other.n)
+    p = between.p
+    foot = wp.cross(between.facet.n, other.n)
     upright = wp.length(foot)
-    step = (_STEP * contact.facet.slack / wp.max(upright, _LEVEL)) * foot
+    step = (_STEP * between.facet.slack / wp.max(upright, _LEVEL)) * foot
     for _way in range(2):
         reach = wp.max(wp.max(wp.dot(step, other.a - p), wp.dot(step, other.b - p)), wp.dot(step, other.c - p))
-        if upright > _LEVEL and _rises(contact, other) and reach > wp.dot(step, step):
-            cosine = wp.dot(contact.way, step) / wp.length(step)
-            is_front = contact.side * wp.dot(contact.way, other.n) > ZERO
-            if cosine > contact.nearest - _TIE:  # of feet at one place, one has its front elsewhere
-                contact.is_free = is_front and (contact.is_free or cosine > contact.nearest + _TIE)
-                contact.nearest = wp.max(contact.nearest, cosine)
-            contact.far = wp.max(contact.far, other.offset / upright)
+        if upright > _LEVEL and _rises(between.facet, between.side, other) and reach > wp.dot(step, step):
+            cosine = wp.dot(between.way, step) / wp.length(step)
+            is_front = between.side * wp.dot(between.way, other.n) > ZERO
+            if cosine > between.nearest - _TIE:  # of feet at one place, one has its front elsewhere
+                between.is_free = is_front and (between.is_free or cosine > between.nearest + _TIE)
+                between.nearest = wp.max(between.nearest, cosine)
+            between.far = wp.max(between.far, other.offset / upright)
         step = -step
-    return contact
+    return between
