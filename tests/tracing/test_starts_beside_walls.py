@@ -94,6 +94,21 @@ def test_at_the_foot_of_a_leaning_wall_both_see_the_wedge_between_wall_and_floor
         assert found.value == pytest.approx(0.5 * (1.0 - np.cos(np.radians(degrees))), abs=0.015)  # the wall is 300 long
 
 
+@pytest.mark.parametrize("turn", [0, 3])
+@pytest.mark.parametrize("cards", [2, 3, 4, 5, 8])
+def test_a_point_on_the_axis_of_crossed_cards_sees_the_wedge_beside_its_card(cards, turn):
+    """Points on the axis of a tree of three cards started between the other two, and some of four cards saw nothing."""
+    angles = np.pi * np.arange(cards) / cards
+    out = 300.0 * np.stack([np.cos(angles), np.sin(angles), 0.0 * angles], axis=1)
+    up = np.array([0.0, 0.0, 300.0])
+    corners = np.concatenate([-out - up, out - up, out + up, up - out]) @ turned(turn).T
+    first = np.arange(cards)[:, None]
+    mesh = ws.Mesh(corners, np.concatenate([first + cards * np.array([0, 1, 2]), first + cards * np.array([0, 2, 3])]))
+    axis = np.repeat([(0.0, 0.0, -11.3), (0.0, 0.0, 7.9)], cards, axis=0) @ turned(turn).T
+    found = ws.ambient_occlusion(mesh, at(axis, np.tile(mesh.face_normals[:cards], (2, 1))), 4096)
+    assert found.value == pytest.approx(0.5 * (1.0 - np.cos(np.pi / cards)), abs=0.015)  # the cards are 300 long
+
+
 @pytest.mark.parametrize("noise", [1e-5, 3e-4])
 def test_vertices_of_a_nearly_level_floor_stay_where_they_are(noise):
     """They moved by up to half of their face, to be on the same side as its centre of faces in nearly the same plane."""

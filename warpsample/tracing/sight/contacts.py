@@ -8,7 +8,7 @@ from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.tracing.placement import OFFSET, origin_offset
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.face_contact import ALIKE, FaceContact, Way, look_along, move_off_facet
-from warpsample.tracing.sight.facets import NOWHERE, Contacts, facet_of, is_touching, with_normal
+from warpsample.tracing.sight.facets import NOWHERE, Contacts, facet_of, inward_distance, is_touching, with_normal
 from warpsample.tracing.sight.touching import faces_touching
 
 _TWICE = wp.constant(wp.float32(2.0 * OFFSET))
@@ -19,6 +19,7 @@ _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal no
 _WAYS = wp.constant(wp.int32(64))  # ways that are tried between walls
 _TURN = wp.constant(wp.float64(2.0 * pi / 64.0))
 _NARROW = wp.constant(wp.float64(0.05))  # sine of the angle between a way and the nearest wall
+_ACROSS = wp.constant(wp.float64(0.1))  # cosine between the axis of crossed cards and a way across it
 _THIN = wp.constant(wp.int32(-2))  # face number of a point that lies only on faces too thin to have a normal
 
 
@@ -238,11 +239,14 @@ def stand_between_walls(contacts: Contacts, tree: Accelerator, contact: FaceCont
     """Move the start of a point's rays aside to where it is off all walls that stand on its own face at the point.
 
     The sum of the moves off each wall is too short where they lead in nearly opposite directions. Then a way along the face
-    is sought that is in front of the nearest walls on both sides, and as far from them as possible.
+    is sought that is in front of the nearest walls on both sides, and as far from them as possible. If there is none, as on
+    the axis of crossed cards, of which some show their backs, a way across the axis on the own face will do.
     """
     move = _move_along(contact)
+    move -= wp.dot(move, contact.facet.n) * contact.facet.n
     length = wp.length(move)
     least = ONE
+    across = NOWHERE
     x = wp.normalize(contact.facet.b - contact.facet.a)
     y = wp.cross(contact.facet.n, x)
     between = Way()
@@ -268,6 +272,13 @@ def stand_between_walls(contacts: Contacts, tree: Accelerator, contact: FaceCont
             least = between.nearest
             contact.inwards = ZERO
             contact.aside = (between.far / sine) * between.way
+        elif wp.abs(between.nearest) < _ACROSS:
+            aside = (TWO * between.far) * between.way
+            if inward_distance(contact.facet, contact.p + aside) > ZERO:
+                across = aside
+    if least == ONE and wp.dot(across, across) > ZERO:
+        contact.inwards = ZERO
+        contact.aside = across
     return contact
 
 

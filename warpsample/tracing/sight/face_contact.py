@@ -133,7 +133,7 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
     height = side * wp.dot(other.n, contact.o - other.a)
     alike = wp.dot(own.n, other.n)
     front = contact.side * wp.dot(other.n, contact.o - other.a)
-    if _rises(own, contact.side, other) and height < HALF * other.offset:
+    if _rises(own, contact.side, other) and height < wp.where(across, ONE, HALF) * other.offset:
         if across:
             aside = wp.length(contact.aside)
             contact.several = contact.several or side * wp.dot(contact.aside, other.n) < _SAME * aside
