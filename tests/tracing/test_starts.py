@@ -14,6 +14,7 @@ import warpsample as ws
 LARGE = ("annulus", "torus")
 ALONG_AXES = ("box", "star")
 ROOMS = {
+    "attic": trimesh.convex.convex_hull([(x, y, z) for x in (0, 10) for y, z in ((-2, 0), (2, 0), (0, 0.7))]),
     "box": creation.box(),
     "flat": creation.box((1.0, 1.0, 1e-3)),
     "tetrahedron": creation.cone(1.0, 2.0, sections=3),
@@ -64,6 +65,21 @@ def test_no_point_of_a_closed_room_sees_out_of_it(name, turn):
                 assert (hits.face[found.status == 0] >= 0).all()
 
 
+@pytest.mark.parametrize("turn", [0, 3])
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("name", ["attic", "box", "flat", "tetrahedron", "cone"])
+def test_nor_if_half_of_its_faces_are_turned_over(name, seed, turn):
+    """On the rim of an attic's floor, whose roof has its front outside, rays started above the roof."""
+    mesh = ROOMS[name]
+    turned_over = np.random.default_rng(seed).random(len(mesh.faces)) < 0.5
+    faces = np.where(turned_over[:, None], mesh.faces[:, ::-1], mesh.faces)
+    mesh = ws.as_mesh((mesh.vertices @ turned(turn).T, faces))
+    position, normal, face = on_all_edges(mesh)
+    normal = np.where(turned_over[face, None], 1.0, -1.0) * normal
+    for points in (ws.SurfacePoints(position, normal, face), ws.SurfacePoints(position, normal)):
+        assert ws.ambient_occlusion(mesh, points, 256).value.max() == 0.0
+
+
 def test_next_to_an_acute_edge_no_point_sees_out():
     """In an attic of 10 x 14, points of floor and roof are 10^-12 to 10^-2 off the eave."""
     distance = 10.0 ** np.arange(-12.0, -2.0, 0.1)
@@ -93,6 +109,7 @@ SPIKE = np.array(  # of 3.5 degrees: at its first vertex the sum of the normals 
     ]
 )
 SOLIDS = {
+    "attic": trimesh.convex.convex_hull([(x, y, z) for x in (0, 10) for y, z in ((-2, 0), (2, 0), (0, 0.7))]),
     "box": creation.box(),
     "thin plate": creation.box((100.0, 83.1, 0.3)),
     "spike": trimesh.Trimesh(SPIKE, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]),

@@ -67,6 +67,22 @@ def test_a_point_between_the_walls_of_two_houses_is_in_front_of_both(degrees, tu
     assert found.value[0] == pytest.approx(degrees / 360.0, abs=0.01)  # the houses are high and, next to the start, long
 
 
+@pytest.mark.parametrize("turn", [0, 3, 4])
+@pytest.mark.parametrize("bottom", [0.0, -1.0])
+@pytest.mark.parametrize("degrees", [90, 70, 45, 20])
+def test_a_point_at_the_inner_corner_of_a_house_of_two_wings_is_in_front_of_both(degrees, bottom, turn):
+    """Where walls run on into the other wing, the nearest wall alone decided, and half of such points saw nothing."""
+    wings = [
+        creation.box((18.0, 4.0, 500.0)).apply_translation((x, y, 250.0 + bottom)) for x, y in ((2.0, -2.0), (-3.0, 2.0))
+    ]
+    wings[1].apply_transform(trimesh.transformations.rotation_matrix(np.radians(degrees), (0, 0, 1)))
+    floor = creation.box((80.0, 90.0, 1.0)).apply_translation((3.0, 1.0, -0.5))
+    mesh = trimesh.util.concatenate([floor, *wings])
+    mesh = ws.Mesh(mesh.vertices @ turned(turn).T, mesh.faces)
+    found = ws.ambient_occlusion(mesh, at([(0, 0, 0)], turned(turn)[:, 2]), 4096)
+    assert found.value[0] == pytest.approx(degrees / 360.0, abs=HALF)
+
+
 @pytest.mark.parametrize("degrees", [48, 46])
 @pytest.mark.parametrize("face", [0, 1])
 def test_and_at_whichever_angle_the_wall_crosses_an_edge(face, degrees):

@@ -24,16 +24,18 @@ from warpsample.tracing.placement import PlacementArgs, in_double, local_origin
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.scene import Scene
 from warpsample.tracing.sight.contacts import (
+    NextFace,
     find_next_face,
     find_own_face,
+    has_exact_normal,
     look_around,
     raise_start,
-    stand_between_walls,
     start_above,
     start_of,
 )
 from warpsample.tracing.sight.face_contact import FaceContact
 from warpsample.tracing.sight.facets import Contacts, ContactsArgs, corners_of, facet_of, with_normal
+from warpsample.tracing.sight.walls import stand_between_walls
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
 
@@ -155,7 +157,9 @@ def _start_kernel() -> wp.Kernel:
         first = contact.own
         tries = wp.where(known, _TRIES, 0)
         has_others = wp.bool(False)
-        like = -look  # not `look` itself, which Warp would change with it
+        exact = wp.bool(known)  # not `known` itself, which Warp would change with it
+        others = NextFace()
+        others.after = -2
         step = wp.where(known, 1, 0)
         while step <= contacts.sides:
             if step > 0 and contact.own >= 0:
@@ -165,19 +169,18 @@ def _start_kernel() -> wp.Kernel:
                 contact = look_around(contacts, tree, contact, look, step == 0, words.ptr)
             again = step == 1 and contact.behind and tries < _TRIES
             if again:
-                like = wp.where(tries == 0, contact.facet.n, like)
-                after = wp.where(tries == 0, -1, contact.own)
-                found = find_next_face(contacts, tree, contact, like, after, words.ptr)
-                has_others = has_others or found >= 0
-                tries = wp.where(found < 0, _TRIES, tries + 1)
-                contact.own = wp.where(tries < _TRIES, found, first)
+                others = find_next_face(contacts, tree, contact, others, exact, words.ptr)
+                has_others = has_others or others.face >= 0
+                tries = wp.where(others.face < 0, _TRIES, tries + 1)
+                contact.own = wp.where(tries < _TRIES, others.face, first)
             elif step == 0:
                 first = find_own_face(contact)
                 contact.own = first
+                exact = has_exact_normal(contact, look)
             else:
                 mixed = contact.inwards > ZERO and wp.dot(contact.aside, contact.aside) > ZERO
                 if contact.several or mixed or (contact.behind and has_others):
-                    contact = stand_between_walls(contacts, tree, contact, words.ptr)
+                    contact = stand_between_walls(contacts, tree, contact, exact, words.ptr)
                 _set_start(contacts, i, step - 1, start_of(contacts, contact, look))
                 look = -look
             if (again or step == 0) and contact.own >= 0:

@@ -1,14 +1,12 @@
 """Search for the faces that touch a surface point, and choice of the position where the point's rays start."""
 
-from math import pi
-
 import warp as wp
 
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.tracing.placement import OFFSET, origin_offset
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.sight.face_contact import ALIKE, FaceContact, Way, look_along, move_off_facet
-from warpsample.tracing.sight.facets import NOWHERE, Contacts, facet_of, inward_distance, is_touching, with_normal
+from warpsample.tracing.sight.face_contact import ALIKE, FaceContact, move_off_facet
+from warpsample.tracing.sight.facets import NOWHERE, Contacts, facet_of, is_touching, with_normal
 from warpsample.tracing.sight.touching import faces_touching
 
 _TWICE = wp.constant(wp.float32(2.0 * OFFSET))
@@ -16,10 +14,7 @@ _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _RAISED = wp.constant(wp.float64(OFFSET))
 _TENTH = wp.constant(wp.float64(0.1))
 _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
-_WAYS = wp.constant(wp.int32(64))  # ways that are tried between walls
-_TURN = wp.constant(wp.float64(2.0 * pi / 64.0))
-_NARROW = wp.constant(wp.float64(0.05))  # sine of the angle between a way and the nearest wall
-_ACROSS = wp.constant(wp.float64(0.1))  # cosine between the axis of crossed cards and a way across it
+_EXACT = wp.constant(wp.float64(1.0 - 2.0**-34))  # the same, if also the corners of the face are rounded to float32
 _THIN = wp.constant(wp.int32(-2))  # face number of a point that lies only on faces too thin to have a normal
 
 
@@ -88,8 +83,8 @@ _look_around = faces_touching(_look_at, Around, FaceContact)
 
 
 @wp.func
-def _around(contacts: Contacts, p: wp.vec3d, look: wp.vec3d, searching: wp.bool) -> Around:
-    """Build the arguments of a search for the faces that touch a point."""
+def around_of(contacts: Contacts, p: wp.vec3d, look: wp.vec3d, searching: wp.bool) -> Around:
+    """Return the arguments of a search for the faces that touch a point."""
     extent = contacts.placement.extent
     around = Around()
     around.contacts = contacts
@@ -108,7 +103,7 @@ def look_around(
 
     `searching` is True to search for the point's own face, False to move the start off neighbouring faces.
     """
-    return _look_around(tree, _around(contacts, contact.p, look, searching), contact, scratch)
+    return _look_around(tree, around_of(contacts, contact.p, look, searching), contact, scratch)
 
 
 @wp.func
@@ -127,6 +122,12 @@ def find_own_face(contact: FaceContact) -> wp.int32:
     return wp.where(found >= 0, found, contact.own)
 
 
+@wp.func
+def has_exact_normal(contact: FaceContact, look: wp.vec3d) -> wp.bool:
+    """Return whether a point's normal is that of a face, and no mean of several, after the search for its own face."""
+    return wp.max(contact.best_along, contact.best_against) > _EXACT * wp.length(look)
+
+
 @wp.struct
 class NextFace:
     """State of the search for another face that may be a vertex's own.
@@ -136,7 +137,8 @@ class NextFace:
         own: number of the face that was tried last.
         moved: distance by which the start is off that face.
         first: normal of the own face that was found first; the other face must be like it.
-        after: number that the other face's number must exceed.
+        least: smallest cosine between these two normals.
+        after: number that the other face's number must exceed; -2 before the first search.
         face: smallest such number; -1 if there is none.
     """
 
@@ -144,6 +146,7 @@ class NextFace:
     own: wp.int32
     moved: wp.float64
     first: wp.vec3d
+    least: wp.float64
     after: wp.int32
     face: wp.int32
 
@@ -153,7 +156,7 @@ def _look_for_next(face: wp.int32, around: Around, found: NextFace) -> NextFace:
     """Update the search for another own face by one nearby face."""
     if face > found.after and face != found.own and (found.face < 0 or face < found.face):
         facet = facet_of(around.contacts, face)
-        if wp.dot(facet.n, found.first) > ALIKE and is_touching(facet, found.p, found.moved):
+        if wp.dot(facet.n, found.first) > found.least and is_touching(facet, found.p, found.moved):
             found.face = face
     return found
 
@@ -163,18 +166,22 @@ _look_for_next_face = faces_touching(_look_for_next, Around, NextFace)
 
 @wp.func
 def find_next_face(
-    contacts: Contacts, tree: Accelerator, contact: FaceContact, first: wp.vec3d, after: wp.int32, scratch: wp.uint64
-) -> wp.int32:
-    """Return the number of the next face after another that touches a point and whose normal is like `first`, or -1."""
-    found = NextFace()
-    found.p = contact.p
+    contacts: Contacts, tree: Accelerator, contact: FaceContact, last: NextFace, exact: wp.bool, scratch: wp.uint64
+) -> NextFace:
+    """Find the next face that touches a point and is like the own face that was found first.
+
+    If the point's normal is `exact`, as on the rim of an attic's floor, both must be in one plane.
+    """
+    found = last
+    if last.after < -1:
+        found.p = contact.p
+        found.first = contact.facet.n
+        found.least = wp.where(exact, _SAME, ALIKE)
+    found.after = wp.where(last.after < -1, -1, contact.own)
     found.own = contact.own
     found.moved = contact.moved
-    found.first = first
-    found.after = after
     found.face = -1
-    found = _look_for_next_face(tree, _around(contacts, contact.p, first, True), found, scratch)
-    return found.face
+    return _look_for_next_face(tree, around_of(contacts, contact.p, found.first, True), found, scratch)
 
 
 @wp.func
@@ -215,71 +222,10 @@ def start_above(contacts: Contacts, p: wp.vec3d, look: wp.vec3d) -> wp.vec3:
 
 
 @wp.func
-def _move_along(contact: FaceContact) -> wp.vec3d:
+def move_along(contact: FaceContact) -> wp.vec3d:
     """Return the move of the start along the own face: towards its centre, and aside."""
     middle = (contact.facet.a + contact.facet.b + contact.facet.c) * _THIRD
     return wp.min(contact.inwards, HALF) * (middle - contact.p) + contact.aside
-
-
-@wp.func
-def _look_between(face: wp.int32, around: Around, between: Way) -> Way:
-    """Update a direction between walls by one nearby face; the point's own face is skipped."""
-    if face != between.own:
-        facet = facet_of(around.contacts, face)
-        if wp.dot(facet.n, facet.n) > ZERO and is_touching(facet, between.p, between.moved):
-            between = look_along(between, facet)
-    return between
-
-
-_look_between_walls = faces_touching(_look_between, Around, Way)
-
-
-@wp.func
-def stand_between_walls(contacts: Contacts, tree: Accelerator, contact: FaceContact, scratch: wp.uint64) -> FaceContact:
-    """Move the start of a point's rays aside to where it is off all walls that stand on its own face at the point.
-
-    The sum of the moves off each wall is too short where they lead in nearly opposite directions. Then a way along the face
-    is sought that is in front of the nearest walls on both sides, and as far from them as possible. If there is none, as on
-    the axis of crossed cards, of which some show their backs, a way across the axis on the own face will do.
-    """
-    move = _move_along(contact)
-    move -= wp.dot(move, contact.facet.n) * contact.facet.n
-    length = wp.length(move)
-    least = ONE
-    across = NOWHERE
-    x = wp.normalize(contact.facet.b - contact.facet.a)
-    y = wp.cross(contact.facet.n, x)
-    between = Way()
-    between.p = contact.p
-    between.own = contact.own
-    between.facet = contact.facet
-    between.side = contact.side
-    between.moved = contact.moved
-    around = _around(contacts, contact.p, x, False)
-    for k in range(_WAYS + 1):
-        angle = wp.float64(k) * _TURN
-        between.way = wp.cos(angle) * x + wp.sin(angle) * y
-        if k == 0 and length > ZERO:
-            between.way = move / length
-        between.nearest = -TWO
-        between.is_free = wp.bool(True)
-        between.far = ZERO
-        between = _look_between_walls(tree, around, between, scratch)
-        sine = wp.where(between.nearest > ZERO, wp.sqrt(wp.max(ONE - between.nearest * between.nearest, ZERO)), ONE)
-        if between.is_free and k == 0 and length * sine > HALF * between.far:
-            least = -TWO  # the sum will do
-        elif between.is_free and between.nearest < least and sine > _NARROW:
-            least = between.nearest
-            contact.inwards = ZERO
-            contact.aside = (between.far / sine) * between.way
-        elif wp.abs(between.nearest) < _ACROSS:
-            aside = (TWO * between.far) * between.way
-            if inward_distance(contact.facet, contact.p + aside) > ZERO:
-                across = aside
-    if least == ONE and wp.dot(across, across) > ZERO:
-        contact.inwards = ZERO
-        contact.aside = across
-    return contact
 
 
 @wp.func
@@ -290,4 +236,4 @@ def start_of(contacts: Contacts, contact: FaceContact, look: wp.vec3d) -> wp.vec
         return wp.vec3(contact.p) + origin_offset(contacts.placement, towards) * towards
     if wp.dot(contact.facet.n, contact.facet.n) == ZERO:
         return wp.vec3(contact.p)
-    return wp.vec3(contact.o + _move_along(contact))
+    return wp.vec3(contact.o + move_along(contact))

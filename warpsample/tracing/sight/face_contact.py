@@ -5,15 +5,14 @@ import warp as wp
 from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.tracing.sight.facets import Facet, inward_distance, is_touching
 
-_STEP = wp.constant(wp.float64(16.0))  # slacks, so that a foot at 1 degree to the edge or more is found
+STEP: wp.float64 = wp.constant(wp.float64(16.0))
+"""Slacks from a point to where the faces next to it are told apart: a foot at 1 degree to an edge or more is found."""
+
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
 _LEANING = wp.constant(wp.float64(0.1))  # sine of the angle by which a wall leans over a face
 ALIKE: wp.float64 = wp.constant(wp.float64(0.5))
 """Cosine between faces that hide each other from no point straight above them, as in a terrain."""
-
-_LEVEL = wp.constant(wp.float64(1e-3))  # sine of the angle between faces, below which they are no wall and floor
-_TIE = wp.constant(wp.float64(1e-4))  # difference of cosines of feet at one place
 
 
 @wp.struct
@@ -60,35 +59,8 @@ class FaceContact:
     several: wp.bool
 
 
-@wp.struct
-class Way:
-    """Direction along a point's own face, between walls that stand on the face at the point.
-
-    Attributes:
-        p: position of the point.
-        own: number of its face.
-        facet: its face.
-        side: 1 if the point looks from the front of its face, else -1.
-        moved: distance by which the start is off the face.
-        way: unit vector along the face.
-        nearest: cosine of the angle between `way` and the nearest of the walls' feet.
-        is_free: whether `way` is in front of the walls on these feet.
-        far: distance from the walls by which the start is off all of them.
-    """
-
-    p: wp.vec3d
-    own: wp.int32
-    facet: Facet
-    side: wp.float64
-    moved: wp.float64
-    way: wp.vec3d
-    nearest: wp.float64
-    is_free: wp.bool
-    far: wp.float64
-
-
 @wp.func
-def _rises(own: Facet, side: wp.float64, other: Facet) -> wp.bool:
+def rises(own: Facet, side: wp.float64, other: Facet) -> wp.bool:
     """Return whether another face rises above a point's own face, on the side from which the point looks."""
     up = side * own.n
     height = wp.max(wp.max(wp.dot(up, other.a - own.a), wp.dot(up, other.b - own.a)), wp.dot(up, other.c - own.a))
@@ -103,14 +75,24 @@ def _runs_into(contact: FaceContact, other: Facet) -> wp.bool:
     """
     own = contact.facet
     along = wp.cross(own.n, other.n)
-    step = (_STEP * own.slack / wp.length(along)) * along
+    step = (STEP * own.slack / wp.length(along)) * along
     found = wp.bool(False)
     for _way in range(2):
         q = contact.p + step
-        inwards = inward_distance(own, q) - inward_distance(own, contact.p)
+        inwards = inward_distance(own, own.n, q) - inward_distance(own, own.n, contact.p)
         found = found or (inwards > HALF * HALF * own.slack and is_touching(other, q, contact.moved))
         step = -step
     return found
+
+
+@wp.func
+def is_passed(own: Facet, p: wp.vec3d, way: wp.vec3d, other: Facet) -> wp.bool:
+    """Return whether a way from a point p along its own face leads over or under another face, or on it, next to the point.
+
+    `way` is a unit vector.
+    """
+    n = wp.copysign(ONE, wp.dot(own.n, other.n)) * own.n
+    return inward_distance(other, n, p + STEP * own.slack * way) >= ZERO
 
 
 @wp.func
@@ -118,22 +100,23 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
     """Move the start of a point's rays to the visible side of another face that touches the point, if needed.
 
     The start point ends in front of a facet that crosses the point's own face, and else on the same side of the facet as the
-    centre of the own face. No move is needed off a facet that is not steep as seen from the own face, since the start is
-    straight above the point.
+    centre of the own face. No move is needed off a facet that is not steep as seen from the own face, and does not lie over
+    it, since the start is straight above the point.
     """
     own = contact.facet
     a = wp.dot(other.n, own.a - other.a)
     b = wp.dot(other.n, own.b - other.a)
     c = wp.dot(other.n, own.c - other.a)
     across = wp.max(wp.max(a, b), c) > other.offset and wp.min(wp.min(a, b), c) < -other.offset
-    if across and inward_distance(own, contact.p) <= own.slack:  # the point is at an edge
+    if across and inward_distance(own, own.n, contact.p) <= own.slack:  # the point is at an edge
         across = _runs_into(contact, other)
     gain = (a + b + c) * _THIRD - wp.dot(other.n, contact.p - other.a)
     side = wp.where(across, contact.side, wp.copysign(ONE, gain))
     height = side * wp.dot(other.n, contact.o - other.a)
     alike = wp.dot(own.n, other.n)
     front = contact.side * wp.dot(other.n, contact.o - other.a)
-    if _rises(own, contact.side, other) and height < wp.where(across, ONE, HALF) * other.offset:
+    if rises(own, contact.side, other) and height < wp.where(across, ONE, HALF) * other.offset:
+        is_under = is_passed(own, contact.p, wp.normalize((own.a + own.b + own.c) * _THIRD - contact.p), other)
         if across:
             aside = wp.length(contact.aside)
             contact.several = contact.several or side * wp.dot(contact.aside, other.n) < _SAME * aside
@@ -141,31 +124,7 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
             if alike < -_LEANING:  # a move along the normal of a wall that leans over would end behind the own face
                 way = (side / (ONE - alike * alike)) * (other.n - alike * own.n)
             contact.aside += (other.offset - height) * way
-        elif wp.abs(gain) > _THIRD * other.offset and (alike < ALIKE or front < HALF * other.offset):
+        elif wp.abs(gain) > _THIRD * other.offset and (alike < ALIKE or front < HALF * other.offset or is_under):
             contact.inwards = wp.max(contact.inwards, (other.offset - height) / wp.abs(gain))
             contact.behind = contact.behind or side != contact.side
     return contact
-
-
-@wp.func
-def look_along(between: Way, other: Facet) -> Way:
-    """Update a direction between walls by another face: the nearest foot of a wall, and its side.
-
-    A foot is where a wall meets the plane of the own face. It leads away from the point in one direction, or in two. A face
-    may reach further along it higher up: in a high wall, triangles that touch the point can be narrow at the foot.
-    """
-    p = between.p
-    foot = wp.cross(between.facet.n, other.n)
-    upright = wp.length(foot)
-    step = (_STEP * between.facet.slack / wp.max(upright, _LEVEL)) * foot
-    for _way in range(2):
-        reach = wp.max(wp.max(wp.dot(step, other.a - p), wp.dot(step, other.b - p)), wp.dot(step, other.c - p))
-        if upright > _LEVEL and _rises(between.facet, between.side, other) and reach > wp.dot(step, step):
-            cosine = wp.dot(between.way, step) / wp.length(step)
-            is_front = between.side * wp.dot(between.way, other.n) > ZERO
-            if cosine > between.nearest - _TIE:  # of feet at one place, one has its front elsewhere
-                between.is_free = is_front and (between.is_free or cosine > between.nearest + _TIE)
-                between.nearest = wp.max(between.nearest, cosine)
-            between.far = wp.max(between.far, other.offset / upright)
-        step = -step
-    return between

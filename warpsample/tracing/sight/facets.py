@@ -106,21 +106,24 @@ def facet_of(contacts: Contacts, face: wp.int32) -> Facet:
 
 
 @wp.func
-def _compute_edge_distance(facet: Facet, start: wp.vec3d, end: wp.vec3d, p: wp.vec3d) -> wp.float64:
-    """Return the signed distance of a point from one edge of a face, within the face's plane; positive inside."""
+def _edge_distance(start: wp.vec3d, end: wp.vec3d, n: wp.vec3d, p: wp.vec3d) -> wp.float64:
+    """Return the signed distance of a point from an edge, as seen along the unit vector n."""
     edge = end - start
-    return wp.dot(wp.cross(edge, p - start), facet.n) / wp.length(edge)
+    return wp.dot(wp.cross(edge, p - start), n) / wp.length(edge)
 
 
 @wp.func
-def inward_distance(facet: Facet, p: wp.vec3d) -> wp.float64:
-    """Return the signed distance of a point from the nearest edge of a face, within the face's plane; positive inside."""
-    first = wp.min(_compute_edge_distance(facet, facet.a, facet.b, p), _compute_edge_distance(facet, facet.b, facet.c, p))
-    return wp.min(first, _compute_edge_distance(facet, facet.c, facet.a, p))
+def inward_distance(facet: Facet, n: wp.vec3d, p: wp.vec3d) -> wp.float64:
+    """Return the signed distance of a point from the nearest edge of a face, as seen along the unit vector n.
+
+    It is positive inside, if n is on the front side of the face.
+    """
+    first = wp.min(_edge_distance(facet.a, facet.b, n, p), _edge_distance(facet.b, facet.c, n, p))
+    return wp.min(first, _edge_distance(facet.c, facet.a, n, p))
 
 
 @wp.func
 def is_touching(facet: Facet, p: wp.vec3d, moved: wp.float64) -> wp.bool:
     """Return whether a point touches a face, or may touch it after a move of length `moved`."""
     near = wp.abs(wp.dot(facet.n, p - facet.a)) <= TWO * facet.offset + moved
-    return near and inward_distance(facet, p) >= -facet.slack - moved
+    return near and inward_distance(facet, facet.n, p) >= -facet.slack - moved
