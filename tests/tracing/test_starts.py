@@ -20,6 +20,7 @@ ROOMS = {
     "tetrahedron": creation.cone(1.0, 2.0, sections=3),
     "cone": creation.cone(1.0, 3.0, sections=20),
     "torus": creation.torus(1.0, 0.3, major_sections=12, minor_sections=8),
+    "ring": creation.torus(1.0, 0.3, major_sections=6, minor_sections=3),
     "annulus": creation.annulus(0.5, 1.0, 1.0),  # edges that stand out into the workspace
     "star": trimesh.Trimesh(  # saddles: spikes of many lengths on a sphere
         creation.icosphere(1).vertices * np.random.default_rng(3).uniform(0.3, 1.0, (42, 1)), creation.icosphere(1).faces
