@@ -71,6 +71,21 @@ def test_numbers_that_gdal_does_not_read_are_refused(dsm, element):
     assert np.array_equal(heights_of(dsm), HEIGHTS)
 
 
+@pytest.mark.parametrize("element", ["<NoDataValue>7</NoDataValue>", "<Scale>0.1</Scale>", "<UnitType>ft</UnitType>"])
+def test_so_are_those_that_count_before_the_values_of_a_geotiff(tmp_path, element):
+    """The values of the file itself were used, which the .aux.xml corrects: heights of 29 m for 29 feet."""
+    path = write_tif(tmp_path / "dsm.tif", HEIGHTS, nodata=-9999.0)
+    with rasterio.open(path, "r+") as file:
+        file.scales, file.units = (0.5,), ("m",)
+    text = tmp_path / "dsm.tif.aux.xml"
+    text.write_text('<?xml version="1.0"?>' + PAM.format(element))
+    with pytest.raises(ValueError, match=f"^source: got .*, whose {element[1:6]}.* GDAL does not read"):
+        heights_of(path)
+    own = "<NoDataValue>-9999</NoDataValue><Scale>0.5</Scale><UnitType> m </UnitType>"
+    text.write_text('<?xml version="1.0"?>' + PAM.format(own))
+    assert np.array_equal(heights_of(path), 0.5 * HEIGHTS)
+
+
 @pytest.mark.parametrize("share", [0.0, 0.05, 0.3, 0.9])
 def test_a_damaged_mask_is_refused(tmp_path, share):
     """GDAL ignored it, so that masked cells had heights."""

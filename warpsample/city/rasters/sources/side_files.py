@@ -2,6 +2,7 @@
 
 import re
 from html import unescape
+from math import isclose, isfinite, isnan
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as ET
@@ -53,14 +54,25 @@ def _check_aux(path: str, file: Any, text: Path) -> None:
         for element in root.findall(f"PAMRasterBand[@band='{place + 1}']/*"):
             name, number = element.tag, (element.text or "").strip()
             if name in read and (number or name != "UnitType"):
-                default = _DEFAULTS[name]
+                value = read[name][place]
                 if name != "UnitType":
                     _check_number(str(text), name, number)
-                if read[name][place] in (default, "") and (default is None or float(number) != default):
+                # In other formats, a value of the raster itself can count instead.
+                counts = value in (_DEFAULTS[name], "") or file.driver == "GTiff"
+                if counts and not _is_same(value, number):
                     raise ValueError(
                         f"{got}, whose {name} {number} GDAL does not read; remove what is before <PAMDataset>, and unset "
                         "variables such as GDAL_PAM_ENABLED"
                     )
+
+
+def _is_same(value: float | str | None, text: str) -> bool:
+    """Return whether a value that GDAL has read is the text of its element; numbers may be rounded to float32."""
+    if value is None or isinstance(value, str):
+        return (value or "").strip() == text
+    if "#" in text:  # 1.#QNAN and such, which Python does not read
+        return not isfinite(value)
+    return isclose(value, float(text), rel_tol=1e-6) or (isnan(value) and isnan(float(text)))
 
 
 def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
