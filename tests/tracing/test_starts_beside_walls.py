@@ -95,7 +95,7 @@ def test_and_at_whichever_angle_the_wall_crosses_an_edge(face, degrees):
 
 
 @pytest.mark.parametrize("turn", [0, 3])
-@pytest.mark.parametrize("degrees", [70, 50, 40, 20])
+@pytest.mark.parametrize("degrees", [88, 85, 70, 50, 40, 20])
 def test_at_the_foot_of_a_leaning_wall_both_see_the_wedge_between_wall_and_floor(degrees, turn):
     """A move off the wall along its normal ended below the floor, and one off the floor behind the wall."""
     up = 300.0 * np.array([np.cos(np.radians(degrees)), 0.0, np.sin(np.radians(degrees))])
@@ -123,6 +123,51 @@ def test_a_point_on_the_axis_of_crossed_cards_sees_the_wedge_beside_its_card(car
     axis = np.repeat([(0.0, 0.0, -11.3), (0.0, 0.0, 7.9)], cards, axis=0) @ turned(turn).T
     found = ws.ambient_occlusion(mesh, at(axis, np.tile(mesh.face_normals[:cards], (2, 1))), 4096)
     assert found.value == pytest.approx(0.5 * (1.0 - np.cos(np.pi / cards)), abs=0.015)  # the cards are 300 long
+
+
+@pytest.mark.parametrize("degrees", [1, 3, 5])
+def test_so_do_points_on_a_floor_beside_a_low_wall(degrees):
+    """Rays started below the floor, as the offset of a floor that is wide and low is small."""
+    lean = 0.5 * np.tan(np.radians(degrees))
+    house = trimesh.convex.convex_hull([(x, *yz) for x in (-2, 2) for yz in ((-1, 0), (1, 0), (-1 - lean, 0.5), (1, 0.5))])
+    floor = np.array([(-10, -11, 0), (12, -10, 0), (11, 12, 0), (-12, 10, 0)])
+    mesh = ws.Mesh(np.concatenate([floor, house.vertices]), np.concatenate([[(0, 1, 2), (0, 2, 3)], house.faces + 4]))
+    feet = np.array([(x, -1.0, 0.0) for x in (-1.3, 0.2, 1.1)])
+    found = ws.ambient_occlusion(mesh, at(feet, (0, 0, 1)), 1024)
+    beside = ws.ambient_occlusion(mesh, at(feet - (0.0, 1e-3, 0.0), (0, 0, 1)), 1024)
+    assert found.value == pytest.approx(beside.value, abs=HALF)
+
+
+@pytest.mark.parametrize("slope", [0.02, 0.3, 0.8])
+@pytest.mark.parametrize("turn", range(4))
+def test_in_the_corner_of_a_court_on_a_slope_a_point_is_in_front_of_its_walls(turn, slope):
+    """The upper corners of a wall counted, which a slope moves along its foot, and half of such points saw nothing."""
+    houses = [creation.box((4.0, 4.0, 300.0)).apply_translation((x, y, 150.0)) for x, y in ((2, 2), (-2, 2), (2, -2))]
+    lines = np.linspace(-8.0, 8.0, 9)
+    floor = np.stack(np.meshgrid(lines, lines, [0.0]), axis=-1).reshape(-1, 3)
+    first = np.add.outer(9 * np.arange(8), np.arange(8)).reshape(-1, 1)
+    faces = np.concatenate([first + np.array([0, 1, 10]), first + np.array([0, 10, 9])])
+    town = trimesh.util.concatenate(houses)
+    angle = 0.4 + turn * np.pi / 2.0
+    up = np.array([-slope * np.cos(angle), -slope * np.sin(angle), 1.0])
+    vertices = np.concatenate([floor, town.vertices])
+    vertices[:, 2] -= vertices @ up - vertices[:, 2]
+    mesh = ws.Mesh(vertices, np.concatenate([faces, town.faces + len(floor)]))
+    normal = up / np.linalg.norm(up)
+    aside = np.array([-2e-3, -2e-3, 2e-3 * (up[0] + up[1])]) + 1e-4 * normal
+    corner, beside = ws.ambient_occlusion(mesh, at([np.zeros(3), aside], normal), 4096).value
+    assert corner == pytest.approx(beside, abs=0.02)
+
+
+@pytest.mark.parametrize("tracer", ["wide", "warp"])
+def test_rays_of_a_vertex_start_straight_above_it(tracer):
+    """They started beside the vertex, on one face, where it sees less of a gentle terrain: 0.955."""
+    vertices = [(-1, -1, 0.25), (0, -1, 0.19), (-1, 0, 0.53), (0, 0, 0), (1, 0, 0.19)]
+    mesh = ws.Mesh(np.array(vertices, float), np.array([(0, 1, 3), (0, 3, 2), (1, 4, 3)]))
+    vertex = ws.vertex_points(mesh).take([3])
+    above = ws.SurfacePoints(vertex.position + 1e-4 * vertex.normal, vertex.normal)
+    found, want = (ws.ambient_occlusion(mesh, points, 16384, tracer=tracer).value[0] for points in (vertex, above))
+    assert found == pytest.approx(want, abs=0.002)
 
 
 @pytest.mark.parametrize("noise", [1e-5, 3e-4])

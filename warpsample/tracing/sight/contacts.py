@@ -192,6 +192,7 @@ def raise_start(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known:
     """
     own = contact.facet
     contact.side = wp.copysign(ONE, wp.dot(own.n, look))
+    contact.lift = ZERO
     contact.inwards = ZERO
     contact.aside = NOWHERE
     contact.several = wp.bool(False)
@@ -236,4 +237,5 @@ def start_of(contacts: Contacts, contact: FaceContact, look: wp.vec3d) -> wp.vec
         return wp.vec3(contact.p) + origin_offset(contacts.placement, towards) * towards
     if wp.dot(contact.facet.n, contact.facet.n) == ZERO:
         return wp.vec3(contact.p)
-    return wp.vec3(contact.o + move_along(contact))
+    lift = contact.lift * wp.normalize(contact.o - contact.p)
+    return wp.vec3(contact.o + lift + move_along(contact))

@@ -10,7 +10,6 @@ STEP: wp.float64 = wp.constant(wp.float64(16.0))
 
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
-_LEANING = wp.constant(wp.float64(0.1))  # sine of the angle by which a wall leans over a face
 ALIKE: wp.float64 = wp.constant(wp.float64(0.5))
 """Cosine between faces that hide each other from no point straight above them, as in a terrain."""
 
@@ -30,6 +29,7 @@ class FaceContact:
         alone: whether no other face is near the point.
         o: position moved off the own face.
         moved: distance between p and o.
+        lift: further move of the start in the direction from p to o.
         inwards: move of the start towards the centre of the face, as a fraction of the way.
         aside: displacement of the start off faces that cross the own face.
         along: face with the greatest cosine, among cosines of at least 0; -1 if none.
@@ -48,6 +48,7 @@ class FaceContact:
     alone: wp.bool
     o: wp.vec3d
     moved: wp.float64
+    lift: wp.float64
     inwards: wp.float64
     aside: wp.vec3d
     along: wp.int32
@@ -115,16 +116,23 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
     height = side * wp.dot(other.n, contact.o - other.a)
     alike = wp.dot(own.n, other.n)
     front = contact.side * wp.dot(other.n, contact.o - other.a)
-    if rises(own, contact.side, other) and height < wp.where(across, ONE, HALF) * other.offset:
+    enough = wp.where(across, ONE, HALF) * other.offset
+    if rises(own, contact.side, other) and (height < enough or side != contact.side):
         is_under = is_passed(own, contact.p, wp.normalize((own.a + own.b + own.c) * _THIRD - contact.p), other)
+        rise = contact.side * wp.normalize(contact.o - contact.p)
+        steep = wp.dot(rise, other.n)
         if across:
             aside = wp.length(contact.aside)
             contact.several = contact.several or side * wp.dot(contact.aside, other.n) < _SAME * aside
             way = side * other.n
-            if alike < -_LEANING:  # a move along the normal of a wall that leans over would end behind the own face
+            if alike < ZERO:  # a move along the normal of a wall that leans over would end behind the own face
                 way = (side / (ONE - alike * alike)) * (other.n - alike * own.n)
             contact.aside += (other.offset - height) * way
-        elif wp.abs(gain) > _THIRD * other.offset and (alike < ALIKE or front < HALF * other.offset or is_under):
-            contact.inwards = wp.max(contact.inwards, (other.offset - height) / wp.abs(gain))
+        elif alike >= ALIKE and not is_under and steep > HALF and wp.dot(rise, own.n) < _SAME:
+            if front < enough:
+                contact.lift = wp.max(contact.lift, (other.offset - front) / steep)
+        elif wp.abs(gain) > _THIRD * other.offset and (alike < ALIKE or front < enough or is_under):
+            if height < enough:
+                contact.inwards = wp.max(contact.inwards, (other.offset - height) / wp.abs(gain))
             contact.behind = contact.behind or side != contact.side
     return contact

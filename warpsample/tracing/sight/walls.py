@@ -7,12 +7,13 @@ import warp as wp
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.contacts import Around, around_of, move_along
-from warpsample.tracing.sight.face_contact import ALIKE, STEP, FaceContact, is_passed, rises
-from warpsample.tracing.sight.facets import NOWHERE, Contacts, Facet, facet_of, is_touching
+from warpsample.tracing.sight.face_contact import ALIKE, FaceContact, is_passed, rises
+from warpsample.tracing.sight.facets import NOWHERE, Contacts, Facet, facet_of, inward_distance, is_touching
 from warpsample.tracing.sight.touching import faces_touching
 
 _LEVEL = wp.constant(wp.float64(1e-3))  # sine of the angle between faces, below which they are no wall and floor
 _TIE = wp.constant(wp.float64(1e-4))  # difference of cosines of feet at one place
+_FLAT = wp.constant(wp.float64(0.7))  # cosine between a floor and a roof, above which the roof is no leaning wall
 _WAYS = wp.constant(wp.int32(64))  # ways that are tried
 _TURN = wp.constant(wp.float64(2.0 * pi / 64.0))
 _NARROW = wp.constant(wp.float64(0.05))  # sine of the angle between a way and the nearest wall
@@ -53,7 +54,7 @@ class Way:
         moved: distance by which the start is off the face.
         way: unit vector along the face.
         is_on: whether `way` leads along the own face, or along another face that is like it.
-        is_covered: whether `way` leads under another face that is like the own face, such as the roof of an attic.
+        is_covered: whether `way` leads behind another face that is like the own face, such as the roof of an attic.
         left: nearest foot of a wall to the left of `way`, as seen from the front of the own face.
         right: nearest foot to the right.
         far: distance from the walls by which the start is off all of them.
@@ -85,27 +86,29 @@ def _nearer(foot: Foot, cosine: wp.float64, is_front: wp.bool) -> Foot:
 def _look_along(between: Way, other: Facet) -> Way:
     """Update a direction between walls by another face: the nearest foot of a wall on either side.
 
-    A foot is where a wall meets the plane of the own face. It leads away from the point in one direction, or in two. A face
-    may reach further along it higher up: in a high wall, triangles that touch the point can be narrow at the foot.
+    A foot is where a wall meets the plane of the own face. It leads away from the point in one direction, or in two. In a
+    high wall, triangles that touch the point can be narrow at the foot, so only the first bit of the foot is looked at.
     """
     p = between.p
+    slack = between.facet.slack
     is_higher = rises(between.facet, between.side, other)
-    if wp.abs(wp.dot(between.facet.n, other.n)) > ALIKE and is_passed(between.facet, p, between.way, other):
+    is_front = between.side * wp.dot(between.way, other.n) > ZERO
+    alike = wp.dot(between.facet.n, other.n)
+    if wp.abs(alike) > ALIKE and is_passed(between.facet, p, between.way, other):
         between.is_on = wp.bool(True)
-        between.is_covered = between.is_covered or is_higher
+        between.is_covered = between.is_covered or (is_higher and (wp.abs(alike) > _FLAT or not is_front))
     foot = wp.cross(between.facet.n, other.n)
     upright = wp.length(foot)
-    step = (STEP * between.facet.slack / wp.max(upright, _LEVEL)) * foot
+    step = (TWO * slack / wp.max(upright, _LEVEL)) * foot
     for _way in range(2):
-        reach = wp.max(wp.max(wp.dot(step, other.a - p), wp.dot(step, other.b - p)), wp.dot(step, other.c - p))
-        if upright > _LEVEL and is_higher and reach > wp.dot(step, step):
+        if upright > _LEVEL and is_higher and inward_distance(other, other.n, p + step) > -HALF * HALF * slack:
             cosine = wp.dot(between.way, step) / wp.length(step)
-            is_front = between.side * wp.dot(between.way, other.n) > ZERO
             if wp.dot(wp.cross(between.way, step), between.facet.n) > ZERO:
                 between.left = _nearer(between.left, cosine, is_front)
             else:
                 between.right = _nearer(between.right, cosine, is_front)
-            between.far = wp.max(between.far, other.offset / upright)
+            lean = wp.max(-alike, ZERO) * between.moved
+            between.far = wp.max(between.far, (other.offset + lean) / upright)
         step = -step
     return between
 
