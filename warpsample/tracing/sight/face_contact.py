@@ -102,7 +102,7 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
 
     The start point ends in front of a facet that crosses the point's own face, and else on the same side of the facet as the
     centre of the own face. No move is needed off a facet that is not steep as seen from the own face, and does not lie over
-    it, since the start is straight above the point.
+    it, since the start is straight above the point; the start of a vertex is only lifted further along the vertex's normal.
     """
     own = contact.facet
     a = wp.dot(other.n, own.a - other.a)
