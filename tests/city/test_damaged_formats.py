@@ -149,7 +149,7 @@ def test_a_geotiff_without_the_values_of_its_tags_is_refused(tmp_path, options):
         cut.write_bytes(whole[: len(whole) - missing])
         with pytest.raises(ValueError, match="whose end is missing; copy or download it again|cannot be read as a raster"):
             reading.reader_of(cut)
-    for address in (f"file://{cut}", f"GTIFF_DIR:1:{cut}"):
+    for address in (f"file://{cut}", f"FILE://{cut}", f"file:{cut}", f"GTIFF_DIR:1:{cut}"):
         cut.write_bytes(whole[:-10])
         with pytest.raises(ValueError, match="whose end is missing; copy or download it again"):
             reading.reader_of(address)
@@ -169,3 +169,10 @@ def test_a_geotiff_with_a_damaged_crs_is_refused_in_a_sentence(tmp_path):
         except ValueError as error:
             damaged += "which cannot be read as a raster" in str(error)
     assert damaged
+
+
+def test_an_arc_grid_is_read_by_its_address(tmp_path):
+    path = tmp_path / "dsm.asc"
+    path.write_text("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n")
+    found = reading.reader_of(f"file://{path}").heights(slice(0, 2), slice(0, 2))
+    assert np.array_equal(found, [[1.0, 2.0], [3.0, 4.0]])

@@ -79,8 +79,9 @@ def test_so_are_those_that_count_before_the_values_of_a_geotiff(tmp_path, elemen
         file.scales, file.units = (0.5,), ("m",)
     text = tmp_path / "dsm.tif.aux.xml"
     text.write_text('<?xml version="1.0"?>' + PAM.format(element))
-    with pytest.raises(ValueError, match=f"^source: got .*, whose {element[1:6]}.* GDAL does not read"):
-        heights_of(path)
+    for address in (path, f"file://{path}", f"file:{path}"):
+        with pytest.raises(ValueError, match=f"^source: got .*, whose {element[1:6]}.* GDAL does not read"):
+            heights_of(address)
     own = "<NoDataValue>-9999</NoDataValue><Scale>0.5</Scale><UnitType> m </UnitType>"
     text.write_text('<?xml version="1.0"?>' + PAM.format(own))
     assert np.array_equal(heights_of(path), 0.5 * HEIGHTS)

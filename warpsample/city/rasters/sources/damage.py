@@ -19,7 +19,7 @@ _REPORTED = {"GTiff", "LIBERTIFF", "HFA", "JP2OpenJPEG", "GRIB", "BT", "GSBG", "
 
 _VIRTUAL = ("VRT", "GTI")
 _TIFF = (".tif", ".tiff")
-_LOCAL = re.compile(r"^(?:file://|GTIFF_DIR:(?:off:)?\d+:)")  # in front of the name of a local file
+_LOCAL = re.compile(r"^(?:(?i:file:)(?://|(?=/))|GTIFF_DIR:(?:off:)?\d+:)")  # in front of the name of a local file
 
 
 def check_undamaged(path: str, file: Any) -> None:
@@ -58,13 +58,13 @@ def _check_part(path: str) -> str:
 
 def _check(path: str, file: Any) -> str:
     """Raise a ValueError for a damaged file; return the name of its format if its damage may not be found, otherwise ""."""
-    local = _LOCAL.sub("", path)
-    is_file = Path(local).is_file()
+    path = _LOCAL.sub("", path)
+    is_file = Path(path).is_file()
     check_texts(path, file)
     if file.driver == "AAIGrid" and is_file:
         check_arc_grid(path, file.shape, np.issubdtype(file.dtypes[0], np.integer))
     elif file.driver in ("GTiff", "LIBERTIFF") and is_file:
-        check_tiff(local)
+        check_tiff(path)
     elif file.driver == "VRT" and is_file and b"VRTRawRasterBand" in Path(path).read_bytes():
         return "raw VRT"
     elif file.driver not in (*_VIRTUAL, *_REPORTED):
