@@ -95,16 +95,17 @@ def test_and_at_whichever_angle_the_wall_crosses_an_edge(face, degrees):
 
 
 @pytest.mark.parametrize("turn", [0, 3])
+@pytest.mark.parametrize("first", [0, 2])
 @pytest.mark.parametrize("degrees", [88, 85, 70, 50, 40, 20])
-def test_at_the_foot_of_a_leaning_wall_both_see_the_wedge_between_wall_and_floor(degrees, turn):
+def test_at_the_foot_of_a_leaning_wall_both_see_the_wedge_between_wall_and_floor(degrees, first, turn):
     """A move off the wall along its normal ended below the floor, and one off the floor behind the wall."""
     up = 300.0 * np.array([np.cos(np.radians(degrees)), 0.0, np.sin(np.radians(degrees))])
     along = np.array([0.0, 300.0, 0.0])
     wall = [-along - up, along - up, along + up, up - along]
-    floor = [(-300, -300, 0), (300, -290, 0), (310, 300, 0), (-300, 310, 0)]
+    floor = np.roll([(-300, -300, 0), (300, -290, 0), (310, 300, 0), (-300, 310, 0)], first, axis=0)
     faces = np.array([(0, 1, 2), (0, 2, 3), (4, 5, 6), (4, 6, 7)])  # the wall's front is towards +x, and down
     mesh = ws.Mesh(np.array([*floor, *wall], float) @ turned(turn).T, faces)
-    foot = np.array([(0.0, y, 0.0) for y in (-11.3, 1.7, 20.0)]) @ turned(turn).T
+    foot = np.array([(0.0, y, 0.0) for y in (-11.3, 0.0, 1.7, 20.0)]) @ turned(turn).T
     for face in (0, 2):
         found = ws.ambient_occlusion(mesh, at(foot, mesh.face_normals[face]), 4096)
         assert found.value == pytest.approx(0.5 * (1.0 - np.cos(np.radians(degrees))), abs=0.015)  # the wall is 300 long

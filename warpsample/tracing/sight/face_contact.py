@@ -122,11 +122,11 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
         rise = contact.side * wp.normalize(contact.o - contact.p)
         steep = wp.dot(rise, other.n)
         if across:
-            aside = wp.length(contact.aside)
-            contact.several = contact.several or side * wp.dot(contact.aside, other.n) < _SAME * aside
             way = side * other.n
             if alike < ZERO:  # a move along the normal of a wall that leans over would end behind the own face
                 way = (side / (ONE - alike * alike)) * (other.n - alike * own.n)
+            alone = wp.dot(contact.aside, way) >= _SAME * wp.length(contact.aside) * wp.length(way)
+            contact.several = contact.several or not alone
             contact.aside += (other.offset - height) * way
         elif alike >= ALIKE and not is_under and steep > HALF and wp.dot(rise, own.n) < _SAME:
             if front < enough:

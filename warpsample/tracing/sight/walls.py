@@ -13,7 +13,6 @@ from warpsample.tracing.sight.touching import faces_touching
 
 _LEVEL = wp.constant(wp.float64(1e-3))  # sine of the angle between faces, below which they are no wall and floor
 _TIE = wp.constant(wp.float64(1e-4))  # difference of cosines of feet at one place
-_FLAT = wp.constant(wp.float64(0.7))  # cosine between a floor and a roof, above which the roof is no leaning wall
 _WAYS = wp.constant(wp.int32(64))  # ways that are tried
 _TURN = wp.constant(wp.float64(2.0 * pi / 64.0))
 _NARROW = wp.constant(wp.float64(0.05))  # sine of the angle between a way and the nearest wall
@@ -95,8 +94,8 @@ def _look_along(between: Way, other: Facet) -> Way:
     is_front = between.side * wp.dot(between.way, other.n) > ZERO
     alike = wp.dot(between.facet.n, other.n)
     if wp.abs(alike) > ALIKE and is_passed(between.facet, p, between.way, other):
-        between.is_on = wp.bool(True)
-        between.is_covered = between.is_covered or (is_higher and (wp.abs(alike) > _FLAT or not is_front))
+        between.is_on = between.is_on or not is_higher
+        between.is_covered = between.is_covered or (is_higher and not is_front)
     foot = wp.cross(between.facet.n, other.n)
     upright = wp.length(foot)
     step = (TWO * slack / wp.max(upright, _LEVEL)) * foot
