@@ -159,6 +159,19 @@ def test_what_differs_from_the_ground_by_rounding_is_no_crown(metres):
     assert len(made.canopy_mesh.faces) - len(made.mesh.faces) == 12  # of one crown
 
 
+@pytest.mark.parametrize("crs", ["EPSG:2263", None])
+def test_heights_of_crowns_and_far_terrain_in_feet_keep_their_unit_without_a_crs(tmp_path, crs):
+    """They were converted to metres, and then taken as feet of the map."""
+    where = Affine.translation(9e5, 2e5) @ NORTH_UP
+    heights = np.kron(np.eye(3), np.full((4, 4), 20.0)).astype(np.float32)
+    ground = write_tif(tmp_path / "dsm.tif", heights, transform=where, crs="EPSG:2263", units="US survey foot")
+    other = write_tif(tmp_path / "other.tif", heights, transform=where, crs=crs, units="US survey foot")
+    crowns = rasters.surface(ground, canopy=other).canopy_mesh.vertices
+    assert np.ptp(crowns[:, 2]) == pytest.approx(40.0, abs=1e-3)
+    around = rasters.sky_view_factor(ground, 64, far=other, tile=4, margin=1)
+    assert np.allclose(around.value, rasters.sky_view_factor(ground, 64, far=ground, tile=4, margin=1).value)
+
+
 def test_errors_are_those_of_both_runs():
     made = with_crowns(np.zeros((3, 3)), np.eye(3) * 6.0)
     points, _ = made.points()

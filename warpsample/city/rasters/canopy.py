@@ -3,7 +3,7 @@
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from numbers import Real
 from typing import Any
 
@@ -176,8 +176,7 @@ def _read_on_same_cells(ground: RasterReader, source: Any, argument: str) -> Ras
         raise ValueError(
             f"{argument}: got cells that are {np.abs(off).max():g} away from the cells of the heights, want the same cells"
         )
-    check_same_map(ground, found, argument)
-    return found
+    return as_on_map(ground, found, argument)
 
 
 def check_for_crowns(argument: str, value: Any, default: float) -> None:
@@ -186,10 +185,17 @@ def check_for_crowns(argument: str, value: Any, default: float) -> None:
         raise ValueError(f"{argument}: got {quote(value)} without canopy, want canopy, the raster of tree crowns, too")
 
 
-def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> None:
-    """Raise a ValueError if two rasters have different horizontal coordinate reference systems (CRS)."""
+def as_on_map(ground: RasterReader, other: RasterReader, argument: str) -> RasterReader:
+    """Return another raster with heights in the unit of the ground's map; a raster without a CRS is taken to be on this map.
+
+    Raises:
+        ValueError: Two different horizontal coordinate reference systems (CRS); the message names the argument.
+    """
     if other.crs and ground.crs and not is_same_crs(other.crs.to_2d(), ground.crs.to_2d()):
         raise ValueError(f"{argument}: got coordinates of {other.crs.name}, want {ground.crs.name}, as the heights have")
+    if other.crs is None and other.has_unit:  # else heights are in the unit of the map already
+        return replace(other, metres=ground.metres, factor=other.factor * other.metres / ground.metres)
+    return other
 
 
 @contextmanager

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from warpsample.city.rasters.canopy import TRUNK, Canopy, check_for_crowns, check_same_map, rename_argument
+from warpsample.city.rasters.canopy import TRUNK, Canopy, as_on_map, check_for_crowns, rename_argument
 from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, on_map
 from warpsample.city.rasters.sources.reading import ground_of, reader_of
@@ -112,7 +112,7 @@ def build_run(
     if far is not None:
         with rename_argument("far"):
             other = reader_of(far)
-        check_same_map(reader, other, "far")
+        other = as_on_map(reader, other, "far")
     trees = Canopy.of(reader, canopy, trunk, relative)
     if trees is None:
         check_for_crowns("transmittance", transmittance, TRANSMITTANCE)

@@ -29,6 +29,7 @@ class RasterReader:
     Attributes:
         shape: Numbers of rows and columns.
         factor: Factor that converts heights to the unit of the coordinates.
+        has_unit: Whether the raster states the unit of its heights.
         heights: Function (rows, columns) that returns the float64 heights in two slices, NaN in cells without data.
     """
 
@@ -39,6 +40,7 @@ class RasterReader:
     dims: tuple[str, str]
     coordinates: Mapping[str, Any]
     factor: float
+    has_unit: bool
     heights: Callable[[slice, slice], np.ndarray]
 
     @property

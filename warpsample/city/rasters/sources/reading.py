@@ -260,4 +260,5 @@ def _reader(
             stacklevel=2,
         )
     coordinates = coordinates_of(transform, shape) if coordinates is None else coordinates
-    return RasterReader(shape, transform, found, metres, dims, coordinates, height_metres / metres, heights)
+    factor = height_metres / metres
+    return RasterReader(shape, transform, found, metres, dims, coordinates, factor, stated is not None, heights)
