@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 import trimesh
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 import warpsample as ws
 
@@ -53,6 +54,18 @@ def test_blocks_are_joined_with_those_in_them():
     assert np.allclose(area[1:], [24.0, 6.0])
 
 
+def test_blocks_need_no_names():
+    """Of two blocks of one name, the first was taken twice."""
+    blocks, nameless = pv.MultiBlock(), vtkMultiBlockDataSet()
+    for place, surface in enumerate((pv.Sphere(), pv.Cube(), pv.PointSet(np.ones((3, 3))))):
+        blocks.append(surface, "slab")
+        nameless.SetBlock(place, surface)
+    for given, names in ((blocks, ("slab", "slab")), (pv.wrap(nameless), ("0", "1"))):
+        mesh = ws.as_mesh(given)
+        assert mesh.parts == names
+        assert list(np.bincount(mesh.part)) == [pv.Sphere().n_cells, 12]
+
+
 def test_both_of_open3ds_meshes():
     """Of the same shape as those of Open3D 0.20, by which it was tried."""
     legacy = SimpleNamespace(vertices=BOX.vertices.tolist(), triangles=BOX.faces.tolist())
@@ -78,3 +91,5 @@ def test_a_scene_without_faces_is_reported(empty):
 def test_what_is_no_mesh_is_refused_with_what_is_one():
     with pytest.raises(TypeError, match="mesh: got a value of type dict, want .* or a TriangleMesh of Open3D"):
         ws.as_mesh({})
+    with pytest.raises(TypeError, match="mesh: got a value of type UnstructuredGrid, want "):
+        ws.as_mesh(pv.ImageData(dimensions=(3, 3, 3)).cast_to_unstructured_grid())

@@ -46,7 +46,7 @@ def _surface(value: Any, argument: str) -> tuple[Any, Any] | None:
         return np.asarray(value.vertices), np.asarray(value.triangles)
     if hasattr(value, "vertex") and hasattr(value, "triangle"):  # Open3D tensor mesh, possibly on a GPU
         return value.vertex.positions.cpu().numpy(), value.triangle.indices.cpu().numpy()
-    if hasattr(value, "points") and hasattr(value, "cells"):
+    if hasattr(value, "points") and isinstance(getattr(value, "cells", None), list):
         return value.points, faces_of_cells(value, argument)
     return None
 
@@ -70,9 +70,9 @@ def _nodes(scene: Any) -> Iterator[Placed]:
 
 def _blocks(blocks: Any, path: str = "") -> Iterator[Placed]:
     """Yield the surfaces of all blocks of a pyvista.MultiBlock, nested blocks and the surfaces of volumes included."""
-    for key in blocks.keys():  # noqa: SIM118  (a MultiBlock yields its blocks)
-        block, name = blocks[key], f"{path}{key}"
-        if block is None:
+    for place in range(blocks.n_blocks):  # by number, as names can be missing or the same
+        block, name = blocks[place], f"{path}{blocks.get_block_name(place) or place}"
+        if block is None or not (hasattr(block, "n_blocks") or block.n_cells):
             continue
         if hasattr(block, "n_blocks"):
             yield from _blocks(block, f"{name}/")

@@ -3,11 +3,12 @@
 import warp as wp
 
 from warpsample.maths.numerics import HALF, ONE, ZERO
-from warpsample.tracing.sight.facets import Facet, inward_distance, is_touching
+from warpsample.tracing.sight.facets import Facet, inward_distance
 
 STEP: wp.float64 = wp.constant(wp.float64(16.0))
 """Slacks from a point to where the faces next to it are told apart: a foot at 1 degree to an edge or more is found."""
 
+_EIGHTH = wp.constant(wp.float64(0.125))
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
 ALIKE: wp.float64 = wp.constant(wp.float64(0.5))
@@ -72,17 +73,19 @@ def rises(own: Facet, side: wp.float64, other: Facet) -> wp.bool:
 def _runs_into(contact: FaceContact, other: Facet) -> wp.bool:
     """Return whether another face crosses a point's own face next to the point, which is at an edge of its own face.
 
-    So do walls whose foot runs on through the point, but not faces that meet the own face at the edge.
+    So do walls whose foot runs on through the point, but not faces that meet the own face at the edge. A foot that is seen
+    16 slacks away can be nearly along the edge; one that is seen 2 slacks away can belong to a narrow bit of a high wall.
     """
     own = contact.facet
     along = wp.cross(own.n, other.n)
     step = (STEP * own.slack / wp.length(along)) * along
     found = wp.bool(False)
-    for _way in range(2):
+    for k in range(4):
         q = contact.p + step
         inwards = inward_distance(own, own.n, q) - inward_distance(own, own.n, contact.p)
-        found = found or (inwards > HALF * HALF * own.slack and is_touching(other, q, contact.moved))
-        step = -step
+        beside = wp.where(k < 2, other.slack + contact.moved, HALF * HALF * own.slack)
+        found = found or (inwards > HALF * HALF * own.slack and inward_distance(other, other.n, q) >= -beside)
+        step *= wp.where(k == 1, -_EIGHTH, -ONE)
     return found
 
 
