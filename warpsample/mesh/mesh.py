@@ -231,8 +231,7 @@ def as_mesh(mesh: Any, *, transmittance: Any = None, reflectance: Any = None) ->
         mesh: One of: a Mesh, which is returned unchanged; a tuple (vertices, faces); a pyvista.PolyData or MultiBlock; a
             trimesh.Trimesh or Scene; a meshio.Mesh; an Open3D TriangleMesh of either kind. Polygons are cut into triangles,
             those of PyVista by `PolyData.triangulate`, which leaves out polygons that touch themselves, as at a bridge to a
-            hole.
-            The members of scenes and blocks are placed and joined, and become the `parts` of the mesh.
+            hole. The members of scenes and blocks are placed and joined, and become the `parts` of the mesh.
         transmittance: A number from 0 to 1, or (F,) of them, one per face; see `Mesh`. Default: None, unchanged. A changed
             copy of a Mesh reuses the ray-tracing tree of the original while the original exists.
         reflectance: A number from 0 to 1, or (F,) of them, one per face; see `Mesh`. The sum with the transmittance is at

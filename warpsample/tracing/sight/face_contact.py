@@ -78,13 +78,15 @@ def _runs_into(contact: FaceContact, other: Facet) -> wp.bool:
     """
     own = contact.facet
     along = wp.cross(own.n, other.n)
-    step = (STEP * own.slack / wp.length(along)) * along
+    upright = wp.length(along)
+    step = (STEP * own.slack / upright) * along
     found = wp.bool(False)
     for k in range(4):
         q = contact.p + step
         inwards = inward_distance(own, own.n, q) - inward_distance(own, own.n, contact.p)
         beside = wp.where(k < 2, other.slack + contact.moved, HALF * HALF * own.slack)
-        found = found or (inwards > HALF * HALF * own.slack and inward_distance(other, other.n, q) >= -beside)
+        is_on_foot = inward_distance(other, other.n, q) >= -beside and (k < 2 or upright > HALF)
+        found = found or (inwards > HALF * HALF * own.slack and is_on_foot)
         step *= wp.where(k == 1, -_EIGHTH, -ONE)
     return found
 
