@@ -98,13 +98,13 @@ def test_and_at_whichever_angle_the_wall_crosses_an_edge(face, degrees):
 @pytest.mark.parametrize("face", [0, 1])
 def test_at_an_edge_of_the_floor_a_point_is_in_front_of_a_high_facade_of_panels(face, turn):
     """The narrow bit of a panel beside the point had ended where the foot of the facade was looked for."""
-    edges = np.r_[-300.0, np.arange(-9.0, 10.0), 300.0]
-    low, high = (np.stack([edges, 0.0 * edges, 0.0 * edges + z], axis=1) for z in (-0.5, 100.0))
-    k = np.arange(len(edges) - 1)[:, None]
-    n = len(edges)
-    panels = np.concatenate([k + np.array([0, 1, n]), k + np.array([1, n + 1, n])])  # their front is towards -y
-    floor = np.array([(-300, -300, 0), (300, -290, 0), (310, 310, 0), (-290, 300, 0)])
-    mesh = ws.Mesh(np.concatenate([floor, low, high]) @ turned(turn).T, np.concatenate([[(0, 1, 2), (0, 2, 3)], panels + 4]))
+    edges = np.array([-101.0, -1.0, 0.0, 1.0, 101.0])
+    front = np.array([(x, 0.0, z) for z in (-0.5, 100.0) for x in edges])
+    k = np.arange(4)[:, None]
+    panels = np.concatenate([k + np.array([0, 6, 1]), k + np.array([0, 5, 6])])  # their front is towards +y
+    floor = np.array([(-30, -30, 0), (30, -30, 0), (30, 30, 0), (-30, 30, 0)])
+    vertices = np.concatenate([floor, front, front - (0.0, 0.5, 0.0)]) @ turned(turn).T
+    mesh = ws.Mesh(vertices, np.concatenate([[(0, 1, 2), (0, 2, 3)], panels + 4, panels[:, ::-1] + 14]))
     normal = np.float32(turned(turn)[:, 2])
     found = ws.ambient_occlusion(mesh, ws.SurfacePoints(np.zeros((1, 3)), normal[None], np.array([face])), 1024)
     assert found.value[0] == pytest.approx(0.5, abs=HALF)
