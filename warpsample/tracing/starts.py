@@ -178,7 +178,7 @@ def _start_kernel() -> wp.Kernel:
                 contact.own = first
                 exact = has_exact_normal(contact, look)
             else:
-                mixed = contact.inwards > ZERO and wp.dot(contact.aside, contact.aside) > ZERO
+                mixed = contact.in_corner and wp.dot(contact.aside, contact.aside) > ZERO
                 if contact.several or mixed or (contact.behind and has_others):
                     contact = stand_between_walls(contacts, tree, contact, exact, words.ptr)
                 _set_start(contacts, i, step - 1, start_of(contacts, contact, look))

@@ -196,6 +196,7 @@ def raise_start(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known:
     contact.inwards = ZERO
     contact.aside = NOWHERE
     contact.several = wp.bool(False)
+    contact.in_corner = wp.bool(False)
     contact.behind = wp.bool(False)
     height = contact.side * wp.dot(own.n, contact.p - own.a)
     away = wp.clamp(own.offset - height, ZERO, TWO * own.offset)

@@ -40,6 +40,7 @@ class FaceContact:
         ahead: sum over all touching faces of cosine times twice the area.
         behind: whether the own face is behind another one, like the floor inside a box that stands on it.
         several: whether walls of several directions stand on the own face at the point.
+        in_corner: whether the own face ends at the point, at another face that rises above it.
     """
 
     p: wp.vec3d
@@ -59,6 +60,7 @@ class FaceContact:
     ahead: wp.float64
     behind: wp.bool
     several: wp.bool
+    in_corner: wp.bool
 
 
 @wp.func
@@ -122,7 +124,9 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
     alike = wp.dot(own.n, other.n)
     front = contact.side * wp.dot(other.n, contact.o - other.a)
     enough = wp.where(across, ONE, HALF) * other.offset
-    if rises(own, contact.side, other) and (height < enough or side != contact.side):
+    is_higher = rises(own, contact.side, other)
+    contact.in_corner = contact.in_corner or (is_higher and not across)
+    if is_higher and (height < enough or side != contact.side):
         is_under = is_passed(own, contact.p, wp.normalize((own.a + own.b + own.c) * _THIRD - contact.p), other)
         rise = contact.side * wp.normalize(contact.o - contact.p)
         steep = wp.dot(rise, other.n)

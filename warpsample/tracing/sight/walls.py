@@ -167,7 +167,8 @@ def stand_between_walls(
         is_free = is_free and not (exact and (between.is_covered or not between.is_on))
         if is_free and k == 0 and length * sine > HALF * between.far:
             least = -TWO  # the sum will do
-        elif is_free and nearest < least and sine > _NARROW:
+            break
+        if is_free and nearest < least and sine > _NARROW:
             least = nearest
             contact.inwards = ZERO
             contact.aside = (between.far / sine) * between.way
