@@ -81,6 +81,22 @@ def test_nor_if_half_of_its_faces_are_turned_over(name, seed, turn):
         assert ws.ambient_occlusion(mesh, points, 256).value.max() == 0.0
 
 
+@pytest.mark.parametrize("sections", [3, 5, 6, 8])
+def test_nor_where_a_slab_goes_through_a_corner(sections):
+    """The start was in front of the corner's other wall, and ended behind it after the move off the slab."""
+    room = creation.cylinder(4.0, 3.0, sections=sections)
+    corner = np.array([4.0, 0.0, 0.0])
+    walls = np.flatnonzero((np.abs(room.triangles - corner)[..., :2] < 1e-6).all(axis=2).sum(axis=1) == 2)
+    for seed in range(30):
+        turn = trimesh.transformations.euler_matrix(*np.random.default_rng(seed).uniform(-1.2, 1.2, 3))
+        slab = creation.box((14.0, 14.0, 0.2)).apply_transform(turn).apply_translation(corner)
+        faces = np.concatenate([room.faces[:, ::-1], slab.faces + len(room.vertices)])
+        mesh = ws.Mesh(np.concatenate([room.vertices, slab.vertices]), faces)
+        places = corner + np.array([[0.0, 0.0, -0.1], [0.0, 0.0, 0.1]]) / turn[2, 2]
+        points = ws.SurfacePoints(np.repeat(places, 2, axis=0), mesh.face_normals[[*walls, *walls]], np.tile(walls, 2))
+        assert ws.ambient_occlusion(mesh, points, 256).value.max() == 0.0
+
+
 def test_next_to_an_acute_edge_no_point_sees_out():
     """In an attic of 10 x 14, points of floor and roof are 10^-12 to 10^-2 off the eave."""
     distance = 10.0 ** np.arange(-12.0, -2.0, 0.1)
