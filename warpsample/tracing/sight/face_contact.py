@@ -137,7 +137,7 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
             alone = wp.dot(contact.aside, way) >= _SAME * wp.length(contact.aside) * wp.length(way)
             contact.several = contact.several or not alone
             contact.aside += (other.offset - height) * way
-        elif alike >= ALIKE and not is_under and steep > HALF and wp.dot(rise, own.n) < _SAME:
+        elif not is_under and steep > HALF and wp.dot(rise, own.n) < _SAME:
             if front < enough:
                 contact.lift = wp.max(contact.lift, (other.offset - front) / steep)
         elif wp.abs(gain) > _THIRD * other.offset and (alike < ALIKE or front < enough or is_under):
