@@ -8,6 +8,7 @@ from warpsample.tracing.sight.facets import Facet, inward_distance
 STEP: wp.float64 = wp.constant(wp.float64(16.0))
 """Slacks from a point to where the faces next to it are told apart: a foot at 1 degree to an edge or more is found."""
 
+_ABOVE = wp.constant(wp.float64(0.25))  # sine of the angle of a vertex's normal above a face, from which a lift will do
 _EIGHTH = wp.constant(wp.float64(0.125))
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
@@ -137,7 +138,7 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
             alone = wp.dot(contact.aside, way) >= _SAME * wp.length(contact.aside) * wp.length(way)
             contact.several = contact.several or not alone
             contact.aside += (other.offset - height) * way
-        elif not is_under and steep > HALF and wp.dot(rise, own.n) < _SAME:
+        elif not is_under and steep > _ABOVE and wp.dot(rise, own.n) < _SAME:
             if front < enough:
                 contact.lift = wp.max(contact.lift, (other.offset - front) / steep)
         elif wp.abs(gain) > _THIRD * other.offset and (alike < ALIKE or front < enough or is_under):
