@@ -173,7 +173,7 @@ def test_in_the_corner_of_a_court_on_a_slope_a_point_is_in_front_of_its_walls(tu
     normal = up / np.linalg.norm(up)
     aside = np.array([-2e-3, -2e-3, 2e-3 * (up[0] + up[1])]) + 1e-4 * normal
     corner, beside = ws.ambient_occlusion(mesh, at([np.zeros(3), aside], normal), 4096).value
-    assert corner == pytest.approx(beside, abs=0.02)
+    assert corner == pytest.approx(beside, abs=0.02)  # 4,096 rays are accurate to 0.005, on each side
 
 
 @pytest.mark.parametrize("tracer", ["wide", "warp"])
@@ -184,7 +184,7 @@ def test_rays_of_a_vertex_start_straight_above_it(tracer):
     vertex = ws.vertex_points(mesh).take([3])
     above = ws.SurfacePoints(vertex.position + 1e-4 * vertex.normal, vertex.normal)
     found, want = (ws.ambient_occlusion(mesh, points, 16384, tracer=tracer).value[0] for points in (vertex, above))
-    assert found == pytest.approx(want, abs=0.002)
+    assert found == pytest.approx(want, abs=0.002)  # 16,384 rays; it was 0.014
 
 
 @pytest.mark.parametrize("noise", [1e-5, 3e-4])

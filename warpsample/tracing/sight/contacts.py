@@ -5,7 +5,7 @@ import warp as wp
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.tracing.placement import OFFSET, origin_offset
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.sight.face_contact import ALIKE, FaceContact, move_off_facet
+from warpsample.tracing.sight.face_contact import ALIKE, SAME, FaceContact, move_off_facet
 from warpsample.tracing.sight.facets import NOWHERE, Contacts, facet_of, is_touching, with_normal
 from warpsample.tracing.sight.touching import faces_touching
 
@@ -13,8 +13,7 @@ _TWICE = wp.constant(wp.float32(2.0 * OFFSET))
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _RAISED = wp.constant(wp.float64(OFFSET))
 _TENTH = wp.constant(wp.float64(0.1))
-_SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
-_EXACT = wp.constant(wp.float64(1.0 - 2.0**-34))  # the same, if also the corners of the face are rounded to float32
+_EXACT = wp.constant(wp.float64(1.0 - 2.0**-34))  # least cosine between normals of one face, before and after rounding
 _THIN = wp.constant(wp.int32(-2))  # face number of a point that lies only on faces too thin to have a normal
 
 
@@ -114,9 +113,9 @@ def find_own_face(contact: FaceContact) -> wp.int32:
     either. At the tip of a spike, such a sum points against the normals of some of the faces. Faces of other bodies, such as
     a high wall, may touch the point, too; a face that is nearly across the normal then counts more than their areas.
     """
-    along = contact.best_along > wp.where(contact.best_along > contact.best_against, ALIKE, _SAME)
+    along = contact.best_along > wp.where(contact.best_along > contact.best_against, ALIKE, SAME)
     forward = contact.ahead >= ZERO
-    if along or contact.best_against > _SAME:  # both for a floor on which the bottom of a crate lies
+    if along or contact.best_against > SAME:  # both for a floor on which the bottom of a crate lies
         forward = along
     found = wp.where(forward, contact.along, contact.against)
     return wp.where(found >= 0, found, contact.own)
@@ -176,7 +175,7 @@ def find_next_face(
     if last.after < -1:
         found.p = contact.p
         found.first = contact.facet.n
-        found.least = wp.where(exact, _SAME, ALIKE)
+        found.least = wp.where(exact, SAME, ALIKE)
     found.after = wp.where(last.after < -1, -1, contact.own)
     found.own = contact.own
     found.moved = contact.moved

@@ -5,15 +5,15 @@ import warp as wp
 from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.tracing.sight.facets import Facet, inward_distance
 
-STEP: wp.float64 = wp.constant(wp.float64(16.0))
-"""Slacks from a point to where the faces next to it are told apart: a foot at 1 degree to an edge or more is found."""
-
+_STEP = wp.constant(wp.float64(16.0))  # slacks from a point to where faces next to it are told apart, from 1 degree on
 _ABOVE = wp.constant(wp.float64(0.25))  # sine of the angle of a vertex's normal above a face, from which a lift will do
 _EIGHTH = wp.constant(wp.float64(0.125))
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
-_SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
 ALIKE: wp.float64 = wp.constant(wp.float64(0.5))
 """Cosine between faces that hide each other from no point straight above them, as in a terrain."""
+
+SAME: wp.float64 = wp.constant(wp.float64(1.0 - 2.0**-20))
+"""Least cosine between equal normals that are rounded to float32."""
 
 
 @wp.struct
@@ -82,7 +82,7 @@ def _runs_into(contact: FaceContact, other: Facet) -> wp.bool:
     own = contact.facet
     along = wp.cross(own.n, other.n)
     upright = wp.length(along)
-    step = (STEP * own.slack / upright) * along
+    step = (_STEP * own.slack / upright) * along
     found = wp.bool(False)
     for k in range(4):
         q = contact.p + step
@@ -101,7 +101,7 @@ def is_passed(own: Facet, p: wp.vec3d, way: wp.vec3d, other: Facet) -> wp.bool:
     `way` is a unit vector.
     """
     n = wp.copysign(ONE, wp.dot(own.n, other.n)) * own.n
-    return inward_distance(other, n, p + STEP * own.slack * way) >= ZERO
+    return inward_distance(other, n, p + _STEP * own.slack * way) >= ZERO
 
 
 @wp.func
@@ -121,9 +121,10 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
         across = _runs_into(contact, other)
     gain = (a + b + c) * _THIRD - wp.dot(other.n, contact.p - other.a)
     side = wp.where(across, contact.side, wp.copysign(ONE, gain))
-    height = side * wp.dot(other.n, contact.o - other.a)
+    ahead = wp.dot(other.n, contact.o - other.a)
+    height = side * ahead
+    front = contact.side * ahead
     alike = wp.dot(own.n, other.n)
-    front = contact.side * wp.dot(other.n, contact.o - other.a)
     enough = wp.where(across, ONE, HALF) * other.offset
     is_higher = rises(own, contact.side, other)
     contact.in_corner = contact.in_corner or (is_higher and not across)
@@ -135,10 +136,10 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
             way = side * other.n
             if alike < ZERO:  # a move along the normal of a wall that leans over would end behind the own face
                 way = (side / (ONE - alike * alike)) * (other.n - alike * own.n)
-            alone = wp.dot(contact.aside, way) >= _SAME * wp.length(contact.aside) * wp.length(way)
-            contact.several = contact.several or not alone
+            is_same = wp.dot(contact.aside, way) >= SAME * wp.length(contact.aside) * wp.length(way)
+            contact.several = contact.several or not is_same
             contact.aside += (other.offset - height) * way
-        elif not is_under and steep > _ABOVE and wp.dot(rise, own.n) < _SAME:
+        elif not is_under and steep > _ABOVE and wp.dot(rise, own.n) < SAME:
             if front < enough:
                 contact.lift = wp.max(contact.lift, (other.offset - front) / steep)
         elif wp.abs(gain) > _THIRD * other.offset and (alike < ALIKE or front < enough or is_under):
