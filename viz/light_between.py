@@ -10,7 +10,7 @@ import typer
 import warpsample as ws
 from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.plotting import rendering, style
-from warpsample.plotting.map_sheet import Map, map_sheet
+from warpsample.plotting.map_sheet import Map, map_sheet, square_steps
 
 DAY = ("06-21", "06-21")
 LEAN = 0.7  # shift to the north per unit of height, so that walls to the south are seen
@@ -79,7 +79,7 @@ def courtyards(mesh: ws.Mesh, **options: object) -> list[Map]:
     span = 0.0, float(rendering.round_ticks(float(np.nanmax(values)), 5)[-1])
     titles = "Courtyard, faces reflect nothing", f"Courtyard, faces reflect {100 * REFLECTANCE:.0f} %"
     return [
-        Map(value, side / PIXELS, title, "irradiation on 21 June, kWh/m²", style.ENERGY, span)
+        Map(value, square_steps(side / PIXELS), title, "irradiation on 21 June, kWh/m²", style.ENERGY, span)
         for value, title in zip(values, titles, strict=True)
     ]
 
@@ -94,7 +94,7 @@ def shade(**options: object) -> Map:
     value = irradiation_map(meadow(), points, shown, **options)
     span = 0.0, float(rendering.round_ticks(float(np.nanmax(value)), 5)[-1])
     title = f"Shade of a tree that transmits {100 * LEAVES:.0f} %"
-    return Map(value, MEADOW / PIXELS, title, "irradiation on 21 June, kWh/m²", style.ENERGY, span)
+    return Map(value, square_steps(MEADOW / PIXELS), title, "irradiation on 21 June, kWh/m²", style.ENERGY, span)
 
 
 @fail_plainly(count="--samples")

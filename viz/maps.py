@@ -9,7 +9,7 @@ import typer
 import warpsample as ws
 from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.plotting import rendering, style
-from warpsample.plotting.map_sheet import Map, map_sheet
+from warpsample.plotting.map_sheet import Map, map_sheet, square_steps
 
 HERE = Path(__file__).parent
 HILLS = HERE / "data" / "tm1_564_146.tif"
@@ -24,14 +24,14 @@ def hills(path: Path, samples: int, seed: int) -> list[Map]:
 
     surface = rasters.surface(path)
     found = rasters.visible_sky(path, samples, seed=seed)
-    height, cell, north = surface.grid.height, abs(surface.grid.transform.a), tuple(surface.north[:2])
+    height, steps, north = surface.grid.height, surface.grid.steps, surface.north[:2]
     low = float(np.floor(20.0 * np.nanquantile(found.value, 0.005)) / 20.0)
     span = (float(np.nanmin(height)), float(np.nanmax(height)))
     return [
-        Map(height, cell, "Terrain", "height, m", "viridis", span, north),
+        Map(height, steps, "Terrain", "height, m", "viridis", span, north),
         Map(
             found.value.to_numpy(),
-            cell,
+            steps,
             "Visible sky of each cell",
             "visible share of the sky",
             style.OPENNESS,
@@ -57,7 +57,7 @@ def town(path: Path, weather: Path, side: float, seed: int) -> Map:
         "Sun and sky in a year, roofs and walls",
         f"irradiation of the year, kWh/m²; weather: {weather.stem}",
     )
-    return Map(shown, side / PIXELS, title, label, style.ENERGY, (0.0, high))
+    return Map(shown, square_steps(side / PIXELS), title, label, style.ENERGY, (0.0, high))
 
 
 def seen_from_above(mesh: ws.Mesh, part: np.ndarray, side: float) -> np.ndarray:

@@ -11,7 +11,8 @@ from matplotlib.patches import Rectangle
 from matplotlib.text import Annotation
 
 import warpsample as ws
-from warpsample.plotting.map_sheet import Map, map_sheet, scale_length
+from warpsample import rasters
+from warpsample.plotting.map_sheet import Map, map_sheet, scale_length, square_steps
 
 
 @pytest.mark.parametrize(
@@ -25,16 +26,37 @@ def test_a_map_has_its_scale_its_north_and_its_first_row_on_top():
     value = np.full((30, 60), np.nan)
     value[0] = 7.0
     north = np.array([-0.6, 0.8])
-    figure = map_sheet([Map(value, 2.5, "title", "label, m", "gray", (5.0, 10.0), tuple(north))], "caption")
+    figure = map_sheet([Map(value, square_steps(2.5), "title", "label, m", "gray", (5.0, 10.0), tuple(north))], "caption")
     axes = figure.axes[0]
     (shown,) = axes.images
-    assert shown.get_extent() == [0.0, 150.0, 0.0, 75.0]
+    assert (axes.get_xlim(), axes.get_ylim()) == ((0.0, 150.0), (0.0, 75.0))
+    assert on_map(shown, [(0, 0), (60, 30)]) == pytest.approx(np.array([(0.0, 75.0), (150.0, 0.0)]))
     assert (shown.origin, shown.get_clim(), float(shown.get_array()[0, 0])) == ("upper", (5.0, 10.0), 7.0)
     assert scale_length(150.0) in [each.get_width() for each in axes.patches if isinstance(each, Rectangle)]
     assert "50 m" in [text.get_text() for text in axes.texts]
     (arrow,) = (text for text in axes.texts if isinstance(text, Annotation))
     along = np.subtract(arrow.xy, arrow.xyann)  # from its tail to its tip
     assert along / np.linalg.norm(along) == pytest.approx(north)
+
+
+def on_map(shown, corners):
+    """Return where corners of cells, (column, row), are on a map, in metres."""
+    return (shown.get_transform() - shown.axes.transData).transform(corners)
+
+
+@pytest.mark.parametrize("degrees", [0, 30, 90, 180, 270])
+@pytest.mark.parametrize(("down", "crs", "metres"), [(-2.0, "EPSG:32633", 1.0), (6.0, "EPSG:2263+6360", 1200 / 3937)])
+def test_the_cells_of_a_turned_raster_are_where_the_map_has_them(degrees, down, crs, metres):
+    """Maps showed the first row on top, square cells, and feet as metres; of one turned by 90 degrees they were empty."""
+    where = Affine.translation(300000.0, 60000.0) * Affine.rotation(degrees) * Affine.scale(2.0, down)
+    grid = rasters.surface((np.zeros((5, 8)), where, crs)).grid
+    picture = Map(grid.height, grid.steps, "title", "label", "gray", (0.0, 1.0))
+    axes = map_sheet([picture], "caption").axes[0]
+    cells = [(0, 0), (8, 0), (0, 5), (8, 5)]
+    places = metres * np.array([where * cell for cell in cells])
+    drawn = on_map(axes.images[0], cells)
+    assert drawn == pytest.approx(places - places.min(axis=0), abs=1e-6)  # rounding of coordinates of 3e5
+    assert (axes.get_xlim()[1], axes.get_ylim()[1]) == pytest.approx(tuple(drawn.max(axis=0)))
 
 
 def test_buildings_are_seen_from_above_with_their_walls_to_the_south(script, monkeypatch):

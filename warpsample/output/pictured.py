@@ -59,7 +59,7 @@ def _draw_map(baked: Any) -> bytes:
     largest = float(np.nanmax(value, initial=0.0))
     high = float(largest if baked.quantity.unit else max(largest, baked.quantity.white)) or 1.0
     title = title_of(baked)
-    drawn = Map(value[::step, ::step], step * baked.cell, baked.quantity.title, title, "viridis", (0.0, high), baked.north)
+    drawn = Map(value[::step, ::step], step * baked.steps, baked.quantity.title, title, "viridis", (0.0, high), baked.north)
     some = "" if step == 1 else f", of which the picture shows every {step}th in both directions"
     caption = f"{baked.run.mesh.name}: {baked.shape[0]:,} x {baked.shape[1]:,} cells{some}"
     stream = BytesIO()

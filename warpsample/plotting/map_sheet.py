@@ -21,8 +21,8 @@ class Map:
     """Map of numbers seen from above, with its title, colours and scale.
 
     Attributes:
-        value: (R, C) numbers, the first row in the north; NaN shows the background.
-        cell: side of a cell in metres.
+        value: (R, C) numbers; NaN shows the background.
+        steps: (2, 2) steps in metres, to the right and up, to the next cell in a row, and to the next one in a column.
         title: text above the map.
         label: text below the colour bar: quantity and unit.
         colours: name of a colour map.
@@ -31,12 +31,29 @@ class Map:
     """
 
     value: np.ndarray
-    cell: float
+    steps: np.ndarray
     title: str
     label: str
     colours: str
     span: tuple[float, float]
     north: tuple[float, float] = (0.0, 1.0)
+
+    @property
+    def corners(self) -> np.ndarray:
+        """(4, 2) corners of the map in metres, to the right and up from its lowest and leftmost places."""
+        rows, columns = self.value.shape
+        corners = np.array([(0, 0), (columns, 0), (0, rows), (columns, rows)]) @ self.steps
+        return corners - corners.min(axis=0)
+
+    @property
+    def size(self) -> np.ndarray:
+        """(2,) width and height of the map in metres."""
+        return self.corners.max(axis=0)
+
+
+def square_steps(side: float) -> np.ndarray:
+    """Return the steps between square cells whose rows run to the right, the first row on top."""
+    return np.array([[side, 0.0], [0.0, -side]])
 
 
 def map_sheet(maps: list[Map], caption: str) -> "Figure":
@@ -44,8 +61,8 @@ def map_sheet(maps: list[Map], caption: str) -> "Figure":
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(_WIDTH, _HEIGHT), layout="compressed", dpi=100)
-    shapes = [each.value.shape for each in maps]
-    grid = figure.subplots(1, len(maps), width_ratios=[columns / rows for rows, columns in shapes], squeeze=False)
+    ratios = [width / height for width, height in (each.size for each in maps)]
+    grid = figure.subplots(1, len(maps), width_ratios=ratios, squeeze=False)
     for axes, each in zip(grid[0], maps, strict=True):
         _draw_map(axes, each)
     figure.supxlabel(caption, fontsize=_TEXT, color=INK)
@@ -54,18 +71,21 @@ def map_sheet(maps: list[Map], caption: str) -> "Figure":
 
 def _draw_map(axes: "Axes", each: Map) -> None:
     """Draw a map with its title, colour bar, scale bar and arrow to the north."""
-    rows, columns = np.multiply(each.value.shape, each.cell)
-    low, high = each.span
-    shown = axes.imshow(each.value, cmap=each.colours, vmin=low, vmax=high, extent=(0.0, columns, 0.0, rows))
-    axes.set(xticks=[], yticks=[], facecolor=SKY)
+    from matplotlib.transforms import Affine2D
+
+    (rows, columns), (low, high), (width, height) = each.value.shape, each.span, each.size
+    placed = Affine2D(np.vstack([np.column_stack([each.steps.T, each.corners[0]]), (0.0, 0.0, 1.0)]))
+    shown = axes.imshow(each.value, cmap=each.colours, vmin=low, vmax=high, extent=(0.0, columns, rows, 0.0))
+    shown.set_transform(placed + axes.transData)
+    axes.set(xticks=[], yticks=[], facecolor=SKY, xlim=(0.0, width), ylim=(0.0, height))
     axes.set_title(each.title, fontsize=_TITLE, color=INK)
     extend = "min" if np.nanmin(each.value, initial=high) < low else "neither"
     bar = axes.figure.colorbar(shown, ax=axes, orientation="horizontal", extend=extend, shrink=0.9, pad=0.02, aspect=25)
     bar.set_label(each.label, fontsize=_TEXT, color=INK)
     bar.ax.tick_params(labelsize=_TEXT)
-    edge = _FROM_EDGE * max(rows, columns)
-    _draw_scale(axes, columns, edge)
-    _draw_north(axes, np.array([columns, rows]) - 2.5 * edge, edge, each.north)
+    edge = _FROM_EDGE * max(width, height)
+    _draw_scale(axes, width, edge)
+    _draw_north(axes, each.size - 2.5 * edge, edge, each.north)
 
 
 def scale_length(width: float) -> float:

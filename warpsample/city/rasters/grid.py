@@ -61,6 +61,12 @@ class Grid:
         return float(np.hypot(a, d)), float(np.hypot(b, e))
 
     @property
+    def steps(self) -> np.ndarray:
+        """Steps in metres along x and y from a cell to the next in its row, and to the next in its column, (2, 2)."""
+        a, b, _, d, e, _ = self.transform[:6]
+        return self.metres * np.array([[a, d], [b, e]])
+
+    @property
     def mirrored(self) -> bool:
         """True if the raster is a mirror image of the map, for example with the first row in the south."""
         return self.transform.determinant > 0.0

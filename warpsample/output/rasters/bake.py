@@ -151,14 +151,14 @@ class BakedRaster:
         run: Arguments of the command.
         result: Flat arrays `value`, `standard_error`, `rays` and `status`; the status is 0 in cells with a value.
         shape: Rows and columns.
-        cell: Width of a cell in units of the map.
-        north: Direction of true north on the picture, to the right and up.
+        steps: (2, 2) steps in metres, east and north on the map, to the next cell in a row, and in a column.
+        north: Direction of true north on the map.
     """
 
     run: BakeRun
     result: Any
     shape: tuple[int, int]
-    cell: float
+    steps: np.ndarray
     north: tuple[float, float]
     mesh: None = None
 
@@ -174,8 +174,7 @@ class BakedRaster:
         status = np.isnan(value).astype(np.uint8)
         found = SimpleNamespace(value=value, standard_error=error, rays=np.zeros(1, np.int64), status=status)
         outline = raster.reader.outline
-        cell, north = abs(float(outline.transform.a)), (float(outline.north[0]), float(outline.north[1]))
-        return cls(run, found, raster.reader.shape, cell, north)
+        return cls(run, found, raster.reader.shape, outline.steps, outline.north[:2])
 
     @property
     def quantity(self) -> Quantity:
