@@ -5,6 +5,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import rasterio
+from affine import Affine
 
 import warpsample as ws
 from warpsample.output import export
@@ -18,6 +20,21 @@ def test_info_counts_and_explains(call, tmp_path):
     assert [line for line in out.splitlines() if "degenerate faces" in line and " 1 " in line and "no points" in line]
     assert [line for line in out.splitlines() if "duplicate faces" in line and " 1 " in line]
     assert max(map(len, out.splitlines())) <= 80
+
+
+def test_info_measures_cells_and_extent_of_a_turned_raster(call, tmp_path):
+    """A raster turned by 90 degrees had cells of 0 x 0, and one by 45 degrees a fifth of its height."""
+    path, where = tmp_path / "turned.tif", Affine.translation(100.0, 200.0) * Affine.rotation(90) * Affine.scale(2.0, -3.0)
+    with rasterio.open(
+        path, "w", driver="GTiff", height=4, width=5, count=1, dtype="float32", transform=where, crs="EPSG:32633"
+    ) as file:
+        file.write(np.zeros((4, 5), np.float32), 1)
+    told = {
+        name.strip(): value.strip()
+        for _, name, value, *_ in (row.split("│") for row in call("info", path)[1].splitlines() if "│" in row)
+    }
+    assert told["cell size"] == "2 x 3"
+    assert (told["x from, to"], told["y from, to"]) == ("100, 112", "200, 210")
 
 
 @pytest.mark.parametrize(("where", "rows"), [(("--points", 777), 777), (("--at", "faces"), 12), (("--at", "vertices"), 8)])

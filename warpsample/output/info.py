@@ -88,11 +88,13 @@ def _describe_raster(path: Path) -> Iterator[Row]:
     except ModuleNotFoundError as error:
         raise missing(f"a raster needs {error.name}", error.name, "city") from error
     rows, columns = reader.shape
-    corners = [reader.transform * corner for corner in ((0, rows), (columns, 0))]
+    outline = reader.outline
+    across, down = (part.ravel() for part in np.mgrid[0 : columns + 1 : columns, 0 : rows + 1 : rows])
+    corners = outline.places(across, down, 0.0 * across)
     yield "cells", f"{rows:,} x {columns:,}", "rows and columns"
-    yield "cell size", f"{abs(reader.transform.a):.6g} x {abs(reader.transform.e):.6g}", "map units"
-    for axis, low, high in zip("xy", *corners, strict=True):
-        yield f"{axis} from, to", f"{min(low, high):.10g}, {max(low, high):.10g}", "map units"
+    yield "cell size", "{:.6g} x {:.6g}".format(*outline.sides), "map units"
+    for axis, along in zip("xy", corners.T, strict=False):
+        yield f"{axis} from, to", f"{along.min():.10g}, {along.max():.10g}", "map units"
     yield "reference system", "none" if reader.crs is None else reader.crs.name, ""
     valid, low, high = 0, np.inf, -np.inf
     for first in range(0, rows, _ROWS):
