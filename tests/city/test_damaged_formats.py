@@ -149,7 +149,14 @@ def test_a_geotiff_without_the_values_of_its_tags_is_refused(tmp_path, options):
         cut.write_bytes(whole[: len(whole) - missing])
         with pytest.raises(ValueError, match="whose end is missing; copy or download it again|cannot be read as a raster"):
             reading.reader_of(cut)
-    for address in (f"file://{cut}", f"FILE://{cut}", f"file:{cut}", f"GTIFF_DIR:1:{cut}"):
+    for address in (
+        f"file://{cut}",
+        f"FILE://{cut}",
+        f"file:{cut}",
+        f"GTIFF_DIR:1:{cut}",
+        f"gtiff_dir:+1:{cut}",
+        f"GTIFF_RAW:{cut}",
+    ):
         cut.write_bytes(whole[:-10])
         with pytest.raises(ValueError, match="whose end is missing; copy or download it again"):
             reading.reader_of(address)

@@ -1,6 +1,5 @@
 """Checks of raster files for damage: where some files lack bytes, GDAL reads heights of 0, without an error."""
 
-import re
 import warnings
 from contextlib import ExitStack
 from pathlib import Path
@@ -19,7 +18,6 @@ _REPORTED = {"GTiff", "LIBERTIFF", "HFA", "JP2OpenJPEG", "GRIB", "BT", "GSBG", "
 
 _VIRTUAL = ("VRT", "GTI")
 _TIFF = (".tif", ".tiff")
-_LOCAL = re.compile(r"^(?:(?i:file:)(?://|(?=/))|GTIFF_DIR:(?:off:)?\d+:)")  # in front of the name of a local file
 
 
 def check_undamaged(path: str, file: Any) -> None:
@@ -58,7 +56,7 @@ def _check_part(path: str) -> str:
 
 def _check(path: str, file: Any) -> str:
     """Raise a ValueError for a damaged file; return the name of its format if its damage may not be found, otherwise ""."""
-    path = _LOCAL.sub("", path)
+    path = _path_of(path, file)
     is_file = Path(path).is_file()
     check_texts(path, file)
     if file.driver == "AAIGrid" and is_file:
@@ -70,3 +68,9 @@ def _check(path: str, file: Any) -> str:
     elif file.driver not in (*_VIRTUAL, *_REPORTED):
         return str(file.driver)
     return ""
+
+
+def _path_of(path: str, file: Any) -> str:
+    """Return the path of an open raster's own file, without the rest of an address of GDAL, as GTIFF_DIR:1:dsm.tif."""
+    is_address_of_one = file.driver in ("GTiff", "LIBERTIFF") or path.lower().startswith("file:")
+    return next(iter(file.files), path) if is_address_of_one else path
