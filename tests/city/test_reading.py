@@ -317,14 +317,27 @@ def test_a_raster_outside_of_its_crs_has_no_north():
 
 @pytest.mark.parametrize(
     ("crs", "x", "y", "ratios"),
-    [("EPSG:3857", 1.65e6, 5e6, ["1.33"]), ("EPSG:32633", 5e5, 5e6, []), ("EPSG:27572", 6e5, 2.428e6, [])],
+    [
+        ("EPSG:3857", 1.65e6, 5e6, ["1.33"]),
+        ("EPSG:4087", 1.65e6, 6.68e6, ["1.00 to 2.01"]),
+        ("EPSG:6933", 1.65e6, 5e6, ["0.84 to 1.18"]),
+        ("EPSG:3035", 2.9e6, 1.6e6, []),
+        ("EPSG:3031", 0.0, 0.0, []),
+        ("EPSG:32633", 5e5, 5e6, []),
+        ("EPSG:27572", 6e5, 2.428e6, []),
+    ],
 )
 def test_a_map_that_stretches_the_ground_is_warned_of(crs, x, y, ratios):
-    """Web Mercator by 1 / cos(latitude), here of 41 degrees; not a map in grads, of Paris."""
+    """Web Mercator by 1 / cos(latitude), here of 41 degrees; a map of degrees in metres to the east alone, here at 60.
+
+    Not maps of Europe at Lisbon, of the South Pole at the pole, or in grads, of Paris.
+    """
     with warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")
         rasters.surface((HEIGHTS, Affine(2.5, 0.0, x, 0.0, -2.5, y), crs))
-    found = (re.search(r"on which distances are ([\d.]+) times as long as on the ground", str(one.message)) for one in heard)
+    found = (
+        re.search(r"on which distances are ([\d. to]+) times as long as on the ground", str(one.message)) for one in heard
+    )
     assert [match[1] for match in found if match] == ratios
 
 

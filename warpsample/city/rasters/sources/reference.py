@@ -111,10 +111,11 @@ def is_same_map(one: pyproj.CRS, other: pyproj.CRS, x: float, y: float) -> bool:
 
 def describe_stretch(crs: pyproj.CRS | None, x: float, y: float) -> str:
     """Describe the distortion of a map where lengths around (x, y) are wrong by 5 % or more; return "" for other maps."""
-    stretch = stretch_of(crs, x, y)
-    if crs is None or abs(stretch - 1.0) <= _STRETCHED:
+    least, most = stretches_of(crs, x, y)
+    if crs is None or max(1.0 - least, most - 1.0) <= _STRETCHED:
         return ""
-    return f"got a map, {crs.name}, on which distances are {stretch:.2f} times as long as on the ground, unlike heights"
+    ratio = f"{most:.2f}" if most - least < 0.01 else f"{least:.2f} to {most:.2f}"
+    return f"got a map, {crs.name}, on which distances are {ratio} times as long as on the ground, unlike heights"
 
 
 def metres_of(crs: pyproj.CRS | None) -> float:
@@ -179,19 +180,25 @@ def true_north(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float
     return float(north[0]) / length, float(north[1]) / length, 0.0
 
 
-def stretch_of(crs: pyproj.CRS | None, x: float, y: float) -> float:
-    """Return the ratio of map length to ground length at (x, y), towards the north; 1 for a map without a place on Earth."""
+def stretches_of(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float]:
+    """Return the least and the largest ratio of map length to ground length at (x, y), over all directions.
+
+    Both are 1 for a map without a place on Earth. They differ on maps that are not conformal, such as EPSG:4087.
+    """
     if crs is None or crs.geodetic_crs is None:
-        return 1.0
+        return 1.0, 1.0
     try:
-        north, _, metres = _steps(crs, x, y)
+        north, east, lengths = _steps(crs, x, y)
     except ValueError:
-        return 1.0
-    return float(np.hypot(*north)) * metres_of(crs) / metres
+        return 1.0, 1.0
+    if lengths[1] < 1e-6 * lengths[0]:  # at a pole, where all directions are north or south
+        east, lengths[1] = north[::-1] * (1.0, -1.0), lengths[0]
+    most, least = metres_of(crs) * np.linalg.svd(np.stack([north, east]) / lengths[:, None], compute_uv=False)
+    return float(least), float(most)
 
 
-def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return small steps to north and east at (x, y) as map vectors, and the length in metres of the step to the north."""
+def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return small steps to north and east at (x, y) as map vectors, and their lengths on the ground in metres, (2,)."""
     geodetic = crs.geodetic_crs.to_2d()
     radian = geodetic.axis_info[0].unit_conversion_factor or np.radians(1.0)
     degree = np.radians(1.0) / radian  # in the unit of the CRS, such as 10/9 grads
@@ -202,15 +209,16 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
         south, north = np.clip([latitude - step, latitude + step], -pole, pole)
         around = [longitude, longitude, longitude - step, longitude + step], [south, north, latitude, latitude]
         places = np.array(to_map.transform(*around, errcheck=True))
-        metres = crs.get_geod().line_length([longitude / degree, longitude / degree], [south / degree, north / degree])
-        if not metres > 0.0:
+        ends = np.reshape(around, (2, 2, 2)).swapaxes(0, 1) / degree  # (step, longitude or latitude, end)
+        lengths = np.array([crs.get_geod().line_length(*each) for each in ends])
+        if not lengths[0] > 0.0:
             raise ProjError("no step to the north")
     except ProjError as error:
         raise ValueError(
             f"source: got a raster around ({x:g}, {y:g}), which is not on Earth in {crs.name}; check the CRS and "
             "the transform"
         ) from error
-    return places[:, 1] - places[:, 0], places[:, 3] - places[:, 2], metres
+    return places[:, 1] - places[:, 0], places[:, 3] - places[:, 2], lengths
 
 
 def _flat(crs: pyproj.CRS) -> pyproj.CRS:
