@@ -9,6 +9,8 @@ from lookups import two_charts
 from second_device import second_device
 
 import warpsample as ws
+from warpsample.host.engine import MOST_WORK
+from warpsample.host.progress import asking
 from warpsample.texture.coverage import claim_texels, mark_overlaps, weigh_corners
 
 
@@ -39,6 +41,16 @@ def random_charts(count, seed):
     uv[-1] = (0.3, 0.3), (0.3, 0.7), (0.7, 0.35)
     vertices = np.pad(uv.reshape(-1, 2), ((0, 0), (0, 1)))
     return ws.Mesh(vertices, np.arange(3 * count).reshape(-1, 3)), uv
+
+
+def test_the_search_for_texels_can_be_interrupted_where_many_faces_fill_the_image():
+    """All 600 faces were one batch, after which alone an interrupt counts: with 20,000 faces it took minutes."""
+    mesh = ws.Mesh(np.eye(3), np.tile([[0, 1, 2]], (600, 1)))
+    asked = []
+    with asking(lambda: asked.append(1)):
+        t = ws.texture_points(mesh, np.tile([[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]], (600, 1, 1)), 512)
+    assert t.report.overlapped > 100_000
+    assert len(asked) >= 2 * 600 * 512**2 // MOST_WORK
 
 
 def test_covered_is_what_a_lookup_reads():

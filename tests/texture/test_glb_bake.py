@@ -12,6 +12,7 @@ from textured_scenes import RAYS, SQUARE, TWO, array_of, baked, changed, corner,
 
 import warpsample as ws
 from warpsample.output.textures import bake as texture_bake
+from warpsample.texture.sets import Texels
 
 
 @pytest.fixture
@@ -177,6 +178,22 @@ def test_a_set_with_u_wrapped_from_1_to_0_is_not_taken(call, tmp_path):
     path.write_bytes(glb(tree, [wall, uv, faces]))
     why = "2 faces more than eight texels wide on the mesh are less than one wide in it"
     assert f"new coordinates, set 1 (set 0 is passed over: {why}): " in baked(call, path)[1]
+
+
+@pytest.mark.parametrize(("times", "why"), [(1.0, r"with 12 times the area of the image"), (3.0, "24 faces reach beyond")])
+def test_a_set_of_a_tiling_picture_is_passed_over_at_once(call, tmp_path, times, why, monkeypatch):
+    """Its faces each fill the image: the texels of thousands of them took hours, for a set that is not taken."""
+    floor = np.float32([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)])
+    walls = np.concatenate([floor + np.float32([0, 0, i]) for i in range(12)])
+    uv = np.tile(np.float32([(0, 0), (times, 0), (times, times), (0, times)]), (12, 1))
+    faces = np.concatenate([np.array([0, 1, 2, 0, 2, 3]) + 4 * i for i in range(12)]).astype(np.uint16)
+    primitive = {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}
+    path = tmp_path / "in.glb"
+    path.write_bytes(
+        glb({"meshes": [{"primitives": [primitive]}], "nodes": [{"mesh": 0}], "materials": [{}]}, [walls, uv, faces])
+    )
+    monkeypatch.setattr(Texels, "points_by_set", lambda *_: pytest.fail("texels of a set that is not taken"))
+    assert re.search(rf"set 1 \(set 0 is passed over: [^;]*{why}", baked(call, path)[1])
 
 
 def test_a_set_that_only_chooses_a_colour_is_not_taken(call, tmp_path):

@@ -65,17 +65,18 @@ def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int],
     owners = np.zeros(texels * samples if samples > 1 else 0, np.uint32)
     marks = np.zeros(len(corners), np.int32)
     boxes, tasks, rows = _split_into_tasks(corners, usable, size)
+    work = int(np.prod(np.diff(boxes.reshape(-1, 2, 2).astype(np.int64), axis=2), axis=1).clip(0).sum())
     with memory.loan() as loan:
         shared_inputs = loan.lend(corners), loan.lend(boxes), loan.lend(tasks), rows
         with memory.loan() as inner:
             outputs = [inner.output(array, zero=True) if array.size else 0 for array in (nearest, owners, centre_counts)]
             inputs = [*shared_inputs, *size, samples, len(corners), _SEED, *outputs]
             if len(tasks):  # one thread: Warp's atomic functions are not atomic on the CPU
-                run(claim_texels(), len(tasks), inputs, memory.device, workers=1, work=texels * samples)
+                run(claim_texels(), len(tasks), inputs, memory.device, workers=1, work=work * samples)
         overlapped = centre_counts > 1
         if overlapped.any():
             inputs = [*shared_inputs, size[0], loan.lend(centre_counts), loan.output(marks, zero=True)]
-            run(mark_overlaps(), len(tasks), inputs, memory.device, workers=1, work=texels)
+            run(mark_overlaps(), len(tasks), inputs, memory.device, workers=1, work=work)
     id, face = _list_points(nearest, owners, samples, len(corners))
     check_memory(len(id) * _POINT_BYTES, images, "take fewer texels")
     crowded, crowded_texels = _find_crowded(corners, usable, size)

@@ -11,11 +11,13 @@ from warpsample.mesh.files import gltf, usd
 from warpsample.mesh.files.text import has_obj_lines
 from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, MissingSetError, find_ply_names, load_uv
 from warpsample.mesh.mesh import Mesh
-from warpsample.texture.report import find_face_flaws, find_slivers, find_squeezed_faces
+from warpsample.texture.report import find_face_flaws, find_outside_faces, find_slivers, find_squeezed_faces
 from warpsample.texture.shading import compute_corner_normals
 from warpsample.texture.texture_points import TexturePoints, place_texels
+from warpsample.texture.uv.charts import find_flat_areas
 
 UV_CHOICES = ("auto", "0", "1", "new")
+_CROWDED = 10.0  # times the area of the image: texels would take long, and tell only how many overlap
 
 
 @dataclass(frozen=True)
@@ -153,7 +155,11 @@ class Texels:
                     f"--uv: got {number}, in which all faces of {name!r} are flat or outside the image, want another set"
                 )
             return ChosenSet(number, found)
-        within = None
+        return self._choose_best(rows, first, others, lenient=lenient)
+
+    def _choose_best(self, rows: list[slice], first: int | None, others: Sequence[slice], *, lenient: bool) -> "ChosenSet":
+        """Choose the set of texture coordinates for some faces as `--uv auto` does; arguments are those of `choose_set`."""
+        within, faces = None, sum(len(self.mesh.faces[some]) for some in rows)
         passed: list[str] = []
         for number in dict.fromkeys([*([] if first is None else [first]), *range(LAST_SET + 1)]):
             lacking = self._count_lacking(number, rows)
@@ -161,27 +167,30 @@ class Texels:
                 why = f"{lacking:,} of {faces:,} faces lack it or have no finite numbers in it"
                 passed.append(f"set {number} is passed over: {self._unreadable.get(number, why)}")
             if not lacking:
-                found = self.points_by_set(number, rows)
-                why = self._describe_flaw(number, found, others, may_overlap=number == first)
-                if why is None:
-                    return ChosenSet(number, found, tuple(passed))
+                found, (outside, times) = None, self._measure_layout(number, rows)
+                if outside:
+                    why = f"{outside:,} faces reach beyond the image"
+                elif times > _CROWDED and number != first and not lenient:
+                    why = f"faces overlap, with {times:.0f} times the area of the image, and auto accepts no overlap"
+                    why += _describe_way(number)
+                else:
+                    found = self.points_by_set(number, rows)
+                    why = self._describe_flaw(number, found, others, may_overlap=number == first)
+                    if why is None:
+                        return ChosenSet(number, found, tuple(passed))
                 passed.append(f"set {number} is passed over: {why}")
-                if len(found) and not found.report.outside:
+                if found is not None and len(found):
                     within = within or ChosenSet(number, found, tuple(passed[:-1]))  # without its own flaw
         return within if lenient and within else ChosenSet(passed=tuple(passed))
 
     def _describe_flaw(self, number: int, found: TexturePoints, others: Iterable[slice], *, may_overlap: bool) -> str | None:
         """Return why `--uv auto` does not choose a set of texture coordinates, or None if the set can be chosen."""
         report = found.report
-        if report.outside:
-            return f"{report.outside:,} faces reach beyond the image"
         if not len(found):
             return "no face has a texel"
         if report.overlapped and not may_overlap:
             counts = f"{report.overlapped:,} of {report.covered:,} texels ({report.overlapped / report.covered:.2%})"
-            return f"faces overlap in {counts}, and auto accepts none" + (
-                f"; --uv {number} takes it" if str(number) in UV_CHOICES else ""
-            )
+            return f"faces overlap in {counts}, and auto accepts none{_describe_way(number)}"
         flat, squeezed = self._count_lost(number, others)
         if report.zero_area or flat:
             return "faces have no area in it"
@@ -190,6 +199,14 @@ class Texels:
                 f"{report.squeezed or squeezed:,} faces more than eight texels wide on the mesh are less than one wide in it"
             )
         return None
+
+    def _measure_layout(self, number: int, rows: Iterable[slice]) -> tuple[int, float]:
+        """Count the given faces that reach beyond the image, and return their areas in it, in images."""
+        uv = self._read_set(number)
+        assert uv is not None
+        measured = [(np.count_nonzero(find_outside_faces(uv[some])), find_flat_areas(uv[some]).sum()) for some in rows]
+        outside, areas = zip(*measured, strict=True)
+        return int(sum(outside)), float(sum(areas))
 
     def _count_lost(self, number: int, rows: Iterable[slice]) -> tuple[int, int]:
         """Count the given faces that have no area in a set of texture coordinates, without slivers, and those squeezed."""
@@ -258,3 +275,8 @@ class Texels:
         if number in self._unreadable:
             return np.ones(len(self.mesh.faces), np.bool_)
         return usd.find_faces_with(self.path, number)
+
+
+def _describe_way(number: int) -> str:
+    """Return advice on how to take a set of texture coordinates with overlaps; "" where there is none."""
+    return f"; --uv {number} takes it" if str(number) in UV_CHOICES else ""
