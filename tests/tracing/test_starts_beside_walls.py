@@ -187,6 +187,20 @@ def test_rays_of_a_vertex_start_straight_above_it(tracer):
     assert found == pytest.approx(want, abs=0.002)  # 16,384 rays; it was 0.014
 
 
+@pytest.mark.parametrize("width", [1.7, 1.9])
+def test_rays_of_a_vertex_in_a_notch_start_straight_above_it(width):
+    """They started beside it, as one wall of the notch, 80 or 87 degrees wide, is above the other: 0.75 in place of 0.85."""
+    plan = np.array([(0, 0), (2, width), (-1, 0), (2, -width)])
+    vertices = np.concatenate([np.insert(plan, 2, height, axis=1) for height in (0.0, 3.0)])
+    ends = np.array([(0, 1, 2), (0, 2, 3)])
+    walls = [face for i, j in ((0, 1), (1, 2), (2, 3), (3, 0)) for face in ((i, j, 4 + j), (i, 4 + j, 4 + i))]
+    mesh = ws.Mesh(vertices, np.concatenate([ends + 4, ends[:, ::-1], walls]))
+    vertex = ws.vertex_points(mesh).take([4])
+    above = ws.SurfacePoints(vertex.position + 1e-3 * vertex.normal, vertex.normal)
+    found, want = (ws.ambient_occlusion(mesh, points, 16384).value[0] for points in (vertex, above))
+    assert found == pytest.approx(want, abs=0.004)  # 16,384 rays
+
+
 @pytest.mark.parametrize("noise", [1e-5, 3e-4])
 def test_vertices_of_a_nearly_level_floor_stay_where_they_are(noise):
     """They moved by up to half of their face, to be on the same side as its centre of faces in nearly the same plane."""

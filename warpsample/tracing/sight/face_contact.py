@@ -139,7 +139,7 @@ def move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
             is_same = wp.dot(contact.aside, way) >= SAME * wp.length(contact.aside) * wp.length(way)
             contact.several = contact.several or not is_same
             contact.aside += (other.offset - height) * way
-        elif not is_under and steep > _ABOVE and wp.dot(rise, own.n) < SAME:
+        elif not (is_under and alike > ZERO) and steep > _ABOVE and wp.dot(rise, own.n) < SAME:
             if front < enough:
                 contact.lift = wp.max(contact.lift, (other.offset - front) / steep)
         elif wp.abs(gain) > _THIRD * other.offset and (alike < ALIKE or front < enough or is_under):
