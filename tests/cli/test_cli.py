@@ -22,6 +22,15 @@ def test_info_counts_and_explains(call, tmp_path):
     assert max(map(len, out.splitlines())) <= 80
 
 
+def test_info_tells_apart_the_ends_of_a_house_on_a_map(call, tmp_path):
+    """Six digits were the same, or kilometres off."""
+    path = tmp_path / "house.off"
+    path.write_text("OFF\n3 1 0\n0.25 5100000.377 0\n12 5100000.377 0\n0.25 5100019.377 0\n3 0 1 2\n")
+    out = call("info", path)[1]
+    assert "5100000.377, 5100019.377" in out
+    assert "0.25, 12" in out
+
+
 def test_info_measures_cells_and_extent_of_a_turned_raster(call, tmp_path):
     """A raster turned by 90 degrees had cells of 0 x 0, and one by 45 degrees a fifth of its height."""
     path, where = tmp_path / "turned.tif", Affine.translation(100.0, 200.0) * Affine.rotation(90) * Affine.scale(2.0, -3.0)

@@ -48,13 +48,20 @@ def _describe_mesh(mesh: Mesh, unit: str = "square units") -> Iterator[Row]:
     yield "faces", f"{report.faces:,}", "triangles"
     yield "area", f"{report.area:.6g}", unit
     for axis, low, high in zip("xyz", report.lower, report.upper, strict=True):
-        yield f"{axis} from, to", f"{low:.6g}, {high:.6g}", ""
+        digits = 6 + _count_shared_digits(low, high)
+        yield f"{axis} from, to", f"{low:.{digits}g}, {high:.{digits}g}", ""
     yield "degenerate faces", f"{report.degenerate_faces:,}", "no area, no points on them"
     yield "duplicate faces", f"{report.duplicate_faces:,}", "same vertices as another face"
     yield "unused vertices", f"{report.unreferenced_vertices:,}", "in no face"
     yield "boundary edges", f"{report.boundary_edges:,}", "one face only"
     yield "non-manifold edges", f"{report.nonmanifold_edges:,}", "more than two faces"
     yield "inconsistent edges", f"{report.inconsistent_edges:,}", "faces with opposite orientation"
+
+
+def _count_shared_digits(low: float, high: float) -> int:
+    """Return how many more digits coordinates need than the extent between them, as map coordinates of a house do."""
+    size, most = high - low, max(abs(low), abs(high))
+    return int(np.clip(np.log10(most / size), 0, 9)) if size > 0.0 else 0
 
 
 def _describe_parts(mesh: Mesh) -> Iterator[Row]:
