@@ -154,6 +154,11 @@ def test_a_model_and_a_receiver_that_are_none_are_refused():
         rasters.surface((HEIGHTS[:1], UTM, None), model="tin")
     with pytest.raises(ValueError, match=r"values: got shape \(3,\), want \(12,\), one value for each cell"):
         rasters.surface((HEIGHTS, UTM, None)).to_raster(np.zeros(3), np.arange(12))
+    cells = np.arange(12)
+    wrong = (cells - 1, ValueError, "-1 to 10"), (cells + 1, ValueError, "1 to 12"), (cells / 1.0, TypeError, "float64")
+    for cell, error, said in wrong:
+        with pytest.raises(error, match=f"^cell: got .*{said}, want "):
+            rasters.surface((HEIGHTS, UTM, None)).to_raster(np.zeros(12), cell)
 
 
 def test_what_is_too_large_is_refused_before_it_is_read(tmp_path, monkeypatch):

@@ -12,6 +12,7 @@ pytest.importorskip("rioxarray")
 from affine import Affine
 
 import warpsample as ws
+from warpsample import rasters
 from warpsample.city.cityjson import units
 
 FOOT = 1200.0 / 3937.0  # of US surveys, in metres
@@ -248,6 +249,14 @@ def test_terrain_far_from_the_city_is_refused(tmp_path):
     near = np.add(raster("EPSG:32118", 1.0).mesh.vertices, (20_000.0, 0.0, 0.0))
     beside = ws.Mesh(near, raster(None, 1.0).mesh.faces)
     assert load(tmp_path, house(None, 1.0, 1.0), context=beside).mesh.faces.any()
+
+
+def test_terrain_with_trees_is_refused(tmp_path):
+    """The trees were left out without a word."""
+    where = Affine(1.0, 0.0, 0.0, 0.0, -1.0, 3.0), None
+    trees = rasters.surface((np.zeros((3, 3)), *where), canopy=(np.eye(3), *where))
+    with pytest.raises(ValueError, match="^context: got a surface with tree crowns, .*pass its `mesh`"):
+        load(tmp_path, house(None, 1.0, 1.0), context=trees)
 
 
 def test_terrain_of_another_map_or_without_one_is_refused(tmp_path):

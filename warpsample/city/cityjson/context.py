@@ -25,6 +25,11 @@ def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: U
         corners, squares = _make_plane(points[np.unique(faces)])
     elif hasattr(context, "grid") and hasattr(context, "mesh"):  # a RasterSurface; tested without importing its class
         _check_map(context.grid, units)
+        if context.canopy_mesh is not None:
+            raise ValueError(
+                "context: got a surface with tree crowns, which rays of a city would not pass through; pass its `mesh`, "
+                "without them, or its `canopy_mesh`, in which they are opaque, both in the unit of the city"
+            )
         corners, squares = context.mesh.vertices * context.grid.metres, context.mesh.faces
     else:
         mesh = mesh_of(context, "context", f"{GROUND_PLANE!r}, a RasterSurface, a warpsample.Mesh")

@@ -45,7 +45,7 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
         TypeError: `path` is not a path.
         FileNotFoundError: the file does not exist.
         ValueError: the file is damaged, in degrees or has no surfaces of the level of detail; `lod` is invalid; or the
-            raster of `context` is on another map.
+            raster of `context` is on another map or has tree crowns.
         MemoryError: the surfaces and placed templates need more memory than is free.
 
     Warns:

@@ -108,7 +108,8 @@ class RasterSurface(Summary):
             raster.
 
         Raises:
-            TypeError, ValueError: Values that are not numbers, or a number of values other than that of `cell`.
+            TypeError, ValueError: Values that are not numbers, a number of values other than that of `cell`, or numbers of
+                other cells.
 
         Example:
             >>> from affine import Affine
@@ -122,8 +123,20 @@ class RasterSurface(Summary):
             raise ValueError(f"values: got shape {numbers.shape}, want {np.shape(cell)}, one value for each cell")
         grid = self.grid
         laid = np.full(grid.height.size, np.nan, numbers.dtype)
-        laid[cell] = numbers
+        laid[_check_cells(cell, grid.height.size)] = numbers
         return on_map(grid, laid.reshape(grid.height.shape))
+
+
+def _check_cells(value: Any, cells: int) -> np.ndarray:
+    """Check that an array has numbers of cells of a raster with the given number of cells, and return it."""
+    cell = np.asarray(value)
+    if cell.dtype.kind not in "iu" and cell.size:
+        raise TypeError(f"cell: got dtype {cell.dtype}, want whole numbers, as `points` returns them")
+    if cell.size and not 0 <= cell.min() <= cell.max() < cells:
+        raise ValueError(
+            f"cell: got numbers from {cell.min()} to {cell.max()}, want cells of this raster, 0 to {cells - 1:,}"
+        )
+    return cell.astype(np.int64)
 
 
 def on_map(grid: Grid, values: np.ndarray) -> xr.DataArray:
