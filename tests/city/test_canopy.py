@@ -172,6 +172,21 @@ def test_heights_of_crowns_and_far_terrain_in_feet_keep_their_unit_without_a_crs
     assert np.allclose(around.value, rasters.sky_view_factor(ground, 64, far=ground, tile=4, margin=1).value)
 
 
+@pytest.mark.parametrize("argument", ["canopy", "far"])
+def test_crowns_and_far_terrain_in_feet_are_refused_beside_heights_in_feet_without_a_crs(tmp_path, argument):
+    """The heights were converted to metres, those of the crowns or the far terrain kept in feet."""
+    where = Affine.translation(9e5, 2e5) @ NORTH_UP
+    ground, other = (
+        write_tif(tmp_path / f"{name}.tif", np.eye(3), transform=where, crs=crs, units="US survey foot")
+        for name, crs in (("dsm", None), ("other", "EPSG:2263"))
+    )
+    with (
+        pytest.warns(UserWarning, match="without a CRS"),
+        pytest.raises(ValueError, match=rf"^{argument}: got coordinates of NAD83 .*, in units of 0.304801 m, want metres"),
+    ):
+        rasters.sky_view_factor(ground, 4, **{argument: other})
+
+
 def test_errors_are_those_of_both_runs():
     made = with_crowns(np.zeros((3, 3)), np.eye(3) * 6.0)
     points, _ = made.points()

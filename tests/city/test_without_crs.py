@@ -73,14 +73,18 @@ def test_maps_of_other_names_without_a_place_on_earth_are_other_maps(argument):
 
 
 def test_files_are_refused_if_gdal_cannot_look_up_their_maps(tmp_path, child_environment):
-    """The first came without a place on Earth and without a warning, north 31 degrees off; the second without its feet."""
+    """The first came without a place on Earth and without a warning, north up to 31 degrees off; the second without its feet."""
     code = (
         "import sys, warpsample as ws\n"
         "for path in sys.argv[1:]:\n"
         "    try: ws.rasters.surface(path)\n"
         "    except ValueError as error: print(error)"
     )
-    paths = [write_tif(tmp_path / f"{n}.tif", HEIGHTS, crs=crs) for n, crs in enumerate(("EPSG:3035", "EPSG:32618+6360"))]
+    spain = Affine(1.0, 0.0, 3e6, 0.0, -1.0, 1.9e6)
+    paths = [
+        write_tif(tmp_path / "0.tif", HEIGHTS, crs="EPSG:3035", transform=spain),
+        write_tif(tmp_path / "1.tif", HEIGHTS, crs="EPSG:32618+6360"),
+    ]
     for path in paths:
         ws.rasters.surface(path)
     nowhere = {"PROJ_DATA": str(tmp_path), "PROJ_LIB": str(tmp_path)}

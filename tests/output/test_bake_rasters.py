@@ -11,6 +11,7 @@ from types import SimpleNamespace
 import city_files
 import numpy as np
 import pytest
+from affine import Affine
 from matplotlib.image import imread
 
 import warpsample as ws
@@ -60,6 +61,17 @@ def test_a_picture_and_a_report_show_the_cells(dsm, call, can_render):
     with rasterio.open("sky.tif") as file:
         value = file.read(1).astype(float)
     assert f"mean {np.nanmean(value):.4f}, from {np.nanmin(value):.4g} to {np.nanmax(value):.4g}; standard error" in out
+
+
+@pytest.mark.parametrize("more", [("-o", "sky.png"), ("-o", "sky.tif", "--report", "r.html")])
+def test_a_map_of_a_place_that_is_not_on_earth_is_refused_before_the_first_tile(dsm, call, more, can_render):
+    """The error came after the last tile, and the folder of the tiles blocked the next run."""
+    with rasterio.open(dsm, "r+") as file:
+        file.transform = Affine(1.0, 0.0, 1e9, 0.0, -1.0, 1e9)
+        file.crs = "EPSG:32633"
+    status, _, err = call("bake", "dsm.tif", "--quantity", "sky", "--samples", 4, *more)
+    assert (status, "which is not on Earth in WGS 84 / UTM zone 33N" in err) == (2, True)
+    assert [path.name for path in dsm.parent.iterdir()] == ["dsm.tif"]
 
 
 @pytest.mark.parametrize("output", ["sky.tif", "sky.zarr"])

@@ -189,10 +189,16 @@ def as_on_map(ground: RasterReader, other: RasterReader, argument: str) -> Raste
     """Return another raster with heights in the unit of the ground's map; a raster without a CRS is taken to be on this map.
 
     Raises:
-        ValueError: Two different horizontal coordinate reference systems (CRS); the message names the argument.
+        ValueError: Two different horizontal coordinate reference systems (CRS), or a ground without one whose heights are in
+            another unit; the message names the argument.
     """
     if other.crs and ground.crs and not is_same_crs(other.crs.to_2d(), ground.crs.to_2d()):
         raise ValueError(f"{argument}: got coordinates of {other.crs.name}, want {ground.crs.name}, as the heights have")
+    if ground.crs is None and ground.has_unit and abs(other.metres - 1.0) > 1e-5:
+        raise ValueError(
+            f"{argument}: got coordinates of {other.crs.name}, in units of {other.metres:g} m, want metres, as the raster "
+            "of heights has no CRS; set its CRS"
+        )
     if other.crs is None and other.has_unit:  # else heights are in the unit of the map already
         return replace(other, metres=ground.metres, factor=other.factor * other.metres / ground.metres)
     return other

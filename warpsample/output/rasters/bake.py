@@ -103,6 +103,8 @@ def _bake(run: BakeRun, job: RasterJob, store: TileStore, record: RunRecord) -> 
     raster.check()
     if run.output.suffix in GEOTIFF:
         check_reference(raster, run.output, "--output")
+    if run.output.suffix == ".png" or run.report is not None:
+        _ = raster.reader.outline.north  # a map has an arrow to it, and an error here would come after all tiles
     digests = {name: digests_of(reader) for name, reader in raster.rasters.items()}
     about |= describe_heights(digests)
     whole = store.begin(raster, about)
