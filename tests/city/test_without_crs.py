@@ -73,7 +73,7 @@ def test_maps_of_other_names_without_a_place_on_earth_are_other_maps(argument):
 
 
 def test_files_are_refused_if_gdal_cannot_look_up_their_maps(tmp_path, child_environment):
-    """The first came without a place on Earth and without a warning, north up to 31 degrees off; the second without its feet."""
+    """The first came without a place on Earth and without a warning, so without its north; the second without its feet."""
     code = (
         "import sys, warpsample as ws\n"
         "for path in sys.argv[1:]:\n"
