@@ -66,6 +66,15 @@ def test_a_report_tells_all_and_needs_no_network(call, tmp_path, can_render, mon
     assert (tmp_path / "r.html").read_text() == page
 
 
+def test_a_name_that_is_not_in_utf8_is_shown(call, tmp_path):
+    """The report ended in an error of the codec, after the output had been written."""
+    mesh, page = tmp_path / "box\udcff.off", tmp_path / "r.html"
+    trimesh.creation.box().export(tmp_path / "box.off")
+    (tmp_path / "box.off").rename(mesh)
+    assert call("bake", mesh, "-o", tmp_path / "o.csv", "--samples", 4, "--at", "faces", "--report", page)[0] == 0
+    assert r"box\udcff.off" in page.read_text()
+
+
 def test_what_cannot_be_reported_is_refused_before_any_work(call, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for more, said in (

@@ -29,6 +29,11 @@ def title_of(baked: Any) -> str:
     return f"{name}, {unit}" if unit else name
 
 
+def _shown_name(baked: Any) -> str:
+    """Return the name of the mesh file for a caption, with escapes for bytes that are not in UTF-8."""
+    return str(baked.run.mesh.name).encode(errors="backslashreplace").decode()
+
+
 def draw_picture(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
     """Draw the mesh or points coloured by the computed values, and return the .png file as bytes."""
     if baked.mesh is None:
@@ -42,7 +47,7 @@ def draw_picture(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
     high = float(largest if baked.quantity.unit else max(largest, baked.quantity.white)) or 1.0
     own = (0.0, 1.0, 0.0) if upright_by_y(baked.run.mesh) else (0.0, 0.0, 1.0)
     axis = np.abs(np.array(baked.run.options.get("up") or own, float)).argmax()
-    caption = f"{baked.run.mesh.name}: {len(value):,} {what}"
+    caption = f"{_shown_name(baked)}: {len(value):,} {what}"
     plotter = number_scene(scene, "shown", title=title_of(baked), caption=caption, high=high, up="xyz"[axis], size=_SIZE)
     try:
         stream = BytesIO()
@@ -61,7 +66,7 @@ def _draw_map(baked: Any) -> bytes:
     title = title_of(baked)
     drawn = Map(value[::step, ::step], step * baked.steps, baked.quantity.title, title, "viridis", (0.0, high), baked.north)
     some = "" if step == 1 else f", of which the picture shows every {step}th in both directions"
-    caption = f"{baked.run.mesh.name}: {baked.shape[0]:,} x {baked.shape[1]:,} cells{some}"
+    caption = f"{_shown_name(baked)}: {baked.shape[0]:,} x {baked.shape[1]:,} cells{some}"
     stream = BytesIO()
     map_sheet([drawn], caption).savefig(stream, format="png", metadata={"Software": None})
     return stream.getvalue()

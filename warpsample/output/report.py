@@ -52,7 +52,7 @@ def write_report(path: Path, baked: Baked, city: Any) -> None:
         f"<h2>Versions</h2>{_table((name, version(name)) for name in ('warpsample', 'warp-lang', 'numpy'))}",
         f"<p>Python {python_version()}</p></html>\n",
     ]
-    write_bytes(path, "\n".join(parts).encode())
+    write_bytes(path, "\n".join(parts).encode(errors="backslashreplace"))  # names may hold bytes that are not in UTF-8
 
 
 def _draw(baked: Baked) -> Iterator[str]:
