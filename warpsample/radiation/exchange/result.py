@@ -33,7 +33,8 @@ class ViewFactors(Summary):
             happens with `reciprocal`, if no ray from either surface hits the other. Errors in a row are not independent:
             the sum of a row is known better than its entries.
         outside: (N,) float64, share that hits nothing.
-        outside_error: (N,) float64, standard error of `outside`.
+        outside_error: (N,) float64, standard error of `outside`. Its square is unbiased, so it is 0 where all rays of a face
+            hit nothing, although they may have missed a small share. Only faces with 0 `rays` are known to be open.
         behind: (N,) float64, share that hits the back of a face, or a face without area.
         behind_error: (N,) float64, standard error of `behind`.
         areas: (N,) float64, areas of the surfaces, in square units of the coordinates.
@@ -42,7 +43,7 @@ class ViewFactors(Summary):
         skipped: Counts of skipped work: faces that are not OK as `points`, faces with nothing above their plane as
             `open_points`, and the rays of the latter.
         sky: (N,) float64, the part of `outside` above the horizon; None without `up`.
-        sky_error: (N,) float64, standard error of `sky`, or None.
+        sky_error: (N,) float64, standard error of `sky`, 0 where `outside_error` is 0, or None.
         ground: (N,) float64, the part of `outside` below the horizon, or None.
         ground_error: (N,) float64, standard error of `ground`, or None.
         absorbed: (N,) float64, share that transmitting faces absorb on the way; None without such faces.
