@@ -56,6 +56,25 @@ def test_no_chunk_is_larger_than_its_limit(limit, work, monkeypatch):
     assert batches == [1000] * 10
 
 
+@pytest.mark.parametrize("seconds", [1e-6, 1e-3, 0.15])
+def test_batches_of_slow_tasks_become_small(seconds, monkeypatch):
+    """Where thousands of faces met at thousands of points, a batch took minutes, and so did an interrupt."""
+    now, sizes = [0.0], []
+
+    def spend(size):
+        sizes.append(size)
+        now[0] += size * seconds
+
+    monkeypatch.setattr(engine, "perf_counter", lambda: now[0])
+    monkeypatch.setattr(engine, "begin", lambda *_: spend)
+    out = np.zeros(20_000, np.int32)
+    count(out, 1, engine.LEAST_WORK)
+    assert (out == 1).all()
+    assert sum(sizes) == 20_000
+    assert max(sizes[2:]) <= max(1, 0.2 / seconds)
+    assert len(sizes) < 10 + 20_000 * max(seconds, 1e-6) / 0.02
+
+
 def test_a_cuda_device_gets_tasks_enough_at_a_time(monkeypatch):
     """A million points by 256 rays; and by so many that a launch of all of them would not end."""
     device, commands = SimpleNamespace(is_cpu=False, alias="cuda:0"), []

@@ -3,11 +3,12 @@
 import os
 import shutil
 from collections import defaultdict, deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from ctypes import Structure
 from functools import partial
 from pathlib import Path
+from time import perf_counter
 from typing import Any
 
 import warp as wp
@@ -36,6 +37,9 @@ MOST_TASKS = (1 << 31) - 1
 
 MOST_WORKERS = 1024
 """Largest number of threads of a call."""
+
+_FIRST = 32  # times as large is the largest batch as the first one
+_USUAL, _LONG = 0.1, 0.2  # seconds of a batch, and seconds from which on the next ones are smaller
 
 _MOST_ON_DEVICE = 1 << 34  # directions of a batch on a CUDA device; with fewer than 10^5 tasks a part of the device is idle
 _ALWAYS_FREE = 1 << 24  # bytes; to ask the system how much more is free takes 100 us
@@ -115,15 +119,17 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, 
     shares = workers * each if workers > 1 else 1
     most = MOST_WORK if device.is_cpu else _MOST_ON_DEVICE
     batch = min(-(-tasks // shares), max(1, most * tasks // work), MOST_TASKS)
-    starts, done = iter(range(0, tasks, batch)), begin(tasks, work)
-    stop = partial(deque, starts, maxlen=0)
+    starts, done, halted = iter(range(0, tasks, batch)), begin(tasks, work), []
+    first = max(1, batch // _FIRST) if device.is_cpu and work >= LEAST_WORK else batch
+    how = {"batch": batch, "first": first, "tasks": tasks, "done": done, "halted": halted}
+    stop = partial(deque, starts, maxlen=0)  # batches that threads have taken are completed, unless a signal halts them
 
     def run_all() -> None:
         commands = [_take(kernel, inputs, device) for _ in range(workers)]
-        share([partial(_run_batches, command, starts, batch=batch, tasks=tasks, done=done) for command in commands], stop)
+        share([partial(_run_batches, command, starts, **how) for command in commands], stop)
         _idle[kernel, device.alias].extend(commands)  # not after an error, which may have left one half-changed
 
-    uninterrupted(run_all, stop)
+    uninterrupted(run_all, partial(halted.append, True))
 
 
 def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
@@ -148,17 +154,41 @@ def _record(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launc
     return wp.launch(kernel, dim=1, inputs=[*blank, 0], device=device, record_tape=False, record_cmd=True)
 
 
-def _run_batches(command: wp.Launch, starts: Any, batch: int, tasks: int, done: Callable[[int], None] | None = None) -> None:
-    """Run tasks of a kernel on this thread, a batch at a time, until none is left; call `done` after each batch.
+def _run_batches(
+    command: wp.Launch,
+    starts: Iterator[int],
+    *,
+    batch: int,
+    first: int,
+    tasks: int,
+    done: Callable[[int], None] | None,
+    halted: list[bool],
+) -> None:
+    """Run tasks of a kernel on this thread, a batch at a time, until none is left or `halted` is not empty.
 
-    Threads can share `starts`, since next() on a range is atomic.
+    Some tasks take thousands of times as long as others, such as points where thousands of faces meet. So the first launch
+    has only `first` tasks, and each as many as lets one expect that it takes a tenth of a second or less.
+
+    Threads can share `starts`, since next() on a range is atomic; a lock could stay closed after an interrupt. `done` is
+    called after each launch.
     """
-    last = len(command.kernel.adj.args) - 1
+    last, most = len(command.kernel.adj.args) - 1, first
     for start in starts:
-        command.set_param_at_index_from_ctype(last, start)
-        size = min(batch, tasks - start)
-        if command.bounds.size != size:
-            command.set_dim(size)
-        command.launch()
-        if done:
-            done(size)
+        at, end = start, min(start + batch, tasks)
+        while at < end and not halted:
+            command.set_param_at_index_from_ctype(last, at)
+            size, began = min(most, end - at), perf_counter()
+            if command.bounds.size != size:
+                command.set_dim(size)
+            command.launch()
+            if done:
+                done(size)
+            most = _next_size(size, perf_counter() - began, most, batch)
+            at += size
+
+
+def _next_size(size: int, seconds: float, most: int, batch: int) -> int:
+    """Return the largest size of the next launch, after one of `size` tasks, which may be the rest of a batch."""
+    if seconds > _LONG:
+        return max(1, int(size * _USUAL / seconds))
+    return min(8 * most, batch) if seconds < _USUAL / 8.0 else most
