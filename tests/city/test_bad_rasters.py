@@ -90,6 +90,11 @@ def array_of(values=HEIGHTS, **coordinates):
         (xr.DataArray(HEIGHTS, dims=("lat", "lon")), ValueError, r"dimensions \('lat', 'lon'\), want y and x"),
         (xr.DataArray(np.zeros((2, 3, 4)), dims=("time", "y", "x")), ValueError, "want y and x alone; select one band"),
         (array_of(x=[0.0, 1.0, 2.0, 4.0], y=[2.0, 1.0, 0.0]), ValueError, "coordinates 'x' that are not evenly spaced"),
+        (
+            array_of(x=[0.0, 0.5, 1.0, 1.5], y=np.float32([4900001.0, 4900000.5, 4900000.0])),
+            ValueError,
+            "coordinates 'y' rounded to 0.5, too coarse for cells of about 0.5; want float64",
+        ),
         (array_of(x=list("abcd"), y=[2.0, 1.0, 0.0]), TypeError, "coordinates 'x' of dtype <U1, want real numbers"),
         (
             array_of(HEIGHTS > 3, x=[0, 1, 2, 3], y=[2, 1, 0]).rio.write_crs("EPSG:3794"),
@@ -143,6 +148,20 @@ def test_bad_rasters_are_refused_in_a_sentence(tmp_path, monkeypatch, source, ki
 def test_heights_whose_attributes_state_the_direction_are_read(attributes):
     array = array_of(y=[7.5, 5.0, 2.5], x=[0.0, 2.5, 5.0, 7.5]).rio.write_crs("EPSG:3794").assign_attrs(attributes)
     assert np.array_equal(rasters.surface(array).grid.height, HEIGHTS)
+
+
+@pytest.mark.parametrize(
+    ("call", "options"),
+    [
+        (rasters.sky_view_factor, {"max_distance": np.array([1.0, 2.0])}),
+        (rasters.sky_view_factor, {"up": np.array([1.0, 2.0])}),
+        (rasters.irradiation, {"weather": "athens", "period": np.array([1, 2])}),
+    ],
+)
+def test_an_array_in_place_of_an_option_is_refused_by_its_name(call, options):
+    """NumPy said that the truth value of an array is ambiguous."""
+    with pytest.raises((TypeError, ValueError), match=f"^{list(options)[-1]}: got "):
+        call((HEIGHTS, UTM, "EPSG:32633"), **options)
 
 
 def test_a_model_and_a_receiver_that_are_none_are_refused():

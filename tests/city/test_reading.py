@@ -274,8 +274,11 @@ def test_coordinates_of_float32_are_evenly_spaced_but_for_their_rounding():
     centres = {"x": np.float32(564000.5 + np.arange(200)), "y": np.float32(146000.5 - np.arange(50))}
     array = xr.DataArray(np.zeros((50, 200)), centres, ("y", "x")).rio.write_crs("EPSG:3794")
     assert np.allclose(rasters.surface(array).grid.transform[:6], (1.0, 0.0, 564000.0, 0.0, -1.0, 146001.0), atol=0.03)
-    fine = array.assign_coords(y=np.float32(5123000.5 - 0.3 * np.arange(50)))  # rounded to 0.5
-    assert np.allclose(rasters.surface(fine).grid.transform[4], -0.3, atol=0.01)
+    fine = xr.DataArray(np.zeros((400, 2)), {"y": 5123000.5 - 0.3 * np.arange(400), "x": [0.0, 0.3]}, ("y", "x"))
+    rounded = fine.assign_coords(y=fine.y.astype(np.float32)).rio.write_crs("EPSG:3794")  # rounded to 0.5
+    assert np.allclose(rasters.surface(rounded).grid.transform[4], -0.3, atol=0.002)
+    with pytest.raises(ValueError, match="rounded to 0.5, too coarse for cells of about 0.29"):
+        rasters.surface(rounded[:50])
 
 
 @pytest.mark.parametrize("version", ["1.0", "1.1"])
@@ -323,6 +326,7 @@ def test_a_raster_outside_of_its_crs_has_no_north():
         ("EPSG:6933", 1.65e6, 5e6, ["0.84 to 1.18"]),
         ("EPSG:3035", 2.9e6, 1.6e6, []),
         ("EPSG:3031", 0.0, 0.0, []),
+        ("EPSG:3857", 20037500.0, 5e6, ["1.33"]),
         ("EPSG:32633", 5e5, 5e6, []),
         ("EPSG:27572", 6e5, 2.428e6, []),
     ],
@@ -330,7 +334,7 @@ def test_a_raster_outside_of_its_crs_has_no_north():
 def test_a_map_that_stretches_the_ground_is_warned_of(crs, x, y, ratios):
     """Web Mercator by 1 / cos(latitude), here of 41 degrees; a map of degrees in metres to the east alone, here at 60.
 
-    Not maps of Europe at Lisbon, of the South Pole at the pole, or in grads, of Paris.
+    Also at the edge of the map. Not maps of Europe at Lisbon, of the South Pole at the pole, or in grads, of Paris.
     """
     with warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")

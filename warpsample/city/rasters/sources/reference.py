@@ -218,7 +218,8 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
             f"source: got a raster around ({x:g}, {y:g}), which is not on Earth in {crs.name}; check the CRS and "
             "the transform"
         ) from error
-    return places[:, 1] - places[:, 0], places[:, 3] - places[:, 2], lengths
+    halves = places[:, 3] - (x, y), (x, y) - places[:, 2]  # one of which may cross the edge of a map of the world
+    return places[:, 1] - places[:, 0], 2.0 * min(halves, key=np.linalg.norm), lengths
 
 
 def _flat(crs: pyproj.CRS) -> pyproj.CRS:

@@ -23,6 +23,7 @@ This ratio finds rasters whose cells are arc minutes or more, and windows theref
 """
 _KEPT = (5.0, 95.0)  # percentiles of heights that bound the relief: a mast, or a few damaged cells, must not decide
 _WINDOW, _BLOCK = 512, 32  # rows and columns of a window, and of its blocks that are checked by themselves
+_INEXACT = 0.01  # largest relative error of a cell size by rounded coordinates
 _APART = 1e-3  # largest rounding of coordinates, in cells
 
 
@@ -140,6 +141,11 @@ def step_of(centres: np.ndarray, name: str) -> float:
     rounding = np.spacing(np.abs(centres).max()) if centres.dtype.kind == "f" else 0.0  # of float32
     if not off <= 0.1 * abs(step) + rounding:
         raise ValueError(f"source: got coordinates {name!r} that are not evenly spaced, want cells of one size")
+    if rounding > _INEXACT * abs(step) * (len(centres) - 1):
+        raise ValueError(
+            f"source: got coordinates {name!r} rounded to {rounding:g}, too coarse for cells of about {abs(step):g}; want "
+            "float64, or pass (array, affine, crs)"
+        )
     return step
 
 
