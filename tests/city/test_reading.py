@@ -345,6 +345,13 @@ def test_a_map_that_stretches_the_ground_is_warned_of(crs, x, y, ratios):
     assert [match[1] for match in found if match] == ratios
 
 
+def test_a_raster_at_the_edge_of_a_map_of_the_world_has_a_north():
+    """The step to the east led to the other edge of the map, so the map counted as mirrored."""
+    with pytest.warns(UserWarning, match="on which distances are 1.33 times as long"):
+        surface = rasters.surface((HEIGHTS, Affine(2.5, 0.0, 20037500.0, 0.0, -2.5, 5e6), "EPSG:3857"))
+    assert surface.north == pytest.approx((0.0, 1.0, 0.0), abs=1e-6)
+
+
 def test_a_map_with_an_odd_unit_of_angles_has_a_north():
     """Its latitudes were beyond both poles, so that a length was 0."""
     damaged = pyproj.CRS.from_epsg(25832).to_wkt("WKT1_ESRI").replace("0.0174532925199433", "0.01199433")
