@@ -154,7 +154,6 @@ def test_heights_whose_attributes_state_the_direction_are_read(attributes):
     ("call", "options"),
     [
         (rasters.sky_view_factor, {"max_distance": np.array([1.0, 2.0])}),
-        (rasters.sky_view_factor, {"up": np.array([1.0, 2.0])}),
         (rasters.irradiation, {"weather": "athens", "period": np.array([1, 2])}),
     ],
 )

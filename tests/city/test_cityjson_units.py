@@ -255,7 +255,7 @@ def test_terrain_with_trees_is_refused(tmp_path):
     """The trees were left out without a word."""
     where = Affine(1.0, 0.0, 0.0, 0.0, -1.0, 3.0), None
     trees = rasters.surface((np.zeros((3, 3)), *where), canopy=(np.eye(3), *where))
-    with pytest.raises(ValueError, match="^context: got a surface with tree crowns, .*pass its `mesh`"):
+    with pytest.raises(ValueError, match="^context: got a surface with tree crowns, .*pass its `canopy_mesh`"):
         load(tmp_path, house(None, 1.0, 1.0), context=trees)
 
 

@@ -38,8 +38,8 @@ MOST_TASKS = (1 << 31) - 1
 MOST_WORKERS = 1024
 """Largest number of threads of a call."""
 
-_FIRST = 32  # times as large is the largest batch as the first one
-_USUAL, _LONG = 0.1, 0.2  # seconds of a batch, and seconds from which on the next ones are smaller
+_PARTS = 32  # the first launch of a thread has the tasks of a batch divided by this number
+_USUAL, _LONG = 0.1, 0.2  # seconds that a launch should take, and seconds above which the next launch is smaller
 
 _MOST_ON_DEVICE = 1 << 34  # directions of a batch on a CUDA device; with fewer than 10^5 tasks a part of the device is idle
 _ALWAYS_FREE = 1 << 24  # bytes; to ask the system how much more is free takes 100 us
@@ -103,7 +103,7 @@ def _format_size(size: int) -> str:
 def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, workers: int, work: int) -> None:
     """Run `kernel(*inputs, first_task)` once for each task; the number of a task is `first_task + wp.tid()`.
 
-    The call can be interrupted after each batch. No thread is at work afterwards.
+    The call can be interrupted after each launch of a part of a batch. No thread is at work afterwards.
 
     Args:
         kernel: kernel whose last parameter is first_task, an int64.
@@ -120,7 +120,7 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, 
     most = MOST_WORK if device.is_cpu else _MOST_ON_DEVICE
     batch = min(-(-tasks // shares), max(1, most * tasks // work), MOST_TASKS)
     starts, done, halted = iter(range(0, tasks, batch)), begin(tasks, work), []
-    first = max(1, batch // _FIRST) if device.is_cpu and work >= LEAST_WORK else batch
+    first = max(1, batch // _PARTS) if device.is_cpu and work >= LEAST_WORK else batch
     how = {"batch": batch, "first": first, "tasks": tasks, "done": done, "halted": halted}
     stop = partial(deque, starts, maxlen=0)  # batches that threads have taken are completed, unless a signal halts them
 
@@ -167,7 +167,7 @@ def _run_batches(
     """Run tasks of a kernel on this thread, a batch at a time, until none is left or `halted` is not empty.
 
     Some tasks take thousands of times as long as others, such as points where thousands of faces meet. So the first launch
-    has only `first` tasks, and each as many as lets one expect that it takes a tenth of a second or less.
+    has only `first` tasks, and the sizes of the next ones follow from the time that the launch before has taken.
 
     Threads can share `starts`, since next() on a range is atomic; a lock could stay closed after an interrupt. `done` is
     called after each launch.
@@ -183,7 +183,8 @@ def _run_batches(
             command.launch()
             if done:
                 done(size)
-            most = _next_size(size, perf_counter() - began, most, batch)
+            if first < batch:  # else a launch has a whole batch, as on a CUDA device, where it only joins a queue
+                most = _next_size(size, perf_counter() - began, most, batch)
             at += size
 
 

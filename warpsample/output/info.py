@@ -96,8 +96,7 @@ def _describe_raster(path: Path) -> Iterator[Row]:
         raise missing(f"a raster needs {error.name}", error.name, "city") from error
     rows, columns = reader.shape
     outline = reader.outline
-    across, down = (part.ravel() for part in np.mgrid[0 : columns + 1 : columns, 0 : rows + 1 : rows])
-    corners = outline.places(across, down, 0.0 * across)
+    corners = outline.places(np.array([0, columns, 0, columns]), np.array([0, 0, rows, rows]), np.zeros(4))
     yield "cells", f"{rows:,} x {columns:,}", "rows and columns"
     yield "cell size", "{:.6g} x {:.6g}".format(*outline.sides), "map units"
     for axis, along in zip("xy", corners.T, strict=False):

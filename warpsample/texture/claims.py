@@ -65,7 +65,8 @@ def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int],
     owners = np.zeros(texels * samples if samples > 1 else 0, np.uint32)
     marks = np.zeros(len(corners), np.int32)
     boxes, tasks, rows = _split_into_tasks(corners, usable, size)
-    work = int(np.prod(np.diff(boxes.reshape(-1, 2, 2).astype(np.int64), axis=2), axis=1).clip(0).sum())
+    sides = np.maximum(boxes[:, 1::2] - boxes[:, ::2], 0)
+    work = int(sides.prod(axis=1, dtype=np.int64).sum())  # texels in the boxes of all faces, many times those of the image
     with memory.loan() as loan:
         shared_inputs = loan.lend(corners), loan.lend(boxes), loan.lend(tasks), rows
         with memory.loan() as inner:

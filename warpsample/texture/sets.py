@@ -172,7 +172,7 @@ class Texels:
                     why = f"{outside:,} faces reach beyond the image"
                 elif times > _CROWDED and number != first and not lenient:
                     why = f"faces overlap, with {times:.0f} times the area of the image, and auto accepts no overlap"
-                    why += _describe_way(number)
+                    why += _advise(number)
                 else:
                     found = self.points_by_set(number, rows)
                     why = self._describe_flaw(number, found, others, may_overlap=number == first)
@@ -190,7 +190,7 @@ class Texels:
             return "no face has a texel"
         if report.overlapped and not may_overlap:
             counts = f"{report.overlapped:,} of {report.covered:,} texels ({report.overlapped / report.covered:.2%})"
-            return f"faces overlap in {counts}, and auto accepts none{_describe_way(number)}"
+            return f"faces overlap in {counts}, and auto accepts none{_advise(number)}"
         flat, squeezed = self._count_lost(number, others)
         if report.zero_area or flat:
             return "faces have no area in it"
@@ -201,7 +201,7 @@ class Texels:
         return None
 
     def _measure_layout(self, number: int, rows: Iterable[slice]) -> tuple[int, float]:
-        """Count the given faces that reach beyond the image, and return their areas in it, in images."""
+        """Return the number of faces that reach beyond the image, and the sum of all areas, 1 for that of the image."""
         uv = self._read_set(number)
         assert uv is not None
         measured = [(np.count_nonzero(find_outside_faces(uv[some])), find_flat_areas(uv[some]).sum()) for some in rows]
@@ -277,6 +277,6 @@ class Texels:
         return usd.find_faces_with(self.path, number)
 
 
-def _describe_way(number: int) -> str:
+def _advise(number: int) -> str:
     """Return advice on how to take a set of texture coordinates with overlaps; "" where there is none."""
     return f"; --uv {number} takes it" if str(number) in UV_CHOICES else ""

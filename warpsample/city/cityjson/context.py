@@ -27,8 +27,8 @@ def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: U
         _check_map(context.grid, units)
         if context.canopy_mesh is not None:
             raise ValueError(
-                "context: got a surface with tree crowns, which rays of a city would not pass through; pass its `mesh`, "
-                "without them, or its `canopy_mesh`, in which they are opaque, both in the unit of the city"
+                "context: got a surface with tree crowns, which would be opaque or missing around a city; pass "
+                "its `canopy_mesh`, with opaque crowns, or its `mesh`, without crowns, both in the unit of the city"
             )
         corners, squares = context.mesh.vertices * context.grid.metres, context.mesh.faces
     else:

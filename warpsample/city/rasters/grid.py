@@ -62,7 +62,7 @@ class Grid:
 
     @property
     def steps(self) -> np.ndarray:
-        """Steps in metres along x and y from a cell to the next in its row, and to the next in its column, (2, 2)."""
+        """Steps in metres along x and y to the next cell in a row, and to the next cell in a column, (2, 2)."""
         a, b, _, d, e, _ = self.transform[:6]
         return self.metres * np.array([[a, d], [b, e]])
 

@@ -39,7 +39,7 @@ def finds_horizons(quantity: Quantity, options: dict[str, Any]) -> bool:
 
     The quantity must be a sky view, and all options must be those that the search knows.
     """
-    given = {name for name, value in options.items() if np.ndim(value) or value != quantity.parameters[name]}
+    given = {name for name, value in options.items() if isinstance(value, np.ndarray) or value != quantity.parameters[name]}
     return quantity.call in (sky_view_factor, visible_sky) and given <= set(_OPTIONS)
 
 

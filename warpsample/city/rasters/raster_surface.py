@@ -128,7 +128,7 @@ class RasterSurface(Summary):
 
 
 def _check_cells(value: Any, cells: int) -> np.ndarray:
-    """Check that an array has numbers of cells of a raster with the given number of cells, and return it."""
+    """Return numbers of cells as int64, after a check that a raster with so many cells has them all."""
     cell = np.asarray(value)
     if cell.dtype.kind not in "iu" and cell.size:
         raise TypeError(f"cell: got dtype {cell.dtype}, want whole numbers, as `points` returns them")
@@ -136,7 +136,7 @@ def _check_cells(value: Any, cells: int) -> np.ndarray:
         raise ValueError(
             f"cell: got numbers from {cell.min()} to {cell.max()}, want cells of this raster, 0 to {cells - 1:,}"
         )
-    return cell.astype(np.int64)
+    return cell.astype(np.int64, copy=False)
 
 
 def on_map(grid: Grid, values: np.ndarray) -> xr.DataArray:

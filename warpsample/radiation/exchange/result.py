@@ -45,7 +45,7 @@ class ViewFactors(Summary):
         sky: (N,) float64, the part of `outside` above the horizon; None without `up`.
         sky_error: (N,) float64, standard error of `sky`, 0 where `outside_error` is 0, or None.
         ground: (N,) float64, the part of `outside` below the horizon, or None.
-        ground_error: (N,) float64, standard error of `ground`, or None.
+        ground_error: (N,) float64, standard error of `ground`, 0 where `outside_error` is 0, or None.
         absorbed: (N,) float64, share that transmitting faces absorb on the way; None without such faces.
         absorbed_error: (N,) float64, standard error of `absorbed`, or None.
         reflectance: (N,) float64, reflectance of the faces, for a group the mean by area; None if all faces are black.

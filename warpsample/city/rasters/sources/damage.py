@@ -72,5 +72,6 @@ def _check(path: str, file: Any) -> str:
 
 def _path_of(path: str, file: Any) -> str:
     """Return the path of an open raster's own file, without the rest of an address of GDAL, as GTIFF_DIR:1:dsm.tif."""
-    is_address_of_one = file.driver in ("GTiff", "LIBERTIFF") or path.lower().startswith("file:")
-    return next(iter(file.files), path) if is_address_of_one else path
+    if file.driver in ("GTiff", "LIBERTIFF") or path.lower().startswith("file:"):
+        return next(iter(file.files), path)
+    return path  # the files of vrt://dsm.tif are the parts of a virtual raster
