@@ -276,6 +276,15 @@ def test_other_shares_are_refused(value):
         check_transmittance(value)
 
 
+@pytest.mark.parametrize("tiles", [{}, {"tile": 3, "margin": 1}], ids=["whole", "tiles"])
+def test_nights_have_no_sun_hours_below_leaves_of_each_month(tiles):
+    """A period without sun was refused as wrong `directions`, which no one had given."""
+    pytest.importorskip("pvlib")
+    given = {"canopy": (np.eye(6) * 5.0, NORTH_UP, None), "transmittance": np.linspace(0.0, 1.0, 12), **tiles}
+    found = rasters.sun_hours((np.zeros((6, 6)), NORTH_UP, None), "athens", period=("12-21T20", "12-21T23"), **given)
+    assert (found.value == 0.0).all()
+
+
 @pytest.mark.slow
 def test_a_year_of_leaves_is_the_sum_of_its_months():
     """At no further ray: light of each hour is dimmed before it is summed. Sums of float32 differ by some roundings."""

@@ -345,10 +345,11 @@ def test_a_map_that_stretches_the_ground_is_warned_of(crs, x, y, ratios):
     assert [match[1] for match in found if match] == ratios
 
 
-def test_a_raster_at_the_edge_of_a_map_of_the_world_has_a_north():
-    """The step to the east led to the other edge of the map, so the map counted as mirrored."""
+@pytest.mark.parametrize("x", [20037500.0, 20037509.0, 20038000.0, 21e6, -20037510.0])
+def test_a_raster_at_the_edge_of_a_map_of_the_world_has_a_north(x):
+    """The step to the east led to the other edge of the map, or started there, so the map counted as mirrored."""
     with pytest.warns(UserWarning, match="on which distances are 1.33 times as long"):
-        surface = rasters.surface((HEIGHTS, Affine(2.5, 0.0, 20037500.0, 0.0, -2.5, 5e6), "EPSG:3857"))
+        surface = rasters.surface((HEIGHTS, Affine(2.5, 0.0, x, 0.0, -2.5, 5e6), "EPSG:3857"))
     assert surface.north == pytest.approx((0.0, 1.0, 0.0), abs=1e-6)
 
 

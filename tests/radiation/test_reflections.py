@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import reflection_cases as known
 from irradiation_cases import DAY
+from weather_files import write_epw
 
 import warpsample as ws
 from warpsample.radiation.reflection import lobe_shares, patches, reflections
@@ -151,6 +152,18 @@ def test_parts_of_a_result_add_up_and_other_points_change_no_bit():
         later = ws.irradiation(mesh, points.take(slice(40, 60)), "athens", series=series, first_point=40, **options)
         assert np.array_equal(later.reflected_error, found.reflected_error[40:])
     np.testing.assert_allclose(both[True].reflected.sum(axis=1) / 1000.0, both[False].reflected, rtol=1e-4, atol=1e-6)
+
+
+@pytest.mark.parametrize(("sky", "hours"), [("overcast", ("12-21", "12-21")), ("clear", ("12-21T20", "12-21T23"))])
+def test_reflected_light_of_hours_without_direct_sun_adds_up(sky, hours, tmp_path):
+    """Overcast days and nights; where 256 hours of a year had no direct sun, the call ended in NumPy's words."""
+    mesh = ws.load_mesh("courtyard", reflectance=0.4)
+    points, weather = ws.sample_surface(mesh, 60, seed=3), write_epw(tmp_path / "dark.epw", sky)
+    given = {"period": hours, "patches": "tregenza", "count": 64}
+    whole, hourly = (ws.irradiation(mesh, points, weather, series=series, **given) for series in (False, True))
+    assert (whole.reflected.max() > 0.0) == (sky == "overcast")
+    assert not hourly.direct.any()
+    np.testing.assert_allclose(hourly.reflected.sum(axis=1) / 1000.0, whole.reflected, rtol=1e-4, atol=1e-6)
 
 
 def test_points_with_ids_of_their_own_are_looked_at_in_blocks(monkeypatch):

@@ -156,6 +156,8 @@ def count_suns_through(
 
     An hour with the sun, (T, 3), behind a tree crown counts as the transmittance `shares`, (T,).
     """
+    if not len(suns):  # a period of nights
+        return np.zeros(len(points))
     views = _list_views(scenery, shares)
     return np.sum([direct_sun(made(), points, suns, weights=np.array(share), **options) for made, share in views], axis=0)
 

@@ -60,7 +60,8 @@ class Probes:
 
     def means(self, values: np.ndarray, columns: int) -> np.ndarray:
         """Average (P, columns) numbers over the sample positions of each patch; return (N, columns) float64."""
-        return values.reshape(self.light_outside.shape[0], -1, columns).mean(axis=1, dtype=np.float64)
+        patches = self.light_outside.shape[0]
+        return values.reshape(patches, len(values) // patches, columns).mean(axis=1, dtype=np.float64)
 
 
 class DistantLight(Protocol):

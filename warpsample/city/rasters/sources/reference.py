@@ -208,7 +208,7 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
         longitude, latitude = to_map.transform(x, y, direction="INVERSE", errcheck=True)
         south, north = np.clip([latitude - step, latitude + step], -pole, pole)
         around = [longitude, longitude, longitude - step, longitude + step], [south, north, latitude, latitude]
-        places = np.array(to_map.transform(*around, errcheck=True))
+        middle, *places = np.transpose(to_map.transform(*np.c_[(longitude, latitude), around], errcheck=True))
         ends = np.reshape(around, (2, 2, 2)).swapaxes(0, 1) / degree  # (step, longitude or latitude, end)
         lengths = np.array([crs.get_geod().line_length(*each) for each in ends])
         if not lengths[0] > 0.0:
@@ -218,8 +218,8 @@ def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray,
             f"source: got a raster around ({x:g}, {y:g}), which is not on Earth in {crs.name}; check the CRS and "
             "the transform"
         ) from error
-    halves = places[:, 3] - (x, y), (x, y) - places[:, 2]  # one of which may cross the edge of a map of the world
-    return places[:, 1] - places[:, 0], 2.0 * min(halves, key=np.linalg.norm), lengths
+    halves = places[3] - middle, middle - places[2]  # one of which may cross the edge of a map of the world
+    return places[1] - places[0], 2.0 * min(halves, key=np.linalg.norm), lengths
 
 
 def _flat(crs: pyproj.CRS) -> pyproj.CRS:
