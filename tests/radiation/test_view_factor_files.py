@@ -72,6 +72,15 @@ def test_an_archive_holds_all_and_scipy_reads_its_matrix(tmp_path):
     assert ws.ViewFactors.load(tmp_path / "factors.npz").sky is None
 
 
+def test_groups_that_do_not_see_each_other_are_read_back(tmp_path):
+    """Without a pair the factors were integers, which no archive may hold."""
+    v = ws.view_factors(ws.as_mesh((CUBE.vertices, CUBE.faces[:, ::-1])), 64, groups=["a"] * 6 + ["b"] * 6)
+    v.save(tmp_path / "factors.npz")
+    read = ws.ViewFactors.load(tmp_path / "factors.npz")
+    assert read.matrix.nnz == 0
+    assert read.matrix.dtype == np.float64
+
+
 def test_files_of_udales(tmp_path):
     v = ws.view_factors(COURTYARD, 256)
     v.save(tmp_path / "vfsparse.inp.101")

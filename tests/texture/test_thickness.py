@@ -172,15 +172,17 @@ def test_lengths_are_converted_by_the_primitives_that_have_points_alone():
     """Each of 5,000 primitives of a material took 10 ms for each part of the points, also without a point."""
     seen = []
 
-    def part(number):
+    def part(number, size=3):
         def convert(lengths, directions, face, weights):
             seen.append(number)
             assert (face // 3 == number).all()
+            assert size
             return lengths / (number + 1)
 
-        return SimpleNamespace(faces=slice(3 * number, 3 * number + 3), convert_lengths=convert)
+        return SimpleNamespace(faces=slice(3 * number, 3 * number + size), convert_lengths=convert)
 
-    job = TextureJob("m", None, None, 0, None, 0, "", [part(number) for number in (40, 2, 0, 7)])
+    empty = part(2, size=0), part(40, size=0)  # of strips of two vertices
+    job = TextureJob("m", None, None, 0, None, 0, "", [part(40), part(2), *empty, part(0), part(7)])
     face = np.array([121, 6, 0, 122, 8, 120])
     found = job.convert_lengths(np.full(6, 82.0), np.ones((6, 3)), face, np.ones((6, 3)))
     assert sorted(seen) == [0, 2, 40]

@@ -75,10 +75,11 @@ class GlbFile:
             animation.parts("channels")
         check_finite(self.part)
         self.tree: dict[str, Any] = _copy_json(self.part.content)
+        self.tree["buffers"] = self.tree.get("buffers") or [{"byteLength": 0}]
         self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
         if is_binary:
             self._rest = _read_trailing_bytes(path, len(chunk))
-            if "uri" in self.tree.setdefault("buffers", [{"byteLength": 0}])[0]:
+            if "uri" in self.tree["buffers"][0]:
                 raise ValueError("the buffer buffers[0] is in another file, want a .glb with embedded data")
         else:
             self._embed_files(path)
@@ -176,7 +177,7 @@ class GlbFile:
         """Join all buffers into one and embed external pictures of the types that a .glb can hold."""
         starts = [self._append_bytes(bytes(buffer)) for buffer in self.data.buffers]
         # the name and extras of the first buffer are kept
-        self.tree["buffers"] = [{**self.tree.get("buffers", [{}])[0], "byteLength": 0}]
+        self.tree["buffers"] = [{**self.tree["buffers"][0], "byteLength": 0}]
         self.tree["buffers"][0].pop("uri", None)
         for view, part in zip(self.tree.get("bufferViews", []), self.data.views, strict=True):
             view["byteOffset"] = part.whole("byteOffset", 0) + starts[part.index("buffer", starts)]

@@ -82,7 +82,8 @@ class TextureJob:
         self, lengths: np.ndarray, directions: np.ndarray, face: np.ndarray, weights: np.ndarray
     ) -> np.ndarray:
         """Return lengths in the scene as lengths in the glTF meshes, (P,) float64; see `Primitive.convert_lengths`."""
-        found, group = lengths.astype(np.float64), sorted(self.group, key=lambda one: one.faces.start)
+        found = lengths.astype(np.float64)
+        group = sorted(self.group, key=lambda one: (one.faces.start, one.faces.stop))  # those without faces before others
         owner = np.searchsorted([one.faces.start for one in group], face, side="right") - 1
         order = np.argsort(owner, kind="stable")
         for rows in np.split(order, 1 + np.flatnonzero(np.diff(owner[order]))) if len(order) else ():
