@@ -19,11 +19,12 @@ VISIBILITY = "KHR_node_visibility"
 def iterate_nodes(tree: Part) -> Iterator[tuple[Part, np.ndarray, Skin | None]]:
     """Yield the visible nodes of the scene, parents first, each with its matrix for row vectors and its skin or None."""
     nodes = tree.parts("nodes")
+    skins = tree.parts("skins") if any("skin" in node for node in nodes) else []
     found = list(_places(tree, nodes))
     places = {number: matrix for number, matrix, _ in found}  # an invisible node can be a joint
     for number, matrix, is_visible in found:
         if is_visible:
-            yield nodes[number], matrix, Skin.of(tree, nodes[number], places)
+            yield nodes[number], matrix, Skin.of(nodes[number], skins, nodes, places)
 
 
 def count_invisible(tree: Part) -> int:

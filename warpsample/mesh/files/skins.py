@@ -26,13 +26,12 @@ class Skin:
     joints: np.ndarray
 
     @classmethod
-    def of(cls, tree: Part, node: Part, places: Mapping[int, np.ndarray]) -> "Skin | None":
-        """Return the skin of a glTF node, or None; `places` maps node numbers to matrices."""
+    def of(cls, node: Part, skins: list[Part], nodes: list[Part], places: Mapping[int, np.ndarray]) -> "Skin | None":
+        """Return which of the skins a glTF node has, or None; `places` maps node numbers to matrices."""
         if "skin" not in node:
             return None
-        skins = tree.parts("skins")
         part = skins[node.index("skin", skins)]
-        joints = part.indices("joints", tree.parts("nodes"))
+        joints = part.indices("joints", nodes)
         for joint in joints:
             if joint not in places:
                 raise ValueError(f"{part.at('joints')}: got node {joint}, want nodes of the scene that has the skin")
