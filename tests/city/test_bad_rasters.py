@@ -38,6 +38,7 @@ def array_of(values=HEIGHTS, **coordinates):
         ((HEIGHTS, UTM), TypeError, r"source: got a value of type tuple, want the path of a raster"),
         (array_of().to_dataset(name="dsm"), TypeError, "source: got .*Dataset.*want the path of a raster"),
         ("missing.tif", FileNotFoundError, r"source: got 'missing\.tif', which is missing, want the path"),
+        (f"{'x' * 300}.tif", FileNotFoundError, r"source: got 'x*\.tif', which is out of reach, want the path"),
         ("text.tif", ValueError, r"source: got 'text\.tif', which cannot be read as a raster: .*not recognized"),
         ("cut.tif", ValueError, r"source: got 'cut\.tif', which cannot be read as a raster: "),
         ("rgb.tif", ValueError, r"source: got 'rgb\.tif' with 3 bands, want one band of heights"),

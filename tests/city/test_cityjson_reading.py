@@ -88,6 +88,14 @@ def test_a_city_of_ground_surfaces_alone_gets_no_points(tmp_path):
         city.points()
 
 
+def test_faces_of_a_city_of_ground_surfaces_alone_are_refused(call, tmp_path):
+    ground = {"surfaces": [{"type": "GroundSurface"}], "values": [0] * len(cases.FACES)}
+    made = cases.house({"type": "MultiSurface", "lod": 2, "boundaries": cases.FACES, "semantics": ground})
+    path = cases.written(tmp_path / "ground.city.json", made)
+    status, _, err = call("bake", path, "-o", tmp_path / "out.csv", "--at", "faces", "--samples", "16")
+    assert (status, "error: mesh: got a city of GroundSurfaces alone" in err) == (2, True)
+
+
 def test_every_depth_of_boundaries_and_of_semantics(tmp_path):
     flat = [0, 1, *[2] * 8]
     surfaces = cases.SEMANTICS["surfaces"]

@@ -30,6 +30,14 @@ def test_an_estimate_is_a_dataset():
         found.to_xarray(MESH)
 
 
+def test_results_of_no_points_are_polydata():
+    """PyVista refuses arrays of vectors without a row, in its own words."""
+    none = POINTS.take(slice(0, 0))
+    for found in (ws.bent_normals(MESH, none, 64), ws.sky_view_factor(MESH, none, 64)):
+        made = found.to_polydata(none)
+        assert (made.n_points, len(made["value"])) == (0, 0)
+
+
 @pytest.mark.slow
 def test_a_sky_matrix_and_a_year_have_names_for_their_columns(year):
     sky = ws.sky_matrix(MESH, POINTS, 64)

@@ -4,6 +4,7 @@ import base64
 import re
 from io import BytesIO
 
+import city_files
 import numpy as np
 import pytest
 import trimesh
@@ -40,6 +41,18 @@ def test_a_glb_stands_upright(call, tmp_path, can_render):
         rows, columns = np.nonzero(np.ptp(imread(tmp_path / "box.png")[100:700, :, :3], axis=-1) > 0.3)
         tall[name] = np.ptp(rows) / np.ptp(columns)
     assert tall["high"] > 1.5 * tall["deep"]  # what is deep is foreshortened; the wrong axis exchanges both
+
+
+@pytest.mark.slow
+def test_a_report_on_means_at_faces_of_a_city_leaves_the_ground_grey(call, tmp_path, can_render):
+    """Faces of the ground have no values; PyVista refused the array, after the output was written."""
+    city = city_files.written(tmp_path / "house.city.json", city_files.house())
+    run = "bake", city, "--quantity", "sky", "--samples", "16", "--at", "faces", "--report", tmp_path / "r.html"
+    for output in ("out.csv", "out.city.json"):
+        status, _, err = call(*run, "-o", tmp_path / output)
+        assert (status, err) == (0, "")
+        page = (tmp_path / "r.html").read_text()
+        assert colours_of(base64.b64decode(re.search(r"data:image/png;base64,([^\"]+)", page)[1])) > 20_000
 
 
 @pytest.mark.slow

@@ -273,6 +273,7 @@ def test_a_period_of_another_type_is_refused(period):
         ("03-21T24", "03-22T00"),
         ("12-31T24", "01-01T00"),
         ("02-28", "02-29"),
+        ("\uff10\uff16-21", "06-22"),  # full-width digits, which made the period a year
     ],
 )
 def test_a_period_of_no_hours_is_refused(period):

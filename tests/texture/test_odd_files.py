@@ -47,6 +47,21 @@ def test_a_damaged_file_is_named(call, tmp_path, texture):
     assert (status, f"mesh: got {str(path)!r}, which cannot be read as a mesh: the header declares" in err) == (2, True)
 
 
+@pytest.mark.parametrize("texture", [(), ("--texture", 16)])
+def test_a_file_out_of_reach_is_named(call, tmp_path, texture):
+    """Names that are too long, as folders that may not be read, made Python's `is_file` raise an error of its own."""
+    name = "x" * 300
+    status, _, err = call("bake", tmp_path / f"{name}.glb", "-o", tmp_path / "out.glb", *texture)
+    assert (status, "which is out of reach, want a mesh file" in err) == (2, True)
+
+    def rename(tree):
+        tree["buffers"][0]["uri"] = name
+
+    path = as_gltf(two_quads(tmp_path), rename)
+    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", *texture)
+    assert (status, "buffers[0].uri: got" in err, "which is out of reach, want a file" in err) == (2, True, True)
+
+
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 def test_a_set_with_a_number_that_is_none_is_named(call, tmp_path, bad):
     """One of four corners: of one of the two faces, whose new coordinates are no surprise then."""

@@ -155,7 +155,7 @@ class PointResult(Summary):
             raise ValueError(f"on: got {shown} for {len(self.status)} values, want {wants}")
         data = made.cell_data if fit == ["faces"] else made.point_data
         for name, array in self._arrays().items():
-            data[name] = array
+            data[name] = array if len(array) else array.ravel()  # PyVista has no empty arrays of vectors
         return made
 
     def to_xarray(self, points: SurfacePoints) -> "Dataset":

@@ -64,12 +64,17 @@ def check_file(value: Any, argument: str, wants: str) -> Path:
     if not isinstance(value, str | PathLike) or not isinstance(fspath(value), str):
         raise TypeError(f"{argument}: got {quote(value)}, want the path of {wants}")
     path = Path(value)
-    if flaw := _flaw(path):
+    if flaw := flaw_of(path):
         raise FileNotFoundError(f"{argument}: got {str(path)!r}, which is {flaw}, want {wants}")
     return path
 
 
-def _flaw(path: Path) -> str:
+def is_file(path: str | Path) -> bool:
+    """Return whether a path is that of an ordinary file; False where `Path.is_file` raises an OSError."""
+    return not flaw_of(Path(path))
+
+
+def flaw_of(path: Path) -> str:
     """Return why a path cannot be read as a file, for example "a folder", or "" if it can."""
     try:
         return "" if path.is_file() else "a folder" if path.is_dir() else "no ordinary file" if path.exists() else "missing"

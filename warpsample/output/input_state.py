@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from warpsample.host.arguments import is_file
 from warpsample.mesh.files.linked_files import list_linked_files
 
 _IN_SEVERAL_FILES = (".glb", ".gltf", ".usd", ".usda", ".usdc")  # formats whose meshes may be in other files
@@ -43,7 +44,7 @@ def _list_data_files(path: Path) -> list[Path]:
 
 def _read_state(path: Path) -> tuple[Path, int, int, int]:
     """Return the state of a file; zeros for a missing file and for a pipe, which can be read only once."""
-    if not path.is_file():
+    if not is_file(path):
         return path, 0, 0, 0
     found = path.stat()
     return path, found.st_size, found.st_mtime_ns, found.st_ino

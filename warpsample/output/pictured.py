@@ -41,13 +41,16 @@ def draw_picture(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
     value, at, what = get_picture_values(baked), baked.run.at, baked.run.at or "points"
     if of_faces is not None:
         value, at, what = of_faces, "faces", f"faces, with the means over {len(baked.mesh.parts):,} surfaces"
+    caption = f"{_shown_name(baked)}: {len(value):,} {what}"
+    if at == "faces" and of_faces is None and len(value) < len(baked.mesh.faces):  # surfaces of a city, without the ground
+        value = np.full(len(baked.mesh.faces), np.nan)
+        value[baked.points.face] = get_picture_values(baked)
     scene = (baked.mesh if at in _FRONT else baked.points).to_polydata()
     (scene.cell_data if at == "faces" else scene.point_data)["shown"] = value
     largest = np.nanmax(value, initial=0.0)
     high = float(largest if baked.quantity.unit else max(largest, baked.quantity.white)) or 1.0
     own = (0.0, 1.0, 0.0) if upright_by_y(baked.run.mesh) else (0.0, 0.0, 1.0)
     axis = np.abs(np.array(baked.run.options.get("up") or own, float)).argmax()
-    caption = f"{_shown_name(baked)}: {len(value):,} {what}"
     plotter = number_scene(scene, "shown", title=title_of(baked), caption=caption, high=high, up="xyz"[axis], size=_SIZE)
     try:
         stream = BytesIO()

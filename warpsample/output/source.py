@@ -11,7 +11,7 @@ from warpsample.city import rasters
 from warpsample.city.cityjson.city import City
 from warpsample.city.cityjson.context import GROUND_PLANE
 from warpsample.city.cityjson.loading import load_city
-from warpsample.city.cityjson.placing import spread_points
+from warpsample.city.cityjson.placing import find_receiving_faces, spread_points
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output
@@ -146,5 +146,5 @@ def _place_points(run: BakeRun, mesh: Mesh, city: City | None) -> SurfacePoints:
         )
     areas = np.where(mesh.part >= 0, mesh.face_areas, 0.0) if city is None else city.receiving
     if run.at == "faces":
-        return face_centers(mesh).take(areas > 0.0)
+        return face_centers(mesh).take(find_receiving_faces(areas))
     return spread_points(mesh, areas, run.points, run.options["seed"])

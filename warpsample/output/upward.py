@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.host.arguments import naming_file
+from warpsample.host.arguments import is_file, naming_file
 from warpsample.host.locks import imported
 from warpsample.mesh.files.usd import read_up_axis
 
@@ -40,7 +40,7 @@ def with_up(path: Path, quantity: Quantity, options: Mapping[str, Any]) -> tuple
 def upright_by_y(path: Path) -> str:
     """Return the name of a file's format if +y is up in the file, else ""."""
     suffix = path.suffix.lower()
-    if not path.is_file():
+    if not is_file(path):
         return ""
     if suffix in _GLTF:
         return "glTF"

@@ -29,9 +29,7 @@ def spread_points(mesh: Mesh, areas: np.ndarray, count: int | None, seed: int) -
         TypeError, ValueError: `count` is invalid, or all areas are 0.
         MemoryError: the points need more memory than is free.
     """
-    placed = areas > 0.0
-    if not placed.any():
-        raise ValueError("mesh: got a city of GroundSurfaces alone, which get no points, want at least one other surface")
+    placed = find_receiving_faces(areas)
     least = _LEAST
     if count is None:
         faces = np.count_nonzero(placed)
@@ -48,3 +46,15 @@ def spread_points(mesh: Mesh, areas: np.ndarray, count: int | None, seed: int) -
     edges = corner[:, 1:] - corner[:, :1]  # weights apply to edges, not corners, for precision far from the origin
     position = corner[:, 0] + np.einsum("pk,pkj->pj", weights[:, 1:], edges)
     return SurfacePoints(position, mesh.face_normals[face], face)
+
+
+def find_receiving_faces(areas: np.ndarray) -> np.ndarray:
+    """Return which faces have an area above 0, (F,) bool.
+
+    Raises:
+        ValueError: all areas, (F,), are 0.
+    """
+    placed = areas > 0.0
+    if not placed.any():
+        raise ValueError("mesh: got a city of GroundSurfaces alone, which get no points, want at least one other surface")
+    return placed

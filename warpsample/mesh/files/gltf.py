@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.host.arguments import naming_file, quote
+from warpsample.host.arguments import is_file, naming_file, quote
 from warpsample.host.json_tree import Part, parsed
 from warpsample.host.locks import multiply
 from warpsample.mesh.files.gltf_data import Data, binary
@@ -82,7 +82,7 @@ def describe_invisible(path: Path) -> list[str]:
 
     The list is empty for files of other formats.
     """
-    if path.suffix.lower() not in (".glb", ".gltf") or not path.is_file():
+    if path.suffix.lower() not in (".glb", ".gltf") or not is_file(path):
         return []
     with naming_file("mesh", path, "a mesh"):
         tree = binary(path, with_data=False)[0] if path.suffix.lower() == ".glb" else parsed(path.read_bytes())

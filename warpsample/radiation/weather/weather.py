@@ -20,7 +20,7 @@ from warpsample.host.summary import Summary
 from warpsample.radiation.weather.epw import YEAR, check_text, radiation
 
 _NIGHT = -10.0  # degrees: if the sun is lower at mid-hour, it is below the horizon for the whole hour
-_PERIOD = re.compile(r"(\d\d)-(\d\d)(?:T(\d\d))?")
+_PERIOD = re.compile(r"([0-9]{2})-([0-9]{2})(?:T([0-9]{2}))?")
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -12,6 +12,7 @@ from warpsample.city.rasters.sources.inputs import files_read
 from warpsample.city.rasters.sources.opening import open_raster
 from warpsample.city.rasters.sources.side_files import check_texts, list_side_files
 from warpsample.city.rasters.sources.tiff import check_tiff
+from warpsample.host.arguments import is_file
 
 _REPORTED = {"GTiff", "LIBERTIFF", "HFA", "JP2OpenJPEG", "GRIB", "BT", "GSBG", "HF2", "SIGDEM"}
 """Formats of which GDAL reports a missing part. Parts of a GeoTIFF may be left out to mean one value."""
@@ -43,7 +44,7 @@ def check_undamaged(path: str, file: Any) -> None:
 def _check_part(path: str) -> str:
     """Check a file of a virtual raster as `_check` does, unless it is no raster itself, such as a file of statistics."""
     if path.lower().endswith(_TIFF) and not any(list_side_files(path)):
-        if Path(path).is_file():
+        if is_file(path):
             check_tiff(path)
         return ""  # GDAL reports other damage when it is read, and opening many files takes time
     with ExitStack() as stack:
@@ -57,13 +58,13 @@ def _check_part(path: str) -> str:
 def _check(path: str, file: Any) -> str:
     """Raise a ValueError for a damaged file; return the name of its format if its damage may not be found, otherwise ""."""
     path = _path_of(path, file)
-    is_file = Path(path).is_file()
+    is_local = is_file(path)
     check_texts(path, file)
-    if file.driver == "AAIGrid" and is_file:
+    if file.driver == "AAIGrid" and is_local:
         check_arc_grid(path, file.shape, np.issubdtype(file.dtypes[0], np.integer))
-    elif file.driver in ("GTiff", "LIBERTIFF") and is_file:
+    elif file.driver in ("GTiff", "LIBERTIFF") and is_local:
         check_tiff(path)
-    elif file.driver == "VRT" and is_file and b"VRTRawRasterBand" in Path(path).read_bytes():
+    elif file.driver == "VRT" and is_local and b"VRTRawRasterBand" in Path(path).read_bytes():
         return "raw VRT"
     elif file.driver not in (*_VIRTUAL, *_REPORTED):
         return str(file.driver)

@@ -14,7 +14,7 @@ import xarray as xr
 from rioxarray.exceptions import RioXarrayError
 
 from warpsample.city.rasters.sources.coding import VALID, Coding, stored_attributes
-from warpsample.host.arguments import quote
+from warpsample.host.arguments import is_file, quote
 from warpsample.host.engine import check_memory
 from warpsample.host.extras import REFUSED, missing, run_program
 
@@ -88,7 +88,7 @@ def is_classic(path: str) -> bool:
 
 def _read_start(path: str) -> bytes:
     """Return the first bytes of a file, or b"" for a pipe, a folder or a missing file."""
-    if not Path(path).is_file():  # reading a pipe may never end
+    if not is_file(path):  # reading a pipe may never end
         return b""
     with Path(path).open("rb") as stream:
         return stream.read(_SUPERBLOCK)

@@ -10,6 +10,7 @@ from xml.etree import ElementTree as ET
 from rasterio.enums import MaskFlags
 
 from warpsample.city.rasters.sources.arc_grid import SPECIAL
+from warpsample.host.arguments import is_file
 
 _NUMBERS = re.compile(
     rb"<(NoDataValue|NODATA|Scale|Offset|ScaleRatio|ScaleOffset|LUT)\b[^>/]*>\s*([^<]*?)\s*<", re.IGNORECASE
@@ -26,7 +27,7 @@ def check_texts(path: str, file: Any) -> None:
 
     Rasterio loses GDAL's errors about file names that are not in UTF-8, so their heights would be 0.
     """
-    if file.driver == "VRT" and Path(path).is_file():
+    if file.driver == "VRT" and is_file(path):
         content = Path(path).read_bytes()
         try:
             content.decode()
@@ -78,7 +79,7 @@ def _is_same(value: float | str | None, text: str) -> bool:
 def list_side_files(path: str) -> tuple[list[Path], list[Path]]:
     """Return the existing .aux.xml files and .msk files of a raster."""
     suffixes = (".aux.xml", ".AUX.XML"), (".msk", ".MSK")
-    texts, masks = ([file for suffix in each if (file := Path(f"{path}{suffix}")).is_file()] for each in suffixes)
+    texts, masks = ([file for suffix in each if is_file(file := Path(f"{path}{suffix}"))] for each in suffixes)
     return texts, masks
 
 
