@@ -179,6 +179,8 @@ def test_what_a_file_needs_beside_it_and_what_shows_no_occlusion_is_reported(cal
         assert "viewers show no occlusion on unlit materials: 'brick'" in out
         assert "morph targets are left out, though the file sets their weights: 'Wånd'" in out
         assert ("out.glb needs these files in its folder: 'a%20b.png'" in out) == reports
+        status, out, _ = call("bake", path, "-o", output, "--at", "vertices", "--samples", 2)
+        assert (status, "out.glb needs these files in its folder: 'a%20b.png'" in out) == (0, reports)
         assert opened(output)[0]["images"][1] == {"uri": "a%20b.png"}
 
 

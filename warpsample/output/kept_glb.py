@@ -7,7 +7,7 @@ from typing import BinaryIO
 import numpy as np
 
 from warpsample.texture.glb_file import GlbFile, convert_read_errors
-from warpsample.texture.notes import describe_materials, join_names
+from warpsample.texture.notes import describe_materials, describe_missing_files, join_names
 from warpsample.texture.primitives import Primitive, list_primitives
 
 
@@ -16,8 +16,8 @@ def keeps(source: Path, output: Path, at: str | None) -> bool:
     return source.suffix.lower() in (".glb", ".gltf") and output.suffix == ".glb" and at == "vertices"
 
 
-def describe_kept_file(source: Path) -> list[str]:
-    """Return notes on a copied .glb: replaced colours, meshes placed several times, and materials.
+def describe_kept_file(source: Path, output: Path) -> list[str]:
+    """Return notes on a copied .glb: replaced colours, meshes placed several times, materials, and external files.
 
     Raises:
         ValueError: a file that cannot be edited.
@@ -27,7 +27,7 @@ def describe_kept_file(source: Path) -> list[str]:
     several = join_names(one.name for one in primitives if one.others)
     notes = [f"the colours of {coloured} are replaced"] if coloured else []
     notes += [f"of {several}, in several places, the first place counts"] if several else []
-    return [*notes, *describe_materials(file.part, primitives)]
+    return [*notes, *describe_materials(file.part, primitives), *describe_missing_files(source, file.tree, output)]
 
 
 def write_kept_file(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]) -> None:

@@ -125,7 +125,7 @@ def _keeps_input(run: BakeRun) -> bool:
 def _check_glb(run: BakeRun, mesh: Mesh) -> list[str]:
     """Check that the output .glb can hold the values; return sentences on content of the input that is not kept."""
     if _keeps_input(run):
-        return describe_kept_file(run.mesh)
+        return describe_kept_file(run.mesh, run.output)
     if run.output.suffix == ".glb":
         check_glb(run, mesh)
     return []
