@@ -40,6 +40,36 @@ def right(mesh):
     return ws.ambient_occlusion(mesh, ws.sample_surface(mesh, POINTS), RAYS)
 
 
+def test_a_signal_waits_until_the_processes_have_started(monkeypatch):
+    """Dask ended with a traceback for each process that was only half started."""
+    seen = []
+
+    class Starting:
+        def __init__(self, **_):
+            signal.raise_signal(signal.SIGTERM)
+            seen.append("started")
+
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *_):
+            seen.append("closed")
+
+    def end(*_):
+        seen.append("heard")
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(distributed, "LocalCluster", Starting)
+    before = signal.signal(signal.SIGTERM, end)
+    try:
+        with pytest.raises(KeyboardInterrupt), clients.computing(None, 2, None):
+            pytest.fail("computed after a signal")
+        assert signal.getsignal(signal.SIGTERM) is end
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    assert seen == ["started", "heard", "closed"]
+
+
 def meshes(client):
     """Of each process: how many meshes arrived there, how many trees it has, and its number."""
 

@@ -3,8 +3,9 @@
 import gc
 import logging
 import signal
+import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from multiprocessing import resource_tracker
 from typing import Any
 
@@ -20,6 +21,7 @@ _TUNED = {
     "distributed.scheduler.worker-saturation": float("inf"),  # waiting chunks take no memory; requesting each takes 2 ms
 }
 """Settings of Dask for local processes started here."""
+_ENDING = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGQUIT") if hasattr(signal, name)]
 
 
 def check_processes(processes: int | None) -> None:
@@ -66,10 +68,11 @@ def _open_client(address: str | None, processes: int | None) -> Iterator[None]:
 
     if address is None:
         options = {"n_workers": processes, "threads_per_worker": 1, "host": _ITS_OWN, "dashboard_address": f"{_ITS_OWN}:0"}
-        with _block_signal(signal.SIGINT), dask.config.set(_TUNED):
-            own = LocalCluster(**options, silence_logs=logging.CRITICAL)
-        with own, Client(own):
-            yield
+        with ExitStack() as stack:
+            with _block_signal(signal.SIGINT), _delay_signals(), dask.config.set(_TUNED):
+                own = stack.enter_context(LocalCluster(**options, silence_logs=logging.CRITICAL))
+            with Client(own):
+                yield
         return
     with _connect(Client, address):
         yield
@@ -90,6 +93,25 @@ def _block_signal(number: signal.Signals) -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+@contextmanager
+def _delay_signals() -> Iterator[None]:
+    """Delay SIGTERM, SIGHUP and SIGQUIT to the end of a `with` statement, unless they end the process at once.
+
+    Dask prints tracebacks about processes that it can no longer start. Blocked signals could not end these processes.
+    """
+    heard: list[int] = []
+    is_main = threading.current_thread() is threading.main_thread()
+    numbers = [number for number in _ENDING if is_main and callable(signal.getsignal(number))]
+    before = {number: signal.signal(number, lambda number, _: heard.append(number)) for number in numbers}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        if heard:
+            signal.raise_signal(heard[0])
 
 
 def _connect(client: Any, address: str) -> Any:
