@@ -53,13 +53,10 @@ def test_a_file_out_of_reach_is_named(call, tmp_path, texture):
     name = "x" * 300
     status, _, err = call("bake", tmp_path / f"{name}.glb", "-o", tmp_path / "out.glb", *texture)
     assert (status, "which is out of reach, want a mesh file" in err) == (2, True)
-
-    def rename(tree):
-        tree["buffers"][0]["uri"] = name
-
-    path = as_gltf(two_quads(tmp_path), rename)
-    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", *texture)
-    assert (status, "buffers[0].uri: got" in err, "which is out of reach, want a file" in err) == (2, True, True)
+    for uri, why in ((name, "out of reach"), ("\ud800", "missing")):  # half of a pair of UTF-16, which JSON can hold
+        path = as_gltf(two_quads(tmp_path), lambda tree, uri=uri: tree["buffers"][0].update(uri=uri))
+        status, _, err = call("bake", path, "-o", tmp_path / "out.glb", *texture)
+        assert (status, "buffers[0].uri: got" in err, f"which is {why}, want a file" in err) == (2, True, True)
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])

@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from itertools import chain, takewhile
+from os import fsencode
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -43,7 +44,16 @@ def _spellings(names: Iterable[str]) -> list[str]:
     names += [each.replace("\\", "/") for each in names]
     names += [_FILE_URI.sub("", each) for each in names]
     names += [_BYTES.sub(_text_of_windows, each) for each in names]
-    return list(dict.fromkeys(names))
+    return list(filter(_is_possible, dict.fromkeys(names)))
+
+
+def _is_possible(name: str) -> bool:
+    """Return whether a file can have a name: without half of a pair of UTF-16, which JSON can hold."""
+    try:
+        fsencode(name)
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def _text_of_windows(found: re.Match[str]) -> str:
