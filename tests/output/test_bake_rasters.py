@@ -32,6 +32,15 @@ def dsm(tmp_path, monkeypatch):
     return raster_cases.write_tif(tmp_path / "dsm.tif", heights)
 
 
+def test_a_working_folder_that_was_removed_is_told(dsm, call, tmp_path, monkeypatch):
+    """Python's words named neither a file nor an argument."""
+    (tmp_path / "gone").mkdir()
+    monkeypatch.chdir(tmp_path / "gone")
+    (tmp_path / "gone").rmdir()
+    status, _, err = call("bake", dsm, "-o", "sky.tif", "--quantity", "sky", "--samples", "16")
+    assert (status, err.startswith("error: the working folder no longer exists")) == (2, True)
+
+
 @pytest.mark.thorough
 def test_a_geotiff_needs_no_dask(dsm, call, child_environment):
     hidden = "import sys; sys.modules.update(dict.fromkeys(('dask', 'distributed', 'zarr')))\n"

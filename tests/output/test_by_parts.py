@@ -158,7 +158,7 @@ def test_a_warning_about_the_raster_names_context(call, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["cube.ply", "-o", "x.csv", "--by", "part"], "--by: got part for 'cube.ply', whose faces have no named parts"),
+        (["cube.ply", "-o", "x.csv", "--by", "part"], "--by: got part for 'cube.ply', which has no named parts"),
         (["cube.ply", "-o", "x.ply", "--by", "part"], "--by: got part for x.ply; the option applies only to .csv"),
         (
             ["cube.ply", "-o", "x.csv", "--by", "part", "--at", "vertices"],

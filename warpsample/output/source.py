@@ -139,9 +139,9 @@ def _place_points(run: BakeRun, mesh: Mesh, city: City | None) -> SurfacePoints:
     """
     if not is_by_parts(run):
         return points_on(mesh, run.points, run.at, run.options["seed"])
-    if mesh.part is None:
+    if mesh.part is None or not mesh.face_areas[mesh.part >= 0].any():
         raise ValueError(
-            f"--by: got {run.by} for {str(run.mesh)!r}, whose faces have no named parts; name the parts in the mesh "
+            f"--by: got {run.by} for {str(run.mesh)!r}, which has no named parts with an area; name the parts in the mesh "
             "file, or leave out --by"
         )
     areas = np.where(mesh.part >= 0, mesh.face_areas, 0.0) if city is None else city.receiving
