@@ -186,13 +186,15 @@ def _add_document(found: Gathered, head: Head, tree: Part, number: int, lod: flo
     for name, thing in objects.items():
         if thing.content.get("attributes") is not None:
             thing.part("attributes")
-        for choice in taken[name] if name not in left_out else ():
-            _add_geometry(found, head, _Place(number, name, thing, above[name], points, first), choice)
+        chosen = taken[name] if name not in left_out else ()
+        geometries = thing.parts("geometry") if chosen else []
+        for choice in chosen:
+            _add_geometry(found, head, _Place(number, name, thing, geometries, above[name], points, first), choice)
 
 
 @dataclass(frozen=True)
 class _Place:
-    """City object that is being read, with the vertices of its JSON document.
+    """City object that is being read, with its geometries and the vertices of its JSON document.
 
     The vertices are numbered from `first` in the mesh.
     """
@@ -200,6 +202,7 @@ class _Place:
     document: int
     name: str
     thing: Part
+    geometries: list[Part]
     above: list[str]
     points: np.ndarray
     first: int
@@ -207,7 +210,7 @@ class _Place:
 
 def _add_geometry(found: Gathered, head: Head, place: _Place, choice: Choice) -> None:
     number, geometry, lod = choice
-    placed, first = place.thing.parts("geometry")[number], place.first
+    placed, first = place.geometries[number], place.first
     is_instance = placed.text("type") == INSTANCE
     if is_instance:
         outlines, copies = _place_template(placed, head.outlines(geometry), head.template_points, place.points)
