@@ -11,6 +11,7 @@ import trimesh
 from matplotlib.image import imread
 
 import warpsample as ws
+from warpsample.output import pictured
 
 BAKE = ("bake", "courtyard", "--quantity", "sky", "--samples", "16", "--at", "faces")
 
@@ -44,15 +45,25 @@ def test_a_glb_stands_upright(call, tmp_path, can_render):
 
 
 @pytest.mark.slow
-def test_a_report_on_means_at_faces_of_a_city_leaves_the_ground_grey(call, tmp_path, can_render):
+def test_a_report_on_means_at_faces_of_a_city_leaves_the_ground_grey(call, tmp_path, can_render, monkeypatch):
     """Faces of the ground have no values; PyVista refused the array, after the output was written."""
-    city = city_files.written(tmp_path / "house.city.json", city_files.house())
+    city, scenes = city_files.written(tmp_path / "house.city.json", city_files.house()), []
+    draw = pictured.number_scene
+    monkeypatch.setattr(
+        pictured, "number_scene", lambda scene, *args, **more: scenes.append(scene) or draw(scene, *args, **more)
+    )
+    known = ws.load_city(city)
+    kind = known.surfaces.type[known.surface]
     run = "bake", city, "--quantity", "sky", "--samples", "16", "--at", "faces", "--report", tmp_path / "r.html"
     for output in ("out.csv", "out.city.json"):
         status, _, err = call(*run, "-o", tmp_path / output)
         assert (status, err) == (0, "")
         page = (tmp_path / "r.html").read_text()
         assert colours_of(base64.b64decode(re.search(r"data:image/png;base64,([^\"]+)", page)[1])) > 20_000
+        shown = scenes.pop().cell_data["shown"]
+        assert np.array_equal(np.isnan(shown), kind == "GroundSurface")
+        assert (shown[kind == "RoofSurface"] > 0.99).all()  # flat, with nothing above
+        assert (shown[kind == "WallSurface"] < 0.6).all()  # upright: half of the sky at most, and noise of 16 rays
 
 
 @pytest.mark.slow

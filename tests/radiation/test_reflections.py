@@ -163,7 +163,7 @@ def test_reflected_light_of_hours_without_direct_sun_adds_up(sky, hours, tmp_pat
     whole, hourly = (ws.irradiation(mesh, points, weather, series=series, **given) for series in (False, True))
     assert (whole.reflected.max() > 0.0) == (sky == "overcast")
     assert not hourly.direct.any()
-    np.testing.assert_allclose(hourly.reflected.sum(axis=1) / 1000.0, whole.reflected, rtol=1e-4, atol=1e-6)
+    np.testing.assert_allclose(hourly.reflected.sum(axis=1) / 1000.0, whole.reflected, rtol=1e-4, atol=1e-6)  # of float32
 
 
 def test_points_with_ids_of_their_own_are_looked_at_in_blocks(monkeypatch):

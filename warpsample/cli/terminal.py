@@ -119,7 +119,7 @@ def _fail(error: Exception, options: dict[str, str]) -> None:
     if isinstance(error, BrokenPipeError):
         raise SystemExit(_OF_SIGPIPE) from None
     if isinstance(error, FileNotFoundError) and error.errno and error.filename is None:  # of `os.getcwd`
-        error = FileNotFoundError("the working folder no longer exists, want another one; change to it with cd")
+        error = FileNotFoundError("the working folder no longer exists; change to another folder")
     message = re.sub(r"^\w+(?=: )", lambda name: options.get(name[0], name[0]), str(error) or type(error).__name__)
     print_error(f"error: {message}")
     raise SystemExit(1 if isinstance(error, WriteError) else 2) from error

@@ -42,9 +42,9 @@ def draw_picture(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
     if of_faces is not None:
         value, at, what = of_faces, "faces", f"faces, with the means over {len(baked.mesh.parts):,} surfaces"
     caption = f"{_shown_name(baked)}: {len(value):,} {what}"
-    if at == "faces" and of_faces is None and len(value) < len(baked.mesh.faces):  # surfaces of a city, without the ground
-        value = np.full(len(baked.mesh.faces), np.nan)
-        value[baked.points.face] = get_picture_values(baked)
+    if at == "faces" and len(value) < len(baked.mesh.faces):  # surfaces of a city, without the ground
+        known, value = value, np.full(len(baked.mesh.faces), np.nan)
+        value[baked.points.face] = known
     scene = (baked.mesh if at in _FRONT else baked.points).to_polydata()
     (scene.cell_data if at == "faces" else scene.point_data)["shown"] = value
     largest = np.nanmax(value, initial=0.0)

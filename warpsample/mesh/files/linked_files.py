@@ -48,7 +48,7 @@ def _spellings(names: Iterable[str]) -> list[str]:
 
 
 def _is_possible(name: str) -> bool:
-    """Return whether a file can have a name: without half of a pair of UTF-16, which JSON can hold."""
+    """Return whether a file can have the given name. JSON can hold half of a UTF-16 pair, which no name of a file can."""
     try:
         fsencode(name)
     except UnicodeEncodeError:

@@ -106,6 +106,7 @@ def _sum_by_group(
 
     Factors are also summed over the replicates.
     """
-    # Sums are in the order of the faces: bits do not depend on blocks or threads. NumPy sums no numbers to integers.
+    # Sums are in the order of the faces: bits do not depend on blocks or threads. The type is for groups without entries:
+    # `np.bincount` then returns integers, whatever the weights.
     sums = np.stack([np.bincount(into, weights * part, size) for part in parts.T], axis=1).astype(np.float64)
     return sums.sum(axis=1), np.bincount(into, np.square(weights) * variance, size).astype(np.float64)
